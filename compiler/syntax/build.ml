@@ -40,13 +40,15 @@ let context (t : Ir.ty) =
   let one (t : Ir.ty) =
     match t.desc with
     | Type { name; units = None; arguments = [ argument ] } -> (name, argument)
-    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
+    | Size_operation _ ->
         Reject.at ~code:"E0110" t.span ~hint:"as in `(Eq a, Ord b) => …`"
           "expected classes before `=>`, each with one type"
   in
   match t.desc with
   | Tuple_type ts -> Long_list.map one ts
-  | Type _ | Type_variable _ | Representation _ | Function _ | Size _ -> [ one t ]
+  | Type _ | Type_variable _ | Representation _ | Function _ | Size _ | Size_operation _ ->
+      [ one t ]
 
 let class_ context (head : Ir.ty) members : Ir.declaration_desc =
   let name, (variable : Ir.name) =
@@ -58,14 +60,16 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
           arguments = [ { desc = Type_variable variable; _ } ];
         } ->
         (name, variable)
-    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
+    | Size_operation _ ->
         Reject.at ~code:"E0110" head.span ~hint:"as in `class Shape a where`"
           "the head of a class must be its name and one type variable"
   in
   let superclass ((class_ : Ir.qualified), (t : Ir.ty)) =
     match t.desc with
     | Type_variable x when String.equal x.text variable.text -> class_
-    | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
+    | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _
+    | Size_operation _ ->
         Reject.at ~code:"E0110" t.span
           ~hint:
             (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
@@ -77,7 +81,8 @@ let instance context (head : Ir.ty) members : Ir.declaration_desc =
   match head.desc with
   | Type { name = class_; units = None; arguments = [ head ] } ->
       Instance { context; class_; head; members }
-  | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
+  | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
+  | Size_operation _ ->
       Reject.at ~code:"E0110" head.span
         ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
         "the head of an instance must be a class and one type"
@@ -113,6 +118,12 @@ let size location (digits, decimal) =
   | Some _ | None ->
       Reject.at ~code:"E0110" (span location)
         "the size of an array must be a whole number, not `%s`" digits
+
+let sign_of_sizes location : string -> Ir.size_operator = function
+  | "+" -> Plus_sizes
+  | text ->
+      Reject.at ~code:"E0110" (span location)
+        "sizes have the operators `+`, `-` and `*`, but not `%s`" text
 
 (* Units *)
 

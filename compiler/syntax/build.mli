@@ -48,6 +48,9 @@ val size : location -> string * bool -> int
 (** The size of an array. The pair consists of the literal's text and a flag that is set if it is
     decimal. *)
 
+val sign_of_sizes : location -> string -> Ir.size_operator
+(** An operator between sizes other than [-] and [*]. *)
+
 val product : Surface.factor list -> Ir.unit_
 (** The unit with these factors, in reverse order. There must be at least one. *)
 

@@ -140,6 +140,8 @@ declaration_desc:
 | d = local_desc { d }
 | TYPE name = upper parameters = parameters EQUAL body = ty { Type_alias { name; parameters;
   body } }
+| TYPE name = upper parameters = parameters EQUAL body = size { Type_alias { name; parameters;
+  body } }
 | DATA name = upper parameters = parameters EQUAL constructors = constructors
     { Data { name; parameters; constructors = List.rev constructors } }
 | UNIT name = unit_name { Base_unit name }
@@ -379,8 +381,35 @@ simple_type:
     { ty $loc (Representation { name; unit_ }) }
 | LPAREN RPAREN { ty $loc (Tuple_type []) }
 | LPAREN t = ty RPAREN { t }
+| LPAREN t = size RPAREN { t }
 | LPAREN t = ty COMMA ts = comma_separated(ty) RPAREN
     { ty $loc (Tuple_type (t :: List.rev ts)) }
+
+/* Arithmetic on sizes: `Array (2 * N - 1) Float` */
+
+size:
+| t = size_product { t }
+| t = size_sum { t }
+
+size_sum:
+| left = size_term operator = sign right = size_term
+    { ty $loc (Size_operation { operator; left; right }) }
+| left = size_sum operator = sign right = size_term
+    { ty $loc (Size_operation { operator; left; right }) }
+
+size_term:
+| t = type_application { t }
+| t = size_product { t }
+
+size_product:
+| left = type_application STAR right = type_application
+    { ty $loc (Size_operation { operator = Times_sizes; left; right }) }
+| left = size_product STAR right = type_application
+    { ty $loc (Size_operation { operator = Times_sizes; left; right }) }
+
+sign:
+| MINUS { Minus_sizes }
+| x = OPERATOR { sign_of_sizes $loc x }
 
 /* Units */
 

@@ -189,7 +189,10 @@ and ty_desc =
   | Function of ty * ty
   | Tuple_type of ty list
   | Size of int  (** array size; not negative *)
+  | Size_operation of { operator : size_operator; left : ty; right : ty }
+      (** arithmetic on sizes: [N - 1] *)
 
+and size_operator = Plus_sizes | Minus_sizes | Times_sizes
 and unit_ = { desc : unit_desc; span : Span.t }
 
 and unit_desc =

@@ -154,6 +154,7 @@ let ty (desc : Ir.ty_desc) =
   | Function (a, b) -> [ Type a; Type b ]
   | Tuple_type ts -> types ts []
   | Size _ -> []
+  | Size_operation { operator = _; left; right } -> [ Type left; Type right ]
 
 let unit_ (desc : Ir.unit_desc) =
   match desc with

@@ -88,12 +88,22 @@ let rec type_to b (t : ty) =
           text b " ";
           simple_type b t)
         arguments
+  | Size_operation { operator; left; right } ->
+      between b "(" ")" (fun () ->
+          argument_of_arrow b left;
+          text b
+            (match operator with
+            | Plus_sizes -> " + "
+            | Minus_sizes -> " - "
+            | Times_sizes -> " * ");
+          argument_of_arrow b right)
   | Type_variable _ | Representation _ | Tuple_type _ | Size _ -> simple_type b t
 
 and argument_of_arrow b t =
   match t.desc with
   | Function _ -> between b "(" ")" (fun () -> type_to b t)
-  | Type _ | Type_variable _ | Representation _ | Tuple_type _ | Size _ -> type_to b t
+  | Type _ | Type_variable _ | Representation _ | Tuple_type _ | Size _ | Size_operation _ ->
+      type_to b t
 
 and simple_type b t =
   match t.desc with
@@ -102,7 +112,7 @@ and simple_type b t =
       text b x.text;
       in_brackets b [ unit_ ]
   | Tuple_type ts -> between b "(" ")" (fun () -> separated b ", " (type_to b) ts)
-  | Type { arguments = []; _ } -> type_to b t
+  | Type { arguments = []; _ } | Size_operation _ -> type_to b t
   | Size n -> text b (string_of_int n)
   | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
 

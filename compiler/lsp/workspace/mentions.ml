@@ -46,6 +46,9 @@ let rec ty add (t : ty) =
       ty add a;
       ty add b
   | Tuple_type ts -> List.iter (ty add) ts
+  | Size_operation { operator = _; left; right } ->
+      ty add left;
+      ty add right
 
 let constraint_ add ((class_ : qualified), t) =
   add (Uses { space = Class; name = class_; within = class_.span });

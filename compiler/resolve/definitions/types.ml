@@ -201,6 +201,40 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       Function (a, ty scope variables b)
   | Tuple_type ts -> Tuple_type (Long_list.map (ty scope variables) ts)
   | Size n -> Size n
+  | Size_operation _ -> (
+      (* after an error, any size will do *)
+      match known_size scope t with
+      | Some n -> Size n
+      | None -> Size 1)
+
+(* The number that arithmetic on sizes results in. *)
+and known_size scope (t : Syntax.Ir.ty) =
+  match t.desc with
+  | Size n -> Some n
+  | Type { name; units = None; arguments = [] } ->
+      Option.bind (Scope.find scope tycons name) (fun (alias : tycon) ->
+          if alias.size = None then
+            Diagnostic.error ~code:"E0330" ~at:t.span "`%s` is not a number, but part of a size"
+              name.name.text
+            |> Diagnostic.hint "define a size as `type N = 25`"
+            |> Context.emit scope.context;
+          alias.size)
+  | Size_operation { operator; left; right } -> (
+      match (known_size scope left, known_size scope right) with
+      | Some left, Some right -> Some (size_operation operator left right)
+      | _ -> None)
+  | Type_variable name ->
+      Diagnostic.error ~code:"E0330" ~at:t.span
+        "`%s` is a variable, but arithmetic on sizes needs known numbers" name.text
+      |> Diagnostic.hint
+           "use another variable for the result, as in `take :: Array n a -> Array k a`"
+      |> Context.emit scope.context;
+      None
+  | Type _ | Representation _ | Function _ | Tuple_type _ ->
+      Diagnostic.error ~code:"E0330" ~at:t.span "this type is part of a size, but not a number"
+      |> Diagnostic.hint "define a size as `type N = 25`"
+      |> Context.emit scope.context;
+      None
 
 (* Signatures *)
 

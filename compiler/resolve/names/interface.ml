@@ -189,6 +189,14 @@ let names_a_number (parameters : Syntax.Ir.type_parameters) (body : Syntax.Ir.ty
       String.equal u.text v.text && List.mem name.name.text [ "Float"; "Int" ]
   | _ -> false
 
+let size_operation (operator : Syntax.Ir.size_operator) left right =
+  (* larger numbers are not sizes, and must not overflow *)
+  let bounded n = max (-0x40000000) (min 0x40000000 n) in
+  match operator with
+  | Plus_sizes -> bounded (left + right)
+  | Minus_sizes -> bounded (left - right)
+  | Times_sizes -> bounded (left * right)
+
 (* The numbers that the module's own aliases represent, such as `type N = 25` and `type M = N`. *)
 let sizes (program : Syntax.Ir.program) =
   let aliases =
@@ -209,7 +217,12 @@ let sizes (program : Syntax.Ir.program) =
     | Size n -> Some n
     | Type { name = { qualifier = None; name; _ }; units = None; arguments = [] } when limit > 0 ->
         Option.bind (String_table.find_opt (Lazy.force aliases) name.text) (size (limit - 1))
-    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ -> None
+    | Size_operation { operator; left; right } when limit > 0 -> (
+        match (size (limit - 1) left, size (limit - 1) right) with
+        | Some left, Some right -> Some (size_operation operator left right)
+        | _ -> None)
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size_operation _ ->
+        None
   in
   size 100
 

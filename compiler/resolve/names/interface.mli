@@ -61,6 +61,9 @@ val units : unit_name space
 val classes : class_ space
 val none : unit -> names
 
+val size_operation : Syntax.Ir.size_operator -> int -> int -> int
+(** Arithmetic on sizes, in types. *)
+
 val is_operator : string -> bool
 (** Is the name an operator symbol? *)
 

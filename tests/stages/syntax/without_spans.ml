@@ -29,6 +29,8 @@ let rec ty (t : ty) : ty =
     | Function (a, b) -> Function (ty a, ty b)
     | Tuple_type ts -> Tuple_type (all ty ts)
     | Size n -> Size n
+    | Size_operation { operator; left; right } ->
+        Size_operation { operator; left = ty left; right = ty right }
   in
   { desc; span }
 

@@ -57,10 +57,12 @@ let pointer found =
 
 let size found =
   match (found.token.token, found.before) with
-  | (STAR | SLASH | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
+  | SLASH, Some _ when is_in_a_size found ->
       Some
-        "sizes cannot be computed: use a variable for any size, as in `Array m Float`, or a name \
-         for a number, as in `type Twice = 16`"
+        "sizes have only the operators `+`, `-` and `*`: write the result, or give it a name, as \
+         in `type Half = 8`"
+  | (STAR | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
+      Some "put arithmetic on sizes in parentheses, as in `Array (N - 1) Float`"
   | _ -> None
 
 let misplaced found =

@@ -48,13 +48,13 @@ Rows of a matrix:
   > main = proc x -> x
   > FROB
   $ frobc check sizes.frob
-  error[E0110]: expected `->` or the end of this type, found `*`
-   --> sizes.frob:1:37
+  error[E0330]: `n` is a variable, but arithmetic on sizes needs known numbers
+   --> sizes.frob:1:39
     |
   1 | double :: Array n Float -> Array (2 * n) Float
-    |                                     ^
+    |                                       ^
     |
-    = hint: sizes cannot be computed: use a variable for any size, as in `Array m Float`, or a name for a number, as in `type Twice = 16`
+    = hint: use another variable for the result, as in `take :: Array n a -> Array k a`
   
   1 error
   [1]
@@ -117,7 +117,7 @@ Rows of a matrix:
   > main = proc x -> fill [x, x, x, x, x, x, x, x]
   > FROB
   $ frobc check pointer.frob
-  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `*`
+  error[E0110]: expected `->` or the end of this type, found `*`
    --> pointer.frob:1:30
     |
   1 | foreign fill :: Array 8 Float* -> Int = "fill"

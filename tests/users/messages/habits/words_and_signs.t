@@ -91,7 +91,7 @@ Keywords and symbols of other languages around a definition.
   > main = proc x -> f x
   > FROB
   $ frobc check arrow_return_type.frob
-  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `-`
+  error[E0110]: expected `->` or the end of this type, found `-`
    --> arrow_return_type.frob:1:12
     |
   1 | f :: Float - > Float
