@@ -108,7 +108,7 @@ def targets(page, name):
         print(*found, sep="\n", end="")
 
 
-def keys(page, last):
+def keys(page):
     show(page.driver, "laptop", "light")
     page.at(0)
     focused = "return document.activeElement.id || document.activeElement.title"
@@ -142,6 +142,44 @@ def keys(page, last):
     check("plots are zoomed with keys", True)
 
 
+def fingers(page):
+    """Zooms a plot with two fingers, and the map."""
+    show(page.driver, "phone", "light")
+    page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
+
+    def touch(kind, *places):
+        page.driver.execute_cdp_cmd(
+            "Input.dispatchTouchEvent",
+            {
+                "type": kind,
+                "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)],
+            },
+        )
+
+    def spread(selector):
+        box = page.all(selector)[0].rect
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        touch("touchStart", (x - 20, y), (x + 20, y))
+        for apart in 30, 40, 60, 80:
+            touch("touchMove", (x - apart, y), (x + apart, y))
+        touch("touchEnd")
+
+    choose(page, "plots")
+    page.wait(lambda: page.all("#plots .u-over")[0].is_displayed())
+    spread("#plots .u-over")
+    page.wait(lambda: "range=" in page.driver.current_url)
+    check("two fingers zoom a plot", True)
+    page.press("z")
+    choose(page, "map")
+    page.wait(lambda: page.all("#map canvas")[0].is_displayed())
+    spread("#map canvas")
+    whole = "[data-view=all]"
+    page.wait(lambda: page.all(whole)[0].get_attribute("aria-pressed") == "false")
+    check("and the map", True)
+    page.all(whole)[0].click()
+    page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
 def fits(page):
     """Everything can be reached by scrolling down, but nothing to the side."""
     show(page.driver, "200 %", "light")
@@ -165,8 +203,9 @@ def main():
     try:
         page = Page(driver, v.address)
         page.at(0)
-        keys(page, 500)
+        keys(page)
         fits(page)
+        fingers(page)
         targets(page, "bug")
         open_everything(page)
         if searcher is not None:
