@@ -70,8 +70,9 @@ and control_kind =
   | Map  (** an event of the clicked place, in metres *)
   | Camera  (** an event of a camera frame *)
   | Tags  (** an event of the tags detected in a frame *)
-  | Lidar of { rays : int }  (** an event of a scan, resampled to this number of directions *)
-  | Imu  (** an event of an inertial measurement unit's reading *)
+  | Lidar of { rays : int }
+      (** an event with a scan that is resampled to this number of directions *)
+  | Imu  (** an event with the reading of an inertial measurement unit *)
 
 and foreign = {
   headers : header list;

@@ -219,7 +219,7 @@ let close_bracket r index =
     r.partner.(index) <- opener);
   pop r.state
 
-(* What a word changes for the words after it. *)
+(* The effect of a word on the words after it. *)
 let open_after r index (token : Lexer.token) frame =
   let { number; units; opener; types; cases = _ } = frame in
   match token.token with

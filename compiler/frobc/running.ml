@@ -119,7 +119,7 @@ let for_robots =
         ~doc:"With $(b,--device) or $(b,--ros2): keep the program's memory from being swapped out.";
     ]
 
-(* [frobc view] and [frobc run --view] have it. *)
+(* An option of [frobc view] and [frobc run --view]. *)
 let print_address =
   let doc = "Print the address of the page and do not open a browser." in
   Arg.(value & flag & info [ "print" ] ~doc)

@@ -17,4 +17,5 @@ val entry :
     why nothing could be written. *)
 
 val is_kept : unit -> (string, string) result
-(** The folder of the cache, or the folder that cannot be used, so that results are deleted. *)
+(** The folder of the cache, or the folder that cannot be used. In the latter case, results are
+    deleted. *)

@@ -15,8 +15,8 @@ let needed =
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
   ]
 
-(* The packages whose headers those of the needed packages include. Some distributions lack some of
-   them. *)
+(* Packages whose headers are included by the headers of the needed packages. Some distributions
+   lack some of these packages. *)
 let included =
   [
     "builtin_interfaces";
@@ -96,7 +96,7 @@ let found prefixes =
       Ok
         {
           options =
-            (* An rpath, unlike a runpath, applies to the libraries of libraries, too. *)
+            (* Unlike a runpath, an rpath also applies to transitive dependencies. *)
             [
               "-pthread"; "-D_GNU_SOURCE"; "-Wl,--disable-new-dtags"; "-Wl,--allow-shlib-undefined";
             ]

@@ -1,7 +1,8 @@
-(** An installation of ROS 2, which executables of [frobc run --ros2] are compiled and linked with.
+(** An installation of ROS 2, with which the executables of [frobc run --ros2] are compiled and
+    linked.
 
-    A user makes it known by the environment variable [AMENT_PREFIX_PATH], which the scripts that
-    users source set. It lists folders with packages. *)
+    frobc finds it through the environment variable [AMENT_PREFIX_PATH], which lists folders with
+    packages. The setup scripts of ROS 2, which users source, set this variable. *)
 
 type t = {
   options : string list;  (** for the C compiler, with the folders of the headers *)
@@ -9,11 +10,11 @@ type t = {
 }
 
 val find : unit -> (t, string) result
-(** The error is a text for the user: what to source or to install. *)
+(** The error tells the user what to source or to install. *)
 
 val tried : (string * string) list
-(** The distributions with which this version of frobc is tested: the beginning of the version of
-    their package [rcl], and the name. *)
+(** The distributions with which this version of frobc is tested: the prefix of the version of their
+    package [rcl], and their name. *)
 
 val untried : unit -> string option
 (** A warning for the user if the installation is not of one of these distributions. *)

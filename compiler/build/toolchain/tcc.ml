@@ -12,10 +12,11 @@ let archive file =
     Filename.concat (Filename.dirname file) "libfrob-tcc.a"
   else file
 
-(* Works around two bugs of tcc 0.9.27. When it receives a struct that a function returns in
-   registers, it writes whole registers; if the struct's size is not a multiple of theirs, this
-   overwrites the variable after it. So all structs are padded to a multiple. And it does not
-   recognize a sum that contains NaN or infinity as a constant, so local tables become variables. *)
+(* Works around two bugs of tcc 0.9.27. When a function returns a struct in registers, the caller
+   writes whole registers. If the size of the struct is not a multiple of the size of a register,
+   this overwrites the variable after the struct. So all structs are padded to a multiple. Also, tcc
+   does not recognize a sum that contains NaN or infinity as a constant, so local tables become
+   variables. *)
 let adapted text =
   let starts_struct line =
     String.starts_with ~prefix:"struct " line && String.ends_with ~suffix:"{" line

@@ -216,7 +216,7 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
          machine.compiler machine.cure)
 
 (* [frob-tcc] cannot list the files that it includes. A program that only calls vision kernels
-   includes none of the user's. *)
+   includes no file of the user. *)
 let without_own_files machine foreign =
   match foreign with
   | Some { sources = []; allowed = []; _ } when Tcc.is_own machine.compiler -> Ok None

@@ -197,7 +197,7 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
     [ plain (Ir.Constant { ty; name; value = place }) ]
   else []
 
-(* An array of the input of which only elements are read. *)
+(* An array of the input that is only read element by element. *)
 let read_elements names variable steps =
   Expression.read_elements_as names variable (Access.path (Name "in") steps)
 

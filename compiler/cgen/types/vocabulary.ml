@@ -149,8 +149,8 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
-(* The struct of a value, part of which may be a robot's. [whole] is its shape, [part] that of the
-   robot's part. *)
+(* The struct of a value, part of which may belong to a robot. [whole] is the shape of the value,
+   and [part] that of the robot's part. *)
 let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) result =
   let robots =
     match (robot, part) with

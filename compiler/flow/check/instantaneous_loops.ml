@@ -91,16 +91,16 @@ type cycle = { entry : Span.t; program : Ir.program; modes : int array }
 let mode_node cycle v = cycle.program.nodes.(cycle.modes.(v))
 let is_own cycle = Own_code.is_own ~entry:cycle.entry
 
-(* Whether a place is in the prelude, which is less helpful than the place in the program that uses
-   it. *)
+(* Whether a place is in the prelude. The place in the program that uses it is more helpful in a
+   message. *)
 let in_prelude cycle (at : Span.t) =
   String.equal (Filename.basename at.file) "Prelude.frob" && not (is_own cycle at)
 
 let is_task cycle origin (node : Ir.node) =
   String.equal node.origin origin && Option.is_some node.machine && is_own cycle node.span
 
-(* The name of a mode in messages. If a definition of the program runs inside a combinator, it is
-   the definition that may end, so its name is used. *)
+(* The name of a mode in messages. If a definition of the program runs inside a combinator, that
+   definition may end, so the message uses its name. *)
 let mode_name cycle hop =
   let here = mode_node cycle hop.from in
   let is_elsewhere origin (node : Ir.node) =
@@ -134,7 +134,7 @@ let by_prelude cycle hop =
   is_own cycle (mode_node cycle hop.from).span
   && Option.fold hop.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
 
-(* If several modes with the same name do the same, adds their label only once. *)
+(* Adds the label only once if several modes with the same name do the same. *)
 let label ~at text (d : Diagnostic.t) =
   let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
   if List.exists there d.labels then d else Diagnostic.label ~at text d

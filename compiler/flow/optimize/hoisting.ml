@@ -15,8 +15,9 @@ let costly (e : Ir.equation) =
   | Op (Elementary function_, arguments) when is_costly function_ -> Some { function_; arguments }
   | _ -> None
 
-(* The values that a node computes from inputs alone, with their equations. Literals may be
-   arguments, too; but a value of literals alone is known at the start, which an input is not. *)
+(* The values that a node computes from inputs alone, with their equations. Arguments may also be
+   literals. But a value computed only from literals is known before the program starts, whereas an
+   input is not. *)
 let candidates (node : Ir.node) =
   let is_input (a : Ir.atom) =
     match a with
@@ -52,7 +53,7 @@ let at_call (node : Ir.node) (i : Ir.instance) value =
     Some { value with arguments = List.filter_map Fun.id arguments }
   else None
 
-(* Nodes whose callers cannot compute anything for them. *)
+(* Nodes whose callers cannot compute values for them. *)
 let closed (program : Ir.program) =
   let closed = Array.map Option.is_some (Transitions.owners program) in
   closed.(Array.length closed - 1) <- true;
@@ -147,7 +148,7 @@ let round (program : Ir.program) =
       if moved.(k) = [] then node else callee ~fresh moved.(k) node
     in
     let nodes = Array.mapi node program.nodes in
-    (* Callers that compute a value twice now do it once. *)
+    (* Callers that compute a value twice now compute it once. *)
     Common_subexpressions.program { program with nodes; next_id = !next }
 
 (* A round moves a value from a node to its callers. *)

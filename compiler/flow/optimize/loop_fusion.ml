@@ -97,8 +97,8 @@ type joined = {
   mutable statics : (Ir.atom * Ir.signal) list; (* arguments and parameters, last one first *)
   mutable given : given list; (* last one first *)
   mutable results : (bool * Ir.signal * Ir.signal) list;
-      (* whether it is an accumulator's final value, the signal outside, and the one inside; last
-         one first *)
+      (* whether it is the final value of an accumulator, the signal outside the loop, and the
+         signal inside; in reverse order *)
   mutable bodies : Ir.instance list; (* last one first *)
   elements : Ir.signal Int_table.t;
       (* the current element, within an iteration, of each array that a member defines *)

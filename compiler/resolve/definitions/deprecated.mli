@@ -1,8 +1,8 @@
 (** Warns about names whose doc comment says that they are deprecated.
 
-    A doc comment contains the sentence [Deprecated: renamed to `NAME`.], and the warning has the
-    fix that writes the new name; or [Deprecated:] and advice, which becomes the hint. A name that
-    changes stays in the library for one version in this way.
+    If the doc comment contains the sentence [Deprecated: renamed to `NAME`.], the warning has a fix
+    that writes the new name. If it contains [Deprecated:] and other advice, the advice becomes the
+    hint. In this way, the library keeps a renamed definition for one version.
 
     Code: [W0317]. *)
 

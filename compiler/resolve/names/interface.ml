@@ -211,7 +211,7 @@ let sizes (program : Syntax.Ir.program) =
        List.iter add program.declarations;
        table)
   in
-  (* The limit ends a cycle of aliases, which is reported elsewhere. *)
+  (* The limit stops the search in a cycle of aliases, which is reported elsewhere. *)
   let rec size limit (t : Syntax.Ir.ty) =
     match t.desc with
     | Size n -> Some n

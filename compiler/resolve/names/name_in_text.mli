@@ -1,4 +1,4 @@
-(** How the source text goes on after an unknown name, and what precedes it. For messages. *)
+(** The source text before and after an unknown name, for messages. *)
 
 open Basis
 

@@ -12,4 +12,4 @@ val of_elements : string
 (** The hint that suggests a replacement for a function that takes a list apart. *)
 
 val of_each_line : string option -> string option list
-(** The hints for the following colons that this hint for a colon makes superfluous. *)
+(** The hints for later colons that are superfluous after this hint for a colon. *)

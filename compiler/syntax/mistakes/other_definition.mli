@@ -1,5 +1,5 @@
 (** Definitions of functions and choices in the notation of C, Python or MATLAB, and their
-    equivalents in Frob. The texts are guessed from a few lines of source text. *)
+    equivalents in Frob. The functions guess the texts from a few lines of source text. *)
 
 type t = {
   head : int * int;  (** the offsets of the first line, or of its part before the body *)

@@ -197,7 +197,7 @@ and bracketed closing rest =
   (opening ^ String.concat ", " inside ^ String.make 1 closing, rest)
 
 and negated found rest =
-  (* the operand of `not` must not be part of a comparison, which binds more loosely in Frob *)
+  (* comparisons bind more loosely than `not` in Frob, so its operand must not be part of one *)
   match parts [] rest with
   | Operand text :: Operator op :: _, _ when is_comparison op && text <> "" -> raise Unknown
   | Operand text :: others, rest ->

@@ -10,5 +10,5 @@ val iter : string -> (record -> (unit, string) result) -> (unit, string) result
     [Sys_error]. *)
 
 val is_ours : string -> bool
-(** Whether frobc has written the MCAP file, by its header. Also true of files that are no MCAP
-    files. Raises [Sys_error]. *)
+(** Whether frobc wrote the MCAP file, according to its header. Also true if the file is not an MCAP
+    file. Raises [Sys_error]. *)

@@ -2,7 +2,8 @@ let ( / ) = Filename.concat
 
 type finding =
   | Fine of string
-  | Missing of string  (** only some commands need it; the text says which, and what to type *)
+  | Missing of string
+      (** only some commands need it; the text names them, and the command to type *)
   | Broken of string  (** frobc does not work *)
 
 let print name finding =

@@ -55,7 +55,8 @@ let folder () =
   | None, Some home -> Ok (home / ".local" / "share" / "frobc")
   | None, None -> Error "there is no home folder: set XDG_DATA_HOME to a folder for the packages"
 
-(* A symbolic link to the environment, so that a new one replaces it in one step. *)
+(* A symbolic link to the environment, so that a new environment replaces the old one in one step.
+   *)
 let link folder = folder / "python"
 let python_of environment = environment / "bin" / "python3"
 let installed_groups environment = environment / "frobc-groups"
@@ -122,7 +123,7 @@ let has_word word text =
   let rec from k = k + n <= String.length text && (String.sub text k n = word || from (k + 1)) in
   from 0
 
-(* pip reports a missing network as a package without versions. *)
+(* If there is no network, pip reports that the package has no versions. *)
 let refused packages errors =
   let offline =
     List.exists

@@ -1,7 +1,8 @@
-(** Python packages of others, in an environment that belongs to frobc.
+(** Third-party Python packages, in a virtual environment that only frobc uses.
 
-    The environment is in [XDG_DATA_HOME/frobc] or [~/.local/share/frobc], and is not used if the
-    user has activated a virtual environment. It uses the Python package frob of this frobc. *)
+    The environment is in [XDG_DATA_HOME/frobc] or [~/.local/share/frobc]. If the user has activated
+    a virtual environment, frobc uses that one instead. Python in the environment finds the package
+    frob of this frobc. *)
 
 type group = {
   name : string;
@@ -12,17 +13,19 @@ type group = {
 val groups : group list
 
 val install : string list -> int
-(** [frobc extras install GROUP…]. Without a group, installs those that are installed again. The new
-    environment, with the groups of the old one, replaces it only when it is complete. *)
+(** [frobc extras install GROUP…]. Without a group, reinstalls the groups that are installed. The
+    new environment also contains the groups of the old one, and replaces it only when it is
+    complete. *)
 
 val list : unit -> int
 (** [frobc extras list]. *)
 
 val python : modules:string list -> string option
-(** The Python to use for a command that needs these modules: the one of an active virtual
-    environment; otherwise the first that has the modules, of the environment, the Python that frobc
-    was installed for, and [python3]; or the first that exists, if none has them. Sets [PYTHONPATH]
-    so that it finds the package frob of this frobc, if it does not have its own. *)
+(** The Python to use for a command that needs these modules. If a virtual environment is active,
+    this is its Python. Otherwise the candidates are the environment of frobc, the Python that frobc
+    was installed for, and [python3], in this order: returns the first one that has the modules, or
+    else the first one that exists. If that Python does not have the package frob, sets [PYTHONPATH]
+    so that it finds the package of this frobc. *)
 
 val command : string -> string
 (** The command that installs a group, for messages. *)

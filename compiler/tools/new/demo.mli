@@ -1,5 +1,5 @@
 (** [frobc demo]: copies an example to a new folder and drives it through its world. *)
 
 val run : Simulating.run -> int
-(** The folder is [frob-demo]. If it exists, its files are used as they are, because the user may
-    have changed them. Ignores the world of the run. *)
+(** The folder is [frob-demo]. If it exists, the demo uses its files unchanged, because the user may
+    have edited them. Ignores the world in the options of the run. *)

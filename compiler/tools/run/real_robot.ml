@@ -92,7 +92,7 @@ let executable_for way general ~entry ~sources file continue =
   | Device _ -> executable general this_machine ~entry ~sources file continue
   | Ros2 _ -> node general ~entry ~sources file continue
 
-(* The arguments for the host that lead it to its robot, and those that must come last. *)
+(* The arguments that tell the host how to reach its robot, and those that must come last. *)
 let leading = function
   | Device device -> ([ "--device"; device ], [])
   | Ros2 [] -> ([], [])

@@ -28,7 +28,7 @@ type view = {
   port : int option;  (** [None]: any free port *)
   world : string option;
       (** the world of the recorded run; [None]: the same default as for {!run} *)
-  compare : string option;  (** a second recording to show over the first one *)
+  compare : string option;  (** a second recording to show on top of the first one *)
   seed : int;  (** seed for running it again in the simulator *)
   at : float option;  (** the time to show first, in seconds *)
   only_build : bool;  (** only prints the path of the executable *)

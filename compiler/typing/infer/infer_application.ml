@@ -313,7 +313,7 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
             |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   | _ -> ()
 
-(* `robotPose i.x`, where the result of the function has the field, or a part of it has. *)
+(* `robotPose i.x`, if the result of the function, or a part of the result, has the field. *)
 let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
   let sink = ctx.reader.Annotation.sink in
   match ((List.nth arguments (failed - 1)).value.desc, Diagnostic.last sink) with

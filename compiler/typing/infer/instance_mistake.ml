@@ -173,7 +173,7 @@ let output_of_numbers fact =
                 with `roMake (setVelTR v omega)`"))
   | _ -> None
 
-(* Module of the library that declare records which are no robots. *)
+(* Modules of the library that declare records which are not robots. *)
 let is_of_the_library (t : Ir.Global.t) =
   List.mem t.module_
     [
@@ -410,8 +410,8 @@ let report_no_condition ctx ~at culprit =
               "use `isEvent e`, which is True when the event occurs"
             else "assert a condition, such as `x > 0`, or a `Verdict`"))
 
-(* The order or equality of a tuple with a function in it, as in `max(0, min(a, b))`, whose arguments
-   have been reported already. *)
+(* Comparison of tuples that contain a function, as in `max(0, min(a, b))`, whose arguments have
+   been reported already. *)
 let follows_from_a_tuple ctx (required : required) (lack : lack) =
   let is_function_type t = match Type.expand t with Function _ -> true | _ -> false in
   let rec holds_a_function t =

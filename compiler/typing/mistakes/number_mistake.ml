@@ -391,7 +391,7 @@ let is_of_functions words e =
   in
   go [] e
 
-(* [sqrt d], whose argument has the unit that the root should have. *)
+(* [sqrt d], if the argument has the unit that the result should have. *)
 let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
   match subject with
   | Some { desc = Apply { head = { desc = Global { name = "sqrt"; _ }; _ }; argument; _ }; _ }

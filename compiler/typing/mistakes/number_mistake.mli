@@ -1,7 +1,7 @@
 (** Messages about mismatched units ([E0320]).
 
-    The last argument is the clashing pair: the wanted and the given unit. [subject]: the expression
-    that has the wrong type, if there is one. *)
+    The last argument is the mismatched pair: the expected and the given unit. [subject]: the
+    expression that has the wrong type, if there is one. *)
 
 open Basis
 

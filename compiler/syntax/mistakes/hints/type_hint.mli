@@ -19,4 +19,4 @@ val size : Found.rule
 (** A computed array size. *)
 
 val misplaced : Found.t -> string
-(** The hint for a [::] where neither a signature nor an annotation can be. *)
+(** The hint for a [::] at a place that allows neither a signature nor an annotation. *)

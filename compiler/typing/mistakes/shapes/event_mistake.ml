@@ -215,7 +215,8 @@ let truth_held_for_a_time fact =
            (grouped fact "b"))
   | _ -> None
 
-(* `hold e x` for an event [e] without a value: the arguments are exchanged, and [x] is no event. *)
+(* `hold e x` for an event [e] without a value: the arguments are exchanged, and [x] is not an
+   event. *)
 let held_after_its_event fact =
   match (fact.expected.because, content fact.wanted) with
   | ( Parameter { callee = Some (("hold" | "dHold") as hold); position = 2; given = e :: _; _ },
@@ -230,7 +231,7 @@ let held_after_its_event fact =
            hold hold start e (grouped fact "x"))
   | _ -> None
 
-(* `Event e` or `tag e (Event x)`, where the content is an event already. *)
+(* `Event e` or `tag e (Event x)`, if the value is already an event. *)
 let wrapped_twice fact =
   let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
   let is_event_constructor (e : Resolve.Ir.expr) =

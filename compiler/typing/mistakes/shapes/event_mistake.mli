@@ -26,5 +26,5 @@ val accumulated :
     The list contains the arguments with their types. *)
 
 val operand : Shape_fact.rule
-(** An event, a `Maybe` or a record as the left operand of a number: reports that operand, not the
-    number. *)
+(** An operator whose left operand is an event, a `Maybe` or a record, and whose right operand is a
+    number: reports the left operand, not the number. *)

@@ -74,7 +74,7 @@ let hint_for_a_pair fact =
   let callee = callee fact.expected in
   let x = input fact.words fact.expected.ty in
   let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
-  (* `(proc i -> output, event)`, where the pair belongs into the `proc` *)
+  (* `(proc i -> output, event)`: the pair should be inside the `proc` *)
   let x, pair, run =
     match fact.subject with
     | Some
@@ -123,7 +123,7 @@ let hint_for_a_mode fact =
   | Signal_function _, Tuple [ _; _ ], None -> Some (hint_for_a_pair fact)
   | _ -> None
 
-(* The output of a mode, without the event: how to write both. *)
+(* The output of a mode without the event: explains how to write both. *)
 let with_an_event output = Printf.sprintf "(%s, after 1[s] ())" output
 
 let needs_an_event callee output =
@@ -131,7 +131,7 @@ let needs_an_event callee output =
     "the first argument of `%s` returns a pair: its output and the event that ends it, as in `%s`"
     callee (with_an_event output)
 
-(* `switch (proc x -> x) …`, where the output was taken for the pair. *)
+(* `switch (proc x -> x) …`: inference took the output for the pair. *)
 let input_as_pair fact =
   match (fact.wanted, fact.given, fact.subject) with
   | ( Signal_function (wanted, _),

@@ -98,7 +98,7 @@ let compared fact =
       Option.map (no_truth fact) (comparison fact)
   | _ -> None
 
-(* `delay 0 b`, where the literal decides the type, and the value is a truth value. *)
+(* `delay 0 b`: the literal determines the type, but `b` is a truth value. *)
 let after_a_number fact =
   match fact.expected.because with
   | Parameter

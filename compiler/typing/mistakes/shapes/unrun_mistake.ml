@@ -123,7 +123,7 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
-(* A name for a signal function, as in `let x = frontSonar`, where there is no signal to run it on:
+(* A name for a signal function, as in `let x = frontSonar`, without a signal to apply it to:
    probably in a task. *)
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
   let is_robot = Show.needs_class words input in
@@ -176,7 +176,7 @@ let program (fact : Shape_fact.t) =
       let made = "reactimateRobot " ^ Source.grouped text in
       d |> hint (Printf.sprintf "write `%s`" made) |> instead fact.subject made
 
-(* A program whose `proc` has the input `()`, where the robot's input is something else. *)
+(* A program whose `proc` has the input `()`, although the robot has an input. *)
 let program_without_input (fact : Shape_fact.t) =
   let is_unit t = Type.expand t = Type.Tuple [] in
   match (fact.wanted, fact.given, fact.subject) with

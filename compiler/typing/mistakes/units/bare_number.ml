@@ -49,11 +49,11 @@ let literal words (e : Resolve.Ir.expr) =
             (number value)
       | None -> None)
 
-(* Longest chain of names that is followed. *)
+(* Maximum length of a chain of names. *)
 let deepest = 6
 
-(* The factors of a product that [select] accepts, each with its exponent: of a product only the first
-   one, of a sum one for each operand. *)
+(* The factors that [select] accepts, each with its exponent: in a product only the first one, in a
+   sum one for each operand. *)
 let factors words ~select e =
   let rec of_expr depth power (e : Resolve.Ir.expr) =
     match (select words e, e.desc) with
@@ -112,7 +112,7 @@ let give words { digits; negative; at; name; signature; _ } unit_ d =
       Diagnostic.hint (Printf.sprintf "write `%s` if that is its unit" text) d
       |> Diagnostic.write at literal
   | Some name ->
-      (* the signature of a parameter is in the line of its value *)
+      (* a `param` has its signature and its value on one line *)
       let cure, edits =
         match signature with
         | Some place when Show.quote words place <> None ->

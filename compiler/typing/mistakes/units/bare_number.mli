@@ -1,4 +1,4 @@
-(** Numbers that the program writes without a unit, and the names that stand for them. *)
+(** Numbers that the program writes without a unit, and the names that are defined as them. *)
 
 open Basis
 
@@ -27,4 +27,4 @@ val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, or the expression itself. *)
 
 val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
-(** Labels the literal, and suggests to give it this unit. *)
+(** Labels the literal, and suggests adding this unit to it. *)

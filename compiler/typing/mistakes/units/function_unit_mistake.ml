@@ -4,8 +4,8 @@ open Diagnostic
 let text words (e : Resolve.Ir.expr) = Show.quote words e.span
 let grouped words e = Option.map Source.grouped (text words e)
 
-(* Is the value the same at every instant? Equations may be recursive, so the names that are being
-   followed are remembered. *)
+(* Is the value the same at every instant? Equations may be recursive, so the function keeps the
+   names that it has already visited. *)
 let is_fixed words e =
   let rec go followed (e : Resolve.Ir.expr) =
     match e.desc with

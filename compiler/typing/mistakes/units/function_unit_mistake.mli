@@ -17,7 +17,7 @@ val power :
   ?unit_:string ->
   unit ->
   (Diagnostic.t -> Diagnostic.t) option
-(** [d ** 2] for a base [d] that `**` does not take: it has the unit, or is an `Int`. *)
+(** [d ** 2] for a base [d] that `**` does not accept, because it has a unit or is an `Int`. *)
 
 val whole_numbers :
   Show.words -> expected:Expected.t -> found:Type.t -> (Diagnostic.t -> Diagnostic.t) option

@@ -11,7 +11,8 @@ let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rati
 let give words units d ((number : Bare_number.t), power) =
   Bare_number.give words number (Show.measure words (needed units power)) d
 
-(* The operand whose constants would correct the units, with the units as they are for it. *)
+(* The operand whose constants would correct the units, with the expected and the found unit of this
+   operand. *)
 let sides ~subject ~(expected : Expected.t) (wanted, given) =
   let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
   match expected.because with
@@ -36,8 +37,8 @@ let rec mentions names (e : Resolve.Ir.expr) =
   | Negate e -> mentions names e
   | _ -> false
 
-(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. A half and a formula that contains
-   `pi` or `time` are left out, because there a number usually has no unit. *)
+(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
+   contain `pi` or `time`, because their numbers usually have no unit. *)
 let of_a_literal words ~likely ~subject ~expected (wanted, given) =
   let cure (e, units) =
     match Bare_number.written_factor words e with

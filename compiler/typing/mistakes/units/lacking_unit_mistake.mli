@@ -26,7 +26,7 @@ val of_a_difference :
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** The difference of a signal and its previous value, where its rate of change is needed. *)
+(** The difference of a signal and its previous value, if its rate of change is expected. *)
 
 val of_operands :
   Show.words ->

@@ -1,7 +1,7 @@
 (** Messages about an Int and a Float that do not fit ([E0312]).
 
-    The last argument is the clashing pair: the wanted and the given representation. [subject]: the
-    expression that has the wrong type, if there is one. *)
+    The last argument is the mismatched pair: the expected and the given representation. [subject]:
+    the expression that has the wrong type, if there is one. *)
 
 open Basis
 

@@ -66,7 +66,7 @@ let rec within words (e : Resolve.Ir.expr) =
   | Lambda { body; _ } -> within words body
   | _ -> []
 
-(* The earlier arguments that are number literals and have a part in the unit. *)
+(* The earlier arguments that are number literals and contribute to the unit. *)
 let suspects words ~head ~given ~decided ~position units =
   let decided_by_a_function =
     List.exists (fun e -> is_general words e && is_earlier decided e) given
@@ -105,7 +105,7 @@ let suspects words ~head ~given ~decided ~position units =
   in
   List.filter_map Fun.id (List.mapi suspect given)
 
-(* Is some other earlier argument a reason for the unit too? A zero is not. *)
+(* Does some other earlier argument determine the unit, too? A zero does not. *)
 let has_other_reason words ~given ~decided =
   let is_zero (e : Resolve.Ir.expr) =
     match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
@@ -118,7 +118,8 @@ let has_other_reason words ~given ~decided =
       && not (is_zero e || is_general words e))
     given
 
-(* The unit as the program would write it: an angle keeps its unit. The empty text is no unit. *)
+(* The unit as the program would write it: an angle keeps its unit. An empty string means no unit.
+   *)
 let written words (number : Bare_number.t) unit_ =
   let angle =
     match number.unit_ with

@@ -1,5 +1,5 @@
-(** A number whose unit does not fit the other arguments of a function with one unit variable, as in
-    [min 0.3 v] for a velocity [v]. *)
+(** A number whose unit differs from that of the other arguments of a function with one unit
+    variable, as in [min 0.3 v] for a velocity [v]. *)
 
 open Basis
 
