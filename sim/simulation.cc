@@ -26,6 +26,8 @@ std::string called(std::size_t robot, std::size_t robots) {
 Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, const RobotKind *own)
     : scene_(std::move(scene)), kind_(own ? *own : kind_of(scene_)),
       world_(scene_, kind_.chassis()), seed_(seed) {
+    if (kind_.equipped && scene_.lidars.empty()) scene_.lidars.emplace_back();
+    if (kind_.equipped && scene_.imus.empty()) scene_.imus.emplace_back();
     for (std::size_t k = 0; k < scene_.starts.size(); ++k) {
         if (body(k).overlaps())
             throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +

@@ -45,7 +45,8 @@ const std::vector<RobotKind> &robot_kinds() {
          make<Scout>},
         {"create", sizeof(frob_create_input), sizeof(frob_create_output), create2::chassis,
          make<Create>},
-        {"ros", sizeof(frob_ros_input), sizeof(frob_ros_output), turtlebot4::chassis, make<Ros>},
+        {"ros", sizeof(frob_ros_input), sizeof(frob_ros_output), turtlebot4::chassis, make<Ros>,
+         true},
     };
     return kinds;
 }

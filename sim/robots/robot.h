@@ -92,6 +92,8 @@ struct RobotKind {
     std::size_t input_size, output_size; // size of its C structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
+    // Has a lidar and an inertial measurement unit, unless the world file describes others.
+    bool equipped = false;
 };
 
 // The first kind is the default for worlds that name no robot.

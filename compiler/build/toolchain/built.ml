@@ -21,19 +21,19 @@ let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
            "%s is compiled for `ros`, a robot that has no serial line: use `frobc run --ros2` or \
             `frobc build --ros2`"
            name)
-  | Some _, _, sensor :: _ ->
+  | Some _, _, sensor :: _ when not ros2 ->
       Error
         (Printf.sprintf
            "%s uses %s, but only the simulator has one; on your own robot, the driver can fill a \
             field of the input, and an instance can read it"
            name sensor)
-  | Some _, camera :: _, [] when not sees ->
+  | Some _, camera :: _, _ when not sees ->
       Error
         (Printf.sprintf
            "%s uses the camera `%s`, but only the simulator and Linux robots have cameras, not \
             boards"
            name camera)
-  | Some _, _, [] -> Ok ()
+  | Some _, _, _ -> Ok ()
 
 let own_driver general =
   match Robots.own_of general.robot with

@@ -13,6 +13,7 @@ let needed =
     ("rosidl_runtime_c", [ "rosidl_runtime_c" ]);
     ("geometry_msgs", [ "geometry_msgs__rosidl_typesupport_c"; "geometry_msgs__rosidl_generator_c" ]);
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
+    ("sensor_msgs", [ "sensor_msgs__rosidl_typesupport_c"; "sensor_msgs__rosidl_generator_c" ]);
   ]
 
 (* Packages whose headers are included by the headers of the needed packages. Some distributions

@@ -8,6 +8,8 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+#include <frob/program.h>
+
 #include "hal/posix/serial.h"
 
 struct line;
@@ -22,6 +24,10 @@ struct line_opening {
     /* Opens line->port. `settings` are those of the driver. On failure nothing is open, and
      * `message`, of size `room`, explains the problem in one line. */
     enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
+
+    /* Sets the events of the program's controls that come over this line, for this instant; `now_ns`
+     * is the monotonic clock. NULL: there are none. */
+    void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
     /* Waits until the process at the other end has ended. The port is closed. */
     void (*close)(struct line *line);

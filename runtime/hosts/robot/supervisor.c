@@ -294,6 +294,8 @@ static void next_instant(struct supervisor *s)
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
     frob_console_clear(s->program, s->input);
+    if (s->line.opening != NULL && s->line.opening->give != NULL)
+        s->line.opening->give(s->device, s->program, s->input, now);
     cameras_look(&s->cameras, s->input, s->first_ns, s->instant_ns);
     touches_take(&s->touches, &s->console, &s->publisher.ring);
     touches_apply(&s->touches, s->input);

@@ -20,6 +20,9 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "fastest_turn", 3.0, 0.01, 20.0, "maximum turn rate that is published, rad/s" },
     { "late", 0.2, 0.01, 10.0, "maximum delay of a message that counts, s" },
     { "stamped", 0.0, 0.0, 1.0, "1: publish TwistStamped instead of Twist" },
+    { "lidar_x", 0.0, -10.0, 10.0, "position of the lidar ahead of the robot's centre, m" },
+    { "lidar_y", 0.0, -10.0, 10.0, "position of the lidar to the left, m" },
+    { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),
@@ -44,7 +47,7 @@ static void start(void *device, const double *values, const struct frob_serial *
     d->settings = values;
     d->serial = *serial;
     d->clock = *clock;
-    d->sensed_ns = d->received_ns = INT64_MIN;
+    d->sensed_ns = d->odometry.received_ns = INT64_MIN;
 }
 
 /* ---- Messages from the node */
@@ -55,75 +58,179 @@ static double s(int64_t ns)
 }
 
 /* Reports a message with a strange stamp, once for each kind of fault until the clock is set. */
-static void tell_stamp(struct ros_device *d, enum stamps_verdict verdict, int64_t by_ns)
+static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int64_t by_ns)
 {
-    const char *topic = d->started.odometry;
-    if (verdict == STAMPS_GOOD || d->told[verdict])
+    if (verdict == STAMPS_GOOD || topic->told[verdict])
         return;
-    d->told[verdict] = true;
+    topic->told[verdict] = true;
     switch (verdict) {
     case STAMPS_OLD:
         fprintf(stderr,
-                "warning: a message on %s arrived %.3f s late; late messages do not count, and the "
-                "robot stands until messages arrive in time\n",
-                topic, s(by_ns));
+                "warning: a message on %s arrived %.3f s late; late messages do not count\n",
+                topic->name, s(by_ns));
         break;
     case STAMPS_BACK:
     case STAMPS_AHEAD:
         fprintf(stderr,
-                "warning: the stamp of a message on %s jumped %s by %.3f s; the robot stands until "
-                "stamps have been regular for a second\n",
-                topic, verdict == STAMPS_BACK ? "back" : "ahead", s(by_ns));
+                "warning: the stamp of a message on %s jumped %s by %.3f s; messages do not count "
+                "until stamps have been regular for a second\n",
+                topic->name, verdict == STAMPS_BACK ? "back" : "ahead", s(by_ns));
         break;
     case STAMPS_RESET:
         fprintf(stderr, "warning: the clock of the messages on %s was set; they count again\n",
-                topic);
-        memset(d->told, 0, sizeof d->told);
+                topic->name);
+        memset(topic->told, 0, sizeof topic->told);
         break;
     case STAMPS_GOOD: break;
     }
 }
 
+/* Reports that no more messages arrive, once until they do. */
+static void tell_silence(const struct ros_device *d, struct ros_topic *topic, const char *effect)
+{
+    const int64_t now = frob_now_ns(&d->clock);
+    if (topic->received_ns == INT64_MIN || topic->told_silence ||
+        now - topic->received_ns < SILENCE_NS)
+        return;
+    topic->told_silence = true;
+    fprintf(stderr, "warning: no message on %s for %.0f s%s\n", topic->name, s(SILENCE_NS), effect);
+}
+
+/* Decides whether a message counts. `bad`: why its content is not usable, or NULL. `taken_ns`
+ * receives the time when it left its sender, on our clock. */
+static bool counts(struct ros_device *d, struct ros_topic *topic, const char *bad, int64_t stamp_ns,
+                   int64_t arrived_ns, int64_t *taken_ns)
+{
+    const int64_t late_ns = (int64_t)(d->settings[ROS_LATE] * 1e9);
+    enum stamps_verdict verdict;
+    int64_t by_ns;
+    topic->received_ns = frob_now_ns(&d->clock);
+    topic->told_silence = false;
+    if (bad != NULL) {
+        if (topic->told_bad != bad)
+            fprintf(stderr, "warning: a message on %s does not count: %s\n", topic->name, bad);
+        topic->told_bad = bad;
+        return false;
+    }
+    verdict = stamps_judge(&topic->stamps, stamp_ns, arrived_ns, late_ns, &by_ns);
+    tell_stamp(topic, verdict, by_ns);
+    if (verdict != STAMPS_GOOD && verdict != STAMPS_RESET)
+        return false;
+    *taken_ns = arrived_ns - (verdict == STAMPS_GOOD ? by_ns : 0);
+    return true;
+}
+
 static void take_odometry(struct ros_device *d, const struct ros_odometry *odometry)
 {
     struct ros_motion motion;
-    int64_t by_ns;
     const char *bad = ros_motion_of(odometry, &motion);
-    enum stamps_verdict verdict;
-    d->received_ns = frob_now_ns(&d->clock);
-    d->told_silence = false;
-    if (bad != NULL) {
-        if (d->told_bad != bad)
-            fprintf(stderr, "warning: a message on %s does not count: %s\n", d->started.odometry,
-                    bad);
-        d->told_bad = bad;
-        return;
-    }
-    verdict = stamps_judge(&d->stamps, odometry->stamp_ns, odometry->arrived_ns,
-                           (int64_t)(d->settings[ROS_LATE] * 1e9), &by_ns);
-    tell_stamp(d, verdict, by_ns);
-    if (verdict != STAMPS_GOOD && verdict != STAMPS_RESET)
-        return;
-    d->motion = motion;
-    d->sensed_ns = odometry->arrived_ns - (verdict == STAMPS_GOOD ? by_ns : 0);
+    if (counts(d, &d->odometry, bad, odometry->stamp_ns, odometry->arrived_ns, &d->sensed_ns))
+        d->motion = motion;
 }
 
-/* Reports that no more messages arrive, once until they do. */
-static void tell_silence(struct ros_device *d)
+/* Returns the sensor of a message; NULL if there is no room for another one. */
+static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
+                                    const struct ros_origin *origin)
 {
-    const int64_t now = frob_now_ns(&d->clock);
-    if (d->received_ns == INT64_MIN || d->told_silence || now - d->received_ns < SILENCE_NS)
+    for (size_t i = 0; i < ROS_SENSORS_MOST; i++) {
+        struct ros_sensor *sensor = &d->sensors[i];
+        if (sensor->used && sensor->control == origin->control)
+            return sensor;
+        if (!sensor->used) {
+            sensor->used = true;
+            sensor->kind = kind;
+            sensor->control = origin->control;
+            sensor->topic.received_ns = INT64_MIN;
+            for (size_t k = 0; k < d->started.sensor_count && k < ROS_SENSORS_MOST; k++)
+                if (d->started.sensors[k].control == origin->control)
+                    snprintf(sensor->topic.name, sizeof sensor->topic.name, "%s",
+                             d->started.sensors[k].topic);
+            return sensor;
+        }
+    }
+    return NULL;
+}
+
+static void take_scan(struct ros_device *d, const struct ros_scan *message)
+{
+    struct ros_sensor *sensor = sensor_of(d, ROS_SCAN, &message->origin);
+    const struct ros_seat seat = { d->settings[ROS_LIDAR_X], d->settings[ROS_LIDAR_Y],
+                                   d->settings[ROS_LIDAR_HEADING] };
+    const char *bad;
+    if (sensor == NULL)
         return;
-    d->told_silence = true;
-    fprintf(stderr, "warning: no message on %s for %.0f s; the robot stands until one arrives\n",
-            d->started.odometry, s(SILENCE_NS));
+    bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
+    if (bad == NULL)
+        sensor->number++;
+    sensor->fresh = counts(d, &sensor->topic, bad, message->origin.stamp_ns,
+                           message->origin.arrived_ns, &sensor->taken_ns);
+}
+
+static void take_imu(struct ros_device *d, const struct ros_imu *message)
+{
+    struct ros_sensor *sensor = sensor_of(d, ROS_IMU, &message->origin);
+    const char *bad;
+    if (sensor == NULL)
+        return;
+    bad = ros_imu_check(message);
+    if (!counts(d, &sensor->topic, bad, message->origin.stamp_ns, message->origin.arrived_ns,
+                &sensor->taken_ns))
+        return;
+    ros_imu_add(&sensor->sums, message);
+    sensor->fresh = true;
+}
+
+/* Sets the event of one control. A control may share its sensor with others. */
+static void give(const struct ros_sensor *sensor, const struct frob_control *control, void *input,
+                 int64_t now_ns)
+{
+    const bool fresh = sensor != NULL && sensor->fresh;
+    if (control->kind == FROB_IMU) {
+        struct frob_imu reading;
+        if (fresh)
+            reading = ros_imu_mean(&sensor->sums, sensor->taken_ns);
+        frob_imu_give(control, input, fresh ? &reading : NULL, now_ns);
+    } else {
+        struct frob_scan scan;
+        if (fresh) {
+            scan = sensor->scan;
+            scan.taken_ns = sensor->taken_ns;
+            scan.number = sensor->number;
+        }
+        frob_lidar_give(control, input, fresh ? &scan : NULL, now_ns);
+    }
+}
+
+void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns)
+{
+    struct ros_device *d = (struct ros_device *)device;
+    for (size_t i = 0; i < program->control_count; i++) {
+        struct ros_sensor *sensor = NULL;
+        char name[ROS_NAME];
+        if (!ros_topic_of(&program->console[i], name, sizeof name))
+            continue;
+        for (size_t k = 0; k < ROS_SENSORS_MOST; k++)
+            if (d->sensors[k].used && d->sensors[k].control == ros_first_user(program, i))
+                sensor = &d->sensors[k];
+        give(sensor, &program->console[i], input, now_ns);
+    }
+    for (size_t k = 0; k < ROS_SENSORS_MOST; k++) {
+        if (d->sensors[k].fresh)
+            ros_imu_restart(&d->sensors[k].sums);
+        d->sensors[k].fresh = false;
+    }
 }
 
 static void take(struct ros_device *d)
 {
     switch (d->message.head.kind) {
-    case ROS_STARTED: d->started = d->message.started; break;
+    case ROS_STARTED:
+        d->started = d->message.started;
+        snprintf(d->odometry.name, sizeof d->odometry.name, "%s", d->started.odometry);
+        break;
     case ROS_ODOMETRY: take_odometry(d, &d->message.odometry); break;
+    case ROS_SCAN: take_scan(d, &d->message.scan); break;
+    case ROS_IMU: take_imu(d, &d->message.imu); break;
     default: break;
     }
 }
@@ -201,6 +308,14 @@ static void close_session(void *device)
 
 /* ---- The rest of the table */
 
+static void tell_silences(struct ros_device *d)
+{
+    tell_silence(d, &d->odometry, "; the robot stands until one arrives");
+    for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
+        if (d->sensors[i].used)
+            tell_silence(d, &d->sensors[i].topic, "");
+}
+
 static enum frob_status poll_device(void *device)
 {
     struct ros_device *d = (struct ros_device *)device;
@@ -208,7 +323,7 @@ static enum frob_status poll_device(void *device)
     const bool due = frob_now_ns(&d->clock) >= d->sent_ns + REPEAT_NS;
     const bool connecting = d->sensed_ns == INT64_MIN;
     if (status == FROB_OK)
-        tell_silence(d);
+        tell_silences(d);
     if (status == FROB_OK && due && d->commanded)
         status = publish(d);
     /* An earlier session may have left the robot moving. */

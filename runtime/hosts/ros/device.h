@@ -9,12 +9,46 @@
 #include "drivers/driver.h"
 #include "messages.h"
 #include "odometry.h"
+#include "sensors.h"
 #include "stamps.h"
 
 /* The driver's settings, in the order of its table. */
-enum ros_setting { ROS_FASTEST, ROS_FASTEST_TURN, ROS_LATE, ROS_STAMPED, ROS_SETTINGS };
+enum ros_setting {
+    ROS_FASTEST,
+    ROS_FASTEST_TURN,
+    ROS_LATE,
+    ROS_STAMPED,
+    ROS_LIDAR_X,
+    ROS_LIDAR_Y,
+    ROS_LIDAR_HEADING,
+    ROS_SETTINGS
+};
 
 enum { ROS_VERDICTS = STAMPS_RESET + 1 };
+
+/* The messages of one topic: whether they arrive, and what was reported of them. */
+struct ros_topic {
+    char name[ROS_NAME]; /* of the topic; "" until it is known */
+    struct stamps stamps;
+    int64_t received_ns; /* when the last message arrived, good or not; INT64_MIN: never */
+    bool told_silence;
+    bool told[ROS_VERDICTS]; /* stamps that were reported */
+    const char *told_bad;    /* reason for an unusable message that was reported last */
+};
+
+/* A lidar or inertial measurement unit. */
+struct ros_sensor {
+    bool used;
+    enum ros_kind kind;
+    uint32_t control;
+    struct ros_topic topic;
+    bool fresh;       /* a message has arrived that the program has not read */
+    int64_t taken_ns; /* when the newest one left its sender */
+    struct frob_scan scan;
+    double ranges_m[ROS_RAYS_MOST];
+    uint32_t number; /* counts the scans */
+    struct ros_measurements sums;
+};
 
 struct ros_device {
     const double *settings;
@@ -25,23 +59,25 @@ struct ros_device {
         struct ros_started started;
         struct ros_refused refused;
         struct ros_odometry odometry;
+        struct ros_scan scan;
+        struct ros_imu imu;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the one that is being received, and */
     size_t have; /* its number of bytes so far */
     struct ros_started started;
-    struct stamps stamps;
+    struct ros_topic odometry;
     struct ros_motion motion;
-    int64_t sensed_ns;   /* when the newest good odometry left its sender; INT64_MIN: never */
-    int64_t received_ns; /* when the last odometry arrived, good or not; INT64_MIN: never */
-    bool told_silence;
+    int64_t sensed_ns; /* when the newest good odometry left its sender; INT64_MIN: never */
+    struct ros_sensor sensors[ROS_SENSORS_MOST];
     bool commanded; /* a velocity was commanded; it is repeated */
     bool drove;     /* one was commanded since the first session */
     struct ros_velocity velocity;
     int64_t sent_ns;
-    bool told[ROS_VERDICTS]; /* stamps that were reported */
-    const char *told_bad;    /* reason for unusable numbers that was reported last */
 };
 
 extern const struct frob_driver frob_ros_driver;
+
+/* Sets the events of the program's lidars and inertial measurement units for this instant. */
+void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
 #endif

@@ -1,3 +1,4 @@
+#include "inputs.h"
 #include "parts.h"
 
 #include <stdio.h>
@@ -32,23 +33,24 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
     }
 }
 
-static void look_at_odometry(struct graph *g, const rcl_node_t *node, bool heard)
+static void look_at_input(const struct graph *g, struct input *input, const rcl_node_t *node)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();
     rcl_topic_endpoint_info_array_t nodes = rcl_get_zero_initialized_topic_endpoint_info_array();
-    if (rcl_get_publishers_info_by_topic(node, &allocator, g->odometry.name, false, &nodes) !=
+    struct topic *topic = &input->topic;
+    if (rcl_get_publishers_info_by_topic(node, &allocator, topic->name, false, &nodes) !=
         RCL_RET_OK) {
         rcl_reset_error();
         return;
     }
-    tell_type(&g->odometry, &nodes, "publishes");
-    if (nodes.size == 0 && !heard && !g->told_silence &&
+    tell_type(topic, &nodes, "publishes");
+    if (nodes.size == 0 && !input->heard && !topic->told_silence &&
         node_now_ns() - g->started_ns > SILENCE_NS) {
-        g->told_silence = true;
+        topic->told_silence = true;
         fprintf(stderr,
-                "warning: waiting for odometry: no node publishes %s. Start the robot's nodes, or "
-                "remap the topic with `--ros-args -r odom:=NAME`\n",
-                g->odometry.name);
+                "warning: no node publishes %s (%s), which the program needs. Start the robot's "
+                "nodes, or remap the topic with `--ros-args -r %s:=NAME`\n",
+                topic->name, topic->type, input->name);
     }
     if (rcl_topic_endpoint_info_array_fini(&nodes, &allocator) != RCL_RET_OK)
         rcl_reset_error();
@@ -95,13 +97,14 @@ static void look_at_names(struct graph *g, const rcl_node_t *node)
         rcutils_reset_error();
 }
 
-void graph_look(struct graph *g, const rcl_node_t *node, bool heard)
+void graph_look(struct graph *g, const rcl_node_t *node)
 {
     const int64_t now = node_now_ns();
     if (now - g->checked_ns < CHECK_NS)
         return;
     g->checked_ns = now;
-    look_at_odometry(g, node, heard);
+    for (size_t i = 0; i < g->inputs->count; i++)
+        look_at_input(g, &g->inputs->each[i], node);
     look_at_velocity(g, node);
     look_at_names(g, node);
 }

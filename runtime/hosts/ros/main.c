@@ -13,7 +13,7 @@ extern const struct frob_program frob_program;
 int main(int argc, char **argv)
 {
     int status;
-    if (ros_is_node(argc, argv, frob_program.name, &status))
+    if (ros_is_node(argc, argv, &frob_program, &status))
         return status;
     return host_run(argc, argv, &frob_program, &frob_ros_driver, &ros_opening);
 }

@@ -14,6 +14,8 @@ enum ros_kind {
     ROS_STARTED = 1, /* it has joined the ROS 2 system; the rest is a struct ros_started */
     ROS_REFUSED,     /* it could not; the rest is a struct ros_refused */
     ROS_ODOMETRY,
+    ROS_SCAN,
+    ROS_IMU,
     /* To the node. */
     ROS_VELOCITY
 };
@@ -23,13 +25,21 @@ struct ros_head {
     uint32_t kind;
 };
 
-enum { ROS_NAME = 256, ROS_REASON = 1024 };
+enum { ROS_NAME = 256, ROS_REASON = 1400 };
+
+/* The most lidars and inertial measurement units that a program may use. */
+enum { ROS_SENSORS_MOST = 8 };
 
 struct ros_started {
     struct ros_head head;
     char node[ROS_NAME];     /* with its namespace: "/wall_follow" */
     char odometry[ROS_NAME]; /* the names of the topics, after remapping */
     char velocity[ROS_NAME];
+    uint32_t sensor_count;
+    struct {
+        uint32_t control; /* as in struct ros_origin */
+        char topic[ROS_NAME];
+    } sensors[ROS_SENSORS_MOST];
 };
 
 struct ros_refused {
@@ -47,6 +57,33 @@ struct ros_odometry {
     double speed_m_s, turning_rad_s;
 };
 
+/* Which message a struct describes, and when it was made. */
+struct ros_origin {
+    uint32_t control; /* index of the first control of the program's console that uses it */
+    int64_t stamp_ns; /* as in struct ros_odometry */
+    int64_t arrived_ns;
+};
+
+enum { ROS_RAYS_MOST = 8192 };
+
+/* A sensor_msgs/msg/LaserScan, unchecked. The message ends after `count` ranges. */
+struct ros_scan {
+    struct ros_head head;
+    struct ros_origin origin;
+    double first_rad, step_rad, nearest_m, farthest_m;
+    uint32_t count;
+    float ranges_m[ROS_RAYS_MOST];
+};
+
+/* A sensor_msgs/msg/Imu, unchecked. */
+struct ros_imu {
+    struct ros_head head;
+    struct ros_origin origin;
+    double rate_radps[3], acceleration_mps2[3];
+    double rotation[4]; /* quaternion: x, y, z, w */
+    bool has_rotation;
+};
+
 /* Publish this velocity. */
 struct ros_velocity {
     struct ros_head head;
@@ -54,6 +91,6 @@ struct ros_velocity {
 };
 
 /* Size of the largest message, in bytes. */
-enum { ROS_MESSAGE_MOST = ROS_REASON + 64 };
+enum { ROS_MESSAGE_MOST = sizeof(struct ros_scan) };
 
 #endif

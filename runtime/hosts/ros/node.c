@@ -12,12 +12,12 @@
 
 #include <geometry_msgs/msg/twist.h>
 #include <geometry_msgs/msg/twist_stamped.h>
-#include <nav_msgs/msg/odometry.h>
 #include <rcl/error_handling.h>
 #include <rcl/rcl.h>
 #include <rmw/qos_profiles.h>
 #include <rosidl_runtime_c/string_functions.h>
 
+#include "inputs.h"
 #include "messages.h"
 #include "parts.h"
 
@@ -32,15 +32,13 @@ struct node {
     const struct node_options *options;
     rcl_context_t context;
     rcl_node_t node;
-    rcl_subscription_t odometry;
+    struct inputs inputs;
     rcl_publisher_t velocity;
     rcl_guard_condition_t over; /* triggered when the supervisor is gone */
     bool is_over;               /* accessed atomically */
-    nav_msgs__msg__Odometry message;
     geometry_msgs__msg__Twist twist;
     geometry_msgs__msg__TwistStamped stamped;
     struct graph graph;
-    bool heard;
 };
 
 int64_t node_now_ns(void)
@@ -53,16 +51,22 @@ int64_t node_now_ns(void)
 /* ---- Joining the ROS 2 system */
 
 /* Tells the supervisor why the node cannot start. */
-static void refuse(const struct node *n, const char *what)
+static void refuse_because(const struct node *n, const char *what, const char *why)
 {
     struct ros_refused refused;
     memset(&refused, 0, sizeof refused);
     refused.head.size = (uint32_t)sizeof refused;
     refused.head.kind = ROS_REFUSED;
-    snprintf(refused.reason, sizeof refused.reason, "%s: %s", what, rcl_get_error_string().str);
-    rcl_reset_error();
+    snprintf(refused.reason, sizeof refused.reason, "%s: %s", what, why);
     if (send(n->options->socket, &refused, sizeof refused, MSG_NOSIGNAL) < 0)
         fprintf(stderr, "error: %s\n", refused.reason);
+}
+
+/* The same, with the reason that rcl gives. */
+static void refuse(const struct node *n, const char *what)
+{
+    refuse_because(n, what, rcl_get_error_string().str);
+    rcl_reset_error();
 }
 
 static bool join(struct node *n)
@@ -85,7 +89,8 @@ static bool join(struct node *n)
         return false;
     }
     n->node = rcl_get_zero_initialized_node();
-    if (rcl_node_init(&n->node, n->options->name, "", &n->context, &options) != RCL_RET_OK) {
+    if (rcl_node_init(&n->node, n->options->program->name, "", &n->context, &options) !=
+        RCL_RET_OK) {
         refuse(n, "cannot create the node");
         return false;
     }
@@ -94,18 +99,18 @@ static bool join(struct node *n)
 
 static bool subscribe(struct node *n)
 {
-    rcl_subscription_options_t options = rcl_subscription_get_default_options();
-    /* Best effort, because this matches every publisher. */
-    options.qos = rmw_qos_profile_sensor_data;
-    n->odometry = rcl_get_zero_initialized_subscription();
-    if (!nav_msgs__msg__Odometry__init(&n->message) ||
-        rcl_subscription_init(&n->odometry, &n->node,
-                              ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Odometry), "odom",
-                              &options) != RCL_RET_OK) {
-        refuse(n, "cannot subscribe to odom");
+    const char *failed;
+    if (!inputs_of(&n->inputs, n->options->program)) {
+        refuse_because(n, "cannot subscribe", "the program uses more than eight sensors");
         return false;
     }
-    return true;
+    failed = inputs_subscribe(&n->inputs, &n->node);
+    if (failed != NULL) {
+        char what[ROS_NAME + 32];
+        snprintf(what, sizeof what, "cannot subscribe to %s", failed);
+        refuse(n, what);
+    }
+    return failed == NULL;
 }
 
 static bool advertise(struct node *n)
@@ -140,14 +145,19 @@ static bool report(struct node *n)
     started.head.size = (uint32_t)sizeof started;
     started.head.kind = ROS_STARTED;
     n->graph.started_ns = node_now_ns();
-    n->graph.odometry.name = rcl_subscription_get_topic_name(&n->odometry);
-    n->graph.odometry.type = "nav_msgs/msg/Odometry";
+    n->graph.inputs = &n->inputs;
     n->graph.velocity.name = rcl_publisher_get_topic_name(&n->velocity);
     n->graph.velocity.type =
         n->options->stamped ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist";
     snprintf(started.node, sizeof started.node, "%s", rcl_node_get_fully_qualified_name(&n->node));
-    snprintf(started.odometry, sizeof started.odometry, "%s", n->graph.odometry.name);
+    snprintf(started.odometry, sizeof started.odometry, "%s", n->inputs.each[0].topic.name);
     snprintf(started.velocity, sizeof started.velocity, "%s", n->graph.velocity.name);
+    for (size_t i = 1; i < n->inputs.count; i++) {
+        started.sensors[i - 1].control = n->inputs.each[i].control;
+        snprintf(started.sensors[i - 1].topic, sizeof started.sensors[i - 1].topic, "%s",
+                 n->inputs.each[i].topic.name);
+    }
+    started.sensor_count = (uint32_t)(n->inputs.count - 1);
     return send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) >= 0;
 }
 
@@ -194,58 +204,39 @@ static void *publish_all(void *of)
     return NULL;
 }
 
-/* ---- Odometry */
+/* ---- Messages */
 
-/* Passes the newest message on. If the supervisor does not keep up, the message is dropped: it
- * would be old when the supervisor reads it. */
-static void take(struct node *n)
+static bool prepare(struct node *n, rcl_wait_set_t *set)
 {
-    const nav_msgs__msg__Odometry *m = &n->message;
-    struct ros_odometry o;
-    while (rcl_take(&n->odometry, &n->message, NULL, NULL) == RCL_RET_OK) {
-        n->heard = true;
-        memset(&o, 0, sizeof o);
-        o.head.size = (uint32_t)sizeof o;
-        o.head.kind = ROS_ODOMETRY;
-        o.arrived_ns = node_now_ns();
-        o.stamp_ns = (int64_t)m->header.stamp.sec * 1000000000 + (int64_t)m->header.stamp.nanosec;
-        o.x_m = m->pose.pose.position.x;
-        o.y_m = m->pose.pose.position.y;
-        o.rotation[0] = m->pose.pose.orientation.x;
-        o.rotation[1] = m->pose.pose.orientation.y;
-        o.rotation[2] = m->pose.pose.orientation.z;
-        o.rotation[3] = m->pose.pose.orientation.w;
-        o.speed_m_s = m->twist.twist.linear.x;
-        o.turning_rad_s = m->twist.twist.angular.z;
-        if (send(n->options->socket, &o, sizeof o, MSG_NOSIGNAL | MSG_DONTWAIT) < 0 &&
-            errno != EAGAIN && errno != EWOULDBLOCK)
-            return;
-    }
-    rcl_reset_error(); /* there are no more messages */
+    bool ok = rcl_wait_set_clear(set) == RCL_RET_OK;
+    for (size_t i = 0; i < n->inputs.count; i++)
+        ok = ok && rcl_wait_set_add_subscription(set, &n->inputs.each[i].subscription, NULL) ==
+                       RCL_RET_OK;
+    return ok && rcl_wait_set_add_guard_condition(set, &n->over, NULL) == RCL_RET_OK;
 }
 
 static int listen_until_over(struct node *n)
 {
     rcl_wait_set_t set = rcl_get_zero_initialized_wait_set();
-    if (rcl_wait_set_init(&set, 1, 1, 0, 0, 0, 0, &n->context, rcl_get_default_allocator()) !=
-        RCL_RET_OK) {
+    if (rcl_wait_set_init(&set, n->inputs.count, 1, 0, 0, 0, 0, &n->context,
+                          rcl_get_default_allocator()) != RCL_RET_OK) {
         fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
         return FAULT;
     }
     while (!__atomic_load_n(&n->is_over, __ATOMIC_SEQ_CST)) {
         rcl_ret_t result;
-        if (rcl_wait_set_clear(&set) != RCL_RET_OK ||
-            rcl_wait_set_add_subscription(&set, &n->odometry, NULL) != RCL_RET_OK ||
-            rcl_wait_set_add_guard_condition(&set, &n->over, NULL) != RCL_RET_OK) {
+        if (!prepare(n, &set)) {
             fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
             return FAULT;
         }
         result = rcl_wait(&set, WAIT_NS);
         if (result != RCL_RET_OK)
             rcl_reset_error();
-        if (result == RCL_RET_OK && set.subscriptions[0] != NULL)
-            take(n);
-        graph_look(&n->graph, &n->node, n->heard);
+        /* The wait set keeps the subscriptions that have messages. */
+        for (size_t i = 0; result == RCL_RET_OK && i < n->inputs.count; i++)
+            if (set.subscriptions[i] != NULL)
+                inputs_take(&n->inputs, &n->inputs.each[i], n->options->socket);
+        graph_look(&n->graph, &n->node);
     }
     if (rcl_wait_set_fini(&set) != RCL_RET_OK)
         rcl_reset_error();
@@ -270,7 +261,9 @@ static void leave_session(void)
 /* Leaves the ROS 2 system, so that other nodes do not wait for this one. */
 static void leave(struct node *n)
 {
-    bool ok = rcl_subscription_fini(&n->odometry, &n->node) == RCL_RET_OK;
+    bool ok = true;
+    for (size_t i = 0; i < n->inputs.count; i++)
+        ok = rcl_subscription_fini(&n->inputs.each[i].subscription, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
     ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
     ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;

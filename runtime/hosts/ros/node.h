@@ -13,11 +13,13 @@
 
 #include <stdbool.h>
 
+#include <frob/program.h>
+
 struct node_options {
-    const char *name; /* of the node, unless an argument remaps it */
-    int socket;       /* leads to the supervisor */
-    bool stamped;     /* publish TwistStamped */
-    int argc;         /* the arguments for rcl, which begin with the name of the program */
+    const struct frob_program *program; /* its name is that of the node, unless it is remapped */
+    int socket;                         /* leads to the supervisor */
+    bool stamped;                       /* publish TwistStamped */
+    int argc; /* the arguments for rcl, which begin with the name of the program */
     char **argv;
 };
 

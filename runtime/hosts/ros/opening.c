@@ -124,16 +124,17 @@ const struct line_opening ros_opening = {
     .lost = "the process of the ROS 2 node has ended",
     .open = open_node,
     .close = close_node,
+    .give = ros_device_give,
 };
 
 /* ---- The node's side */
 
-bool ros_is_node(int argc, char **argv, const char *program, int *status)
+bool ros_is_node(int argc, char **argv, const struct frob_program *program, int *status)
 {
     struct node_options options;
     if (argc < 4 || strcmp(argv[1], ROS_NODE_OPTION) != 0)
         return false;
-    options.name = program;
+    options.program = program;
     options.socket = (int)strtol(argv[2], NULL, 10);
     options.stamped = argv[3][0] == '1';
     options.argc = argc - 3;

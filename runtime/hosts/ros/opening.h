@@ -10,6 +10,6 @@
 extern const struct line_opening ros_opening;
 
 /* If the command line is that of a node, runs it, and returns true and its exit status. */
-bool ros_is_node(int argc, char **argv, const char *program, int *status);
+bool ros_is_node(int argc, char **argv, const struct frob_program *program, int *status);
 
 #endif

@@ -12,20 +12,24 @@ struct topic {
     const char *name; /* after remapping */
     const char *type; /* "nav_msgs/msg/Odometry" */
     bool told;        /* that another node uses another type */
+    bool told_silence;
 };
+
+struct inputs;
 
 /* What is reported of the other nodes. */
 struct graph {
-    struct topic odometry, velocity;
+    struct inputs *inputs;
+    struct topic velocity;
     int64_t started_ns, checked_ns;
-    bool told_silence, told_name;
+    bool told_name;
 };
 
 /* The monotonic clock. */
 int64_t node_now_ns(void);
 
-/* Looks at the other nodes once a second, and reports a topic without a publisher, messages of
- * another type, and a second node of the same name, each once. `heard`: a message has arrived. */
-void graph_look(struct graph *graph, const rcl_node_t *node, bool heard);
+/* Looks at the other nodes once a second, and reports topics without a publisher, messages of
+ * another type, and a second node of the same name, each once. */
+void graph_look(struct graph *graph, const rcl_node_t *node);
 
 #endif

@@ -40,7 +40,7 @@ require one.
   7 | main = reactimateRobot (approach 0.3[m])
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout`, `create` and `ros` have everything that it needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]
@@ -131,11 +131,11 @@ No robot has both a ring of sonars and light sensors:
     |                                           |
     |                                           `pioneer` has no `HasLight`, which `setLight` needs
     |                                           `scout` has no `HasLight`, which `setLight` needs
+    |                                           `ros` has no `HasLight`, which `setLight` needs
   4 |     near i = isEvent ((sonars i ! 0).echo)
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                        |
     |                        `create` has no `HasSonarRing`, which `sonars` needs
-    |                        `ros` has no `HasSonarRing`, which `sonars` needs
     |
     = note: for your own robot, give the file of its module: `--robot FILE.frob`
   

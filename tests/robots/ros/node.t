@@ -6,9 +6,8 @@ odometry and drives as the node's velocities say (fake/fake_ros.c).
 The program drives 0.3 m. The recording has the odometry and the commands.
 The first velocity is zero.
 
-  $ run_node 2s ""; grep -v -e '^steps' -e '^over' -e '^longest' -e '^late' summary; cat messages
+  $ run_node 2s ""; grep -v -e '^time' -e '^steps' -e '^over' -e '^longest' -e '^late' summary; cat messages
   robot: node /drive, odometry from /odom, velocity to /cmd_vel
-  time run: 2.000 s
   stale readings: 0
   connections: 1
   log: log.csv
@@ -60,7 +59,7 @@ when messages are good again.
   0.200 0.000
   0.000 0.000
   $ run_node 2s back=0.5; sed "s/by [0-9.]* s/by N s/" messages; cat velocities
-  warning: the stamp of a message on /odom jumped back by N s; the robot stands until stamps have been regular for a second
+  warning: the stamp of a message on /odom jumped back by N s; messages do not count until stamps have been regular for a second
   warning: the clock of the messages on /odom was set; they count again
   0.000 0.000
   0.200 0.000
@@ -68,17 +67,32 @@ when messages are good again.
   0.200 0.000
   0.000 0.000
   $ run_node 2.2s old=1.2; grep late messages | sed "s/[0-9.]* s late/N s late/"; cat velocities
-  warning: a message on /odom arrived N s late; late messages do not count, and the robot stands until messages arrive in time
+  warning: a message on /odom arrived N s late; late messages do not count
   0.000 0.000
   0.200 0.000
   0.000 0.000
 
   $ patient="--patience 1s --set late=1"
 
+A program reads the lidar and the inertial measurement unit, and drives to half
+a metre before the wall: 0.3 m, as distances count from the robot's front.
+
+  $ FAKE_ROS= timeout 20 frobc run --ros2 approach.frob $patient --for 3s --record log.csv >summary
+  $ tail -1 log.csv | cut -d, -f2 | awk '{ print ($1 > 0.25 && $1 < 0.31) }'
+  1
+  $ head -1 log.csv | cut -d, -f8-
+  in.console.imu,in.console.lidar 36,in.console.lidar 4,out.forward,out.turn
+  $ grep -c 'Scan {ranges = .*Nothing' log.csv | awk '{ print ($1 > 10) }'
+  1
+  $ grep -c 'Imu {rate = Vec3 {x = 0, y = 0, z = 0.25}' log.csv | awk '{ print ($1 > 10) }'
+  1
+  $ FAKE_ROS=no_angle=0.3 timeout 20 frobc run --ros2 approach.frob $patient --for 1s >summary
+  warning: a message on /scan does not count: its angles are not numbers, or angle_increment is 0
+
 Without a robot, the program waits; it names the topic.
 
   $ FAKE_ROS="silent=0 alone=0" timeout -s INT 3 frobc run --ros2 drive.frob >summary
-  warning: waiting for odometry: no node publishes /odom. Start the robot's nodes, or remap the topic with `--ros-args -r odom:=NAME`
+  warning: no node publishes /odom (nav_msgs/msg/Odometry), which the program needs. Start the robot's nodes, or remap the topic with `--ros-args -r odom:=NAME`
   interrupted at 0.000 s: the summary covers the run until then; run the same command to start again
   error: the run was ended by an interrupt; sent a stop command to the robot
   [124]
@@ -131,7 +145,7 @@ Mistakes on the command line:
   error: there is no ROS 2 in this shell: install it, and source its setup script, as in `source …`, which sets AMENT_PREFIX_PATH
   $ rm prefix/share/ament_index/resource_index/packages/*_msgs
   $ ROS_DISTRO=jazzy frobc run --ros2 drive.frob
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs and nav_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs`
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs and sensor_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs`
   [2]
   $ rm prefix/share/ament_index/resource_index/packages/rcl
   $ sh fake/build.sh fake "$PWD/prefix"

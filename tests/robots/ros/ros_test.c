@@ -136,6 +136,90 @@ static void test_odometry(void)
     check(ros_motion_of(&o, &motion) != NULL, "a quaternion of NaN is rejected");
 }
 
+/* ---- Lidars and inertial measurement units */
+
+static struct ros_scan a_scan(void)
+{
+    static struct ros_scan m;
+    memset(&m, 0, sizeof m);
+    m.head.kind = ROS_SCAN;
+    m.count = 4;
+    m.head.size = (uint32_t)(offsetof(struct ros_scan, ranges_m) + 4 * sizeof m.ranges_m[0]);
+    m.first_rad = -1.5;
+    m.step_rad = 1.0;
+    m.nearest_m = 0.25;
+    m.farthest_m = 8.0;
+    m.ranges_m[0] = 1.0f;
+    m.ranges_m[1] = NAN;
+    m.ranges_m[2] = INFINITY;
+    m.ranges_m[3] = -INFINITY;
+    return m;
+}
+
+static void test_scan(void)
+{
+    const struct ros_seat seat = { 0.1, 0.2, 0.5 };
+    struct ros_scan m = a_scan();
+    struct frob_scan scan;
+    double room[ROS_RAYS_MOST];
+    check(ros_scan_of(&m, &seat, room, &scan) == NULL, "a scan is converted");
+    check(scan.count == 4 && scan.ranges_m[0] == 1.0, "distances");
+    check(isnan(scan.ranges_m[1]), "a ray of NaN is unknown");
+    check(isinf(scan.ranges_m[2]), "a ray of infinity has nothing in range");
+    check_near(scan.ranges_m[3], 0.25, 0, "minus infinity is an object at the smallest distance");
+    check_near(scan.first_rad, -1.0, 1e-12, "bearings are turned with the lidar");
+    check_near(scan.x_m, 0.1, 0, "the lidar is not at the centre");
+
+    m.first_rad = 1.5;
+    m.step_rad = -1.0;
+    ros_scan_of(&m, &seat, room, &scan);
+    check_near(scan.first_rad, -1.0, 1e-12, "a clockwise scan begins at its other end");
+    check_near(scan.step_rad, 1.0, 0, "its rays are in the other order");
+    check_near(scan.ranges_m[3], 1.0, 0, "as are its distances");
+
+    m = a_scan();
+    m.step_rad = 0.0;
+    check(ros_scan_of(&m, &seat, room, &scan) != NULL, "a step of 0 is rejected");
+    m.step_rad = 3.0;
+    check(ros_scan_of(&m, &seat, room, &scan) != NULL, "more than a turn is rejected");
+    m = a_scan();
+    m.first_rad = NAN;
+    check(ros_scan_of(&m, &seat, room, &scan) != NULL, "an angle of NaN is rejected");
+    m = a_scan();
+    m.farthest_m = 0.0;
+    check(ros_scan_of(&m, &seat, room, &scan) != NULL, "a range without a maximum is rejected");
+    m = a_scan();
+    m.count = 0;
+    check(ros_scan_of(&m, &seat, room, &scan) != NULL, "a scan without rays is rejected");
+}
+
+static void test_imu(void)
+{
+    struct ros_measurements sums;
+    struct frob_imu reading;
+    struct ros_imu m;
+    memset(&sums, 0, sizeof sums);
+    memset(&m, 0, sizeof m);
+    m.rate_radps[2] = 1.0;
+    m.acceleration_mps2[2] = 9.81;
+    check(ros_imu_check(&m) == NULL, "a measurement without an orientation is usable");
+    ros_imu_add(&sums, &m);
+    m.rate_radps[2] = 2.0;
+    m.has_rotation = true;
+    check(ros_imu_check(&m) != NULL, "an orientation of zeros is rejected");
+    m.rotation[2] = sin(0.5);
+    m.rotation[3] = cos(0.5);
+    check(ros_imu_check(&m) == NULL, "an orientation is usable");
+    ros_imu_add(&sums, &m);
+    reading = ros_imu_mean(&sums, 5);
+    check_near(reading.rate_radps[2], 1.5, 1e-12, "rates are means");
+    check_near(reading.acceleration_mps2[2], 9.81, 1e-12, "and so are accelerations");
+    check_near(reading.heading_rad, 1.0, 1e-12, "the heading is that of the last measurement");
+    check(reading.number == 2 && reading.taken_ns == 5, "its number and time");
+    m.rate_radps[0] = NAN;
+    check(ros_imu_check(&m) != NULL, "a rate of NaN is rejected");
+}
+
 /* ---- The driver, with the core that keeps the robot at rest */
 
 struct bench {
@@ -246,6 +330,8 @@ int main(void)
 {
     test_stamps();
     test_odometry();
+    test_scan();
+    test_imu();
     test_driver();
     return check_status();
 }

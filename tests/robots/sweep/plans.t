@@ -112,7 +112,7 @@ Mistakes in a plan are reported before the first run, with their places.
   7 | main = reactimateRobot (wallFollow1 gap)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout` and `create` have everything that it needs: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: `pioneer`, `scout`, `create` and `ros` have everything that it needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]

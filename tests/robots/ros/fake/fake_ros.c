@@ -83,23 +83,14 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     return RCL_RET_OK;
 }
 
-rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *information,
-                   void *allocation)
+/* Fills in an odometry. Returns false if the robot is silent. */
+static bool odometry(nav_msgs__msg__Odometry *m, int64_t stamp_ns)
 {
-    nav_msgs__msg__Odometry *m = (nav_msgs__msg__Odometry *)into;
     const double dt = (double)PERIOD_NS * 1e-9;
-    int64_t stamp_ns;
-    (void)subscription;
-    (void)information;
-    (void)allocation;
-    if (now_ns() < robot.next_ns)
-        return RCL_RET_ERROR;
-    stamp_ns = robot.next_ns;
-    robot.next_ns += PERIOD_NS;
     robot.heading += robot.turn * dt;
     robot.x += robot.v * dt;
     if (has("silent"))
-        return RCL_RET_ERROR;
+        return false;
     if (has("crash"))
         abort();
     memset(m, 0, sizeof *m);
@@ -114,6 +105,66 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
     m->pose.pose.orientation.w = cos(robot.heading / 2);
     m->twist.twist.linear.x = robot.v;
     m->twist.twist.angular.z = robot.turn;
+    return true;
+}
+
+/* A lidar with 360 rays that looks ahead in the middle of its scan, 1 m before a wall. Ray 0 points
+ * back. The rays at its left are lost. */
+static void scan(sensor_msgs__msg__LaserScan *m)
+{
+    static float ranges[360];
+    const double pi = acos(-1.0);
+    for (size_t i = 0; i < 360; i++) {
+        const double bearing = ((double)i - 180.0) * pi / 180.0;
+        ranges[i] = cos(bearing) > 0.1 ? (float)((1.0 - robot.x) / cos(bearing)) : INFINITY;
+        if (bearing > 1.0 && bearing < 2.0)
+            ranges[i] = NAN;
+    }
+    memset(m, 0, sizeof *m);
+    m->angle_min = (float)-pi;
+    m->angle_increment = has("no_angle") ? 0.0f : (float)(pi / 180.0);
+    m->range_min = 0.1f;
+    m->range_max = 8.0f;
+    m->ranges.data = ranges;
+    m->ranges.size = 360;
+}
+
+static void imu(sensor_msgs__msg__Imu *m)
+{
+    memset(m, 0, sizeof *m);
+    m->angular_velocity.z = robot.turn + 0.25;
+    m->linear_acceleration.z = 9.81;
+    m->orientation.z = sin(0.25);
+    m->orientation.w = cos(0.25);
+}
+
+/* The sensors send a message after every fifth of the odometry. */
+static int64_t *next_of(const rcl_subscription_t *subscription)
+{
+    static int64_t scan_ns = 0, imu_ns = 0;
+    if (subscription->type == &fake_sensor_msgs_LaserScan)
+        return &scan_ns;
+    return subscription->type == &fake_sensor_msgs_Imu ? &imu_ns : &robot.next_ns;
+}
+
+rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *information,
+                   void *allocation)
+{
+    int64_t *next_ns = next_of(subscription);
+    const int64_t stamp_ns = *next_ns;
+    (void)information;
+    (void)allocation;
+    if (now_ns() < *next_ns)
+        return RCL_RET_ERROR;
+    if (next_ns == &robot.next_ns) {
+        *next_ns += PERIOD_NS;
+        return odometry((nav_msgs__msg__Odometry *)into, stamp_ns) ? RCL_RET_OK : RCL_RET_ERROR;
+    }
+    *next_ns = now_ns() + 5 * PERIOD_NS;
+    if (subscription->type == &fake_sensor_msgs_LaserScan)
+        scan((sensor_msgs__msg__LaserScan *)into);
+    else
+        imu((sensor_msgs__msg__Imu *)into);
     return RCL_RET_OK;
 }
 
@@ -124,8 +175,9 @@ rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns)
     if (left_ns > timeout_ns)
         left_ns = timeout_ns;
     poll(&guard, 1, left_ns > 0 ? (int)((left_ns + 999999) / 1000000) : 0);
-    if (now_ns() < robot.next_ns)
-        set->subscriptions[0] = NULL;
+    for (size_t i = 0; i < set->count; i++)
+        if (now_ns() < *next_of(set->subscriptions[i]))
+            set->subscriptions[i] = NULL;
     return RCL_RET_OK;
 }
 
@@ -146,10 +198,13 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
 {
     (void)node;
     (void)allocator;
-    (void)topic;
     (void)no_mangle;
     if (has("alone"))
         return RCL_RET_OK;
+    if (strstr(topic, "scan") != NULL)
+        return one(array, "sensor_msgs/msg/LaserScan");
+    if (strstr(topic, "imu") != NULL)
+        return one(array, "sensor_msgs/msg/Imu");
     return one(array,
                has("other_type") ? "geometry_msgs/msg/PoseStamped" : "nav_msgs/msg/Odometry");
 }
@@ -247,8 +302,8 @@ rcl_ret_t rcl_subscription_init(rcl_subscription_t *subscription, const rcl_node
                                 const rcl_subscription_options_t *options)
 {
     (void)node;
-    (void)type;
     (void)options;
+    subscription->type = type;
     snprintf(subscription->topic, sizeof subscription->topic, "/%s", name_of(topic));
     return RCL_RET_OK;
 }
@@ -277,11 +332,17 @@ rcl_ret_t rcl_trigger_guard_condition(rcl_guard_condition_t *condition)
     return write(condition->ends[1], "", 1) == 1 ? RCL_RET_OK : RCL_RET_ERROR;
 }
 
+rcl_ret_t rcl_wait_set_clear(rcl_wait_set_t *set)
+{
+    set->count = 0;
+    return RCL_RET_OK;
+}
+
 rcl_ret_t rcl_wait_set_add_subscription(rcl_wait_set_t *set, const rcl_subscription_t *subscription,
                                         size_t *index)
 {
     (void)index;
-    set->subscriptions[0] = subscription;
+    set->subscriptions[set->count++] = subscription;
     return RCL_RET_OK;
 }
 
@@ -377,7 +438,6 @@ SUCCEEDS(rcl_guard_condition_fini, rcl_guard_condition_t *g)
 SUCCEEDS(rcl_wait_set_init, rcl_wait_set_t *s, size_t a, size_t b, size_t c, size_t d, size_t e,
          size_t f, rcl_context_t *x, rcl_allocator_t y)
 SUCCEEDS(rcl_wait_set_fini, rcl_wait_set_t *s)
-SUCCEEDS(rcl_wait_set_clear, rcl_wait_set_t *s)
 
 void rcl_reset_error(void) {}
 void rcutils_reset_error(void) {}
@@ -394,6 +454,18 @@ bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
     return true;
 }
 
+bool sensor_msgs__msg__LaserScan__init(sensor_msgs__msg__LaserScan *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool sensor_msgs__msg__Imu__init(sensor_msgs__msg__Imu *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
 bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *m)
 {
     memset(m, 0, sizeof *m);
@@ -405,3 +477,5 @@ const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped = {
     "geometry_msgs/msg/TwistStamped"
 };
 const rosidl_message_type_support_t fake_nav_msgs_Odometry = { "nav_msgs/msg/Odometry" };
+const rosidl_message_type_support_t fake_sensor_msgs_LaserScan = { "sensor_msgs/msg/LaserScan" };
+const rosidl_message_type_support_t fake_sensor_msgs_Imu = { "sensor_msgs/msg/Imu" };

@@ -12,6 +12,10 @@
 
 /* ---- rcl */
 
+typedef struct {
+    const char *name;
+} rosidl_message_type_support_t;
+
 typedef int rcl_ret_t;
 #define RCL_RET_OK 0
 #define RCL_RET_ERROR 1
@@ -40,6 +44,7 @@ typedef struct {
 } rcl_node_t;
 typedef struct {
     char topic[128];
+    const rosidl_message_type_support_t *type;
 } rcl_subscription_t;
 typedef struct {
     char topic[128];
@@ -59,12 +64,10 @@ typedef struct {
 typedef struct {
     rmw_qos_profile_t qos;
 } rcl_publisher_options_t;
-typedef struct {
-    const char *name;
-} rosidl_message_type_support_t;
 
 typedef struct {
-    const rcl_subscription_t *subscriptions[1];
+    size_t count;
+    const rcl_subscription_t *subscriptions[4];
     const rcl_guard_condition_t *guard_conditions[1];
 } rcl_wait_set_t;
 
@@ -207,6 +210,24 @@ typedef struct {
     } twist;
 } nav_msgs__msg__Odometry;
 
+typedef struct {
+    float *data;
+    size_t size;
+} rosidl_runtime_c__float__Sequence;
+typedef struct {
+    std_msgs__msg__Header header;
+    float angle_min, angle_max, angle_increment, time_increment, scan_time, range_min, range_max;
+    rosidl_runtime_c__float__Sequence ranges;
+} sensor_msgs__msg__LaserScan;
+typedef struct {
+    std_msgs__msg__Header header;
+    geometry_msgs__msg__Quaternion orientation;
+    double orientation_covariance[9];
+    geometry_msgs__msg__Vector3 angular_velocity, linear_acceleration;
+} sensor_msgs__msg__Imu;
+
+bool sensor_msgs__msg__LaserScan__init(sensor_msgs__msg__LaserScan *message);
+bool sensor_msgs__msg__Imu__init(sensor_msgs__msg__Imu *message);
 bool geometry_msgs__msg__Twist__init(geometry_msgs__msg__Twist *message);
 bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *message);
 bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *message);
@@ -214,6 +235,8 @@ bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *message);
 extern const rosidl_message_type_support_t fake_geometry_msgs_Twist;
 extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
+extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;
+extern const rosidl_message_type_support_t fake_sensor_msgs_Imu;
 #define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)
 
 #endif

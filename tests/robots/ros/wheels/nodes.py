@@ -4,6 +4,7 @@ Prints a line for each test. Each test starts a robot's base (peer.py) and a pro
 """
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -39,12 +40,12 @@ def robot(**options):
 class Run:
     """A program that runs as a node."""
 
-    def __init__(self, *options, patient=True):
+    def __init__(self, *options, patient=True, program="ahead.frob"):
         self.errors = open(os.path.join(FOLDER, "errors"), "w+", encoding="utf-8")
         OPEN.append(self.abandon)
         # frobc replaces itself by the program.
         self.process = subprocess.Popen(
-            [FROBC, "run", "--ros2", os.path.join(FOLDER, "ahead.frob")]
+            [FROBC, "run", "--ros2", os.path.join(FOLDER, program)]
             + (PATIENT if patient else [])
             + list(options),
             stdout=subprocess.PIPE,
@@ -95,6 +96,24 @@ def test_best_effort():
     base.until_driving()
     run.end()
     base.until_stopped()
+    base.close()
+
+
+def test_lidar():
+    """A program for sonars stops before a wall that the robot's lidar sees."""
+    base = robot()
+    base.wall = 1.2
+    record = os.path.join(FOLDER, "log.csv")
+    run = Run("--record", record, program="approach.frob")
+    base.until_driving()
+    base.until(lambda: 0.4 < base.wall - base.x < 0.75 and base.v < 0.02, "it stands at the wall")
+    _, errors = run.end()
+    with open(record, encoding="utf-8") as file:
+        header = file.readline()
+        rows = file.readlines()
+    # A row has a scan if its array of distances is not empty.
+    scans = sum("Just" in row for row in rows)
+    assert scans > 5 and "lidar" in header, (scans, header, errors)
     base.close()
 
 
@@ -228,6 +247,8 @@ def test_node_killed():
 def main():
     with open(os.path.join(FOLDER, "ahead.frob"), "w", encoding="utf-8") as file:
         file.write(PROGRAM)
+    here = os.path.dirname(os.path.abspath(__file__))
+    shutil.copy(os.path.join(here, "..", "approach.frob"), FOLDER)
     failures = 0
     for name, test in list(globals().items()):
         if not name.startswith("test_"):

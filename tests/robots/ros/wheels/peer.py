@@ -13,7 +13,8 @@ from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Odometry
 from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
-from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
+from sensor_msgs.msg import Imu, LaserScan
 
 
 class Base:
@@ -23,6 +24,7 @@ class Base:
         self.silent = False  # publishes nothing
         self.nan = False  # publishes a position that is not a number
         self.shift = 0.0  # seconds, added to stamps
+        self.wall = None  # m, the place of a wall ahead, which the lidar sees
 
         self.stamped = stamped
         self.closing = False
@@ -38,7 +40,10 @@ class Base:
         )
         kind = TwistStamped if stamped else Twist
         self.node.create_subscription(kind, cmd_vel, self.command, 10)
+        self.scans = self.node.create_publisher(LaserScan, "scan", qos_profile_sensor_data)
+        self.imus = self.node.create_publisher(Imu, "imu", qos_profile_sensor_data)
         self.node.create_timer(0.02, self.step)
+        self.node.create_timer(0.1, self.scan)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self.thread = threading.Thread(target=self.spin, daemon=True)
@@ -105,3 +110,26 @@ class Base:
         """Waits until the robot was stopped, and returns the time of that command."""
         self.until(lambda: self.v == 0 and self.turn == 0, "the robot is stopped")
         return self.commands[-1][0]
+
+    def scan(self):
+        """Publishes what a lidar with 360 rays sees, and what a gyroscope measures."""
+        stamp = self.node.get_clock().now().to_msg()
+        imu = Imu()
+        imu.header.stamp = stamp
+        imu.angular_velocity.z = self.turn + 0.25
+        imu.linear_acceleration.z = 9.81
+        imu.orientation_covariance[0] = -1.0
+        self.imus.publish(imu)
+        if self.wall is None:
+            return
+        message = LaserScan()
+        message.header.stamp = stamp
+        message.header.frame_id = "base_link"
+        message.angle_min = -math.pi
+        message.angle_increment = math.pi / 180
+        message.angle_max = message.angle_min + 359 * message.angle_increment
+        message.range_min, message.range_max = 0.1, 8.0
+        ahead = self.wall - self.x
+        cosines = [math.cos(message.angle_min + k * message.angle_increment) for k in range(360)]
+        message.ranges = [ahead / c if c > 0.1 else math.inf for c in cosines]
+        self.scans.publish(message)

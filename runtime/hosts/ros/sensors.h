@@ -1,0 +1,52 @@
+/* sensors.h -- the lidars and inertial measurement units of the robot `ros`: their newest messages,
+ * and what of them a program reads at an instant. */
+#ifndef FROB_HOST_ROS_SENSORS_H
+#define FROB_HOST_ROS_SENSORS_H
+
+#include <frob/imu.h>
+#include <frob/lidar.h>
+#include <frob/program.h>
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "messages.h"
+
+/* Where a lidar is on the robot. */
+struct ros_seat {
+    double x_m, y_m, heading_rad; /* positive to the left */
+};
+
+/* Converts a scan; `room` holds its distances, at least as many as the message has. Returns NULL, or
+ * the reason why it is not usable. */
+const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *seat, double *room,
+                        struct frob_scan *scan);
+
+/* Measurements since a program last read an inertial measurement unit. */
+struct ros_measurements {
+    double rate_radps[3], acceleration_mps2[3]; /* sums */
+    double heading_rad;                         /* of the last one; NaN if it has none */
+    uint32_t count;                             /* in the sums */
+    uint32_t number;                            /* of all */
+};
+
+/* Returns NULL, or the reason why the message is not usable. */
+const char *ros_imu_check(const struct ros_imu *message);
+
+/* Adds a usable measurement. */
+void ros_imu_add(struct ros_measurements *sums, const struct ros_imu *message);
+
+/* Returns the means, as a reading that was taken at this time. There must be a measurement. */
+struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_ns);
+
+/* Begins new sums. */
+void ros_imu_restart(struct ros_measurements *sums);
+
+/* Returns the name of the topic for a control, without namespace: for a lidar `scan`, for a unit
+ * `imu`, and for others the name in the program. Returns false if the control is not a sensor. */
+bool ros_topic_of(const struct frob_control *control, char *name, size_t room);
+
+/* Returns the first control that uses the same sensor as control `i`. */
+size_t ros_first_user(const struct frob_program *program, size_t i);
+
+#endif
