@@ -2,6 +2,7 @@
 import type { Link } from "./connection";
 import type { Contact } from "./contact";
 import { axesOf, mostAxes, newPlot, type Plot } from "./plots/model";
+import { SeriesRequests } from "./plots/requests";
 import type {
   Align,
   Claim,
@@ -49,23 +50,6 @@ export type Change =
 
 /** Seconds that plots show initially during a live run. */
 const recently = 20;
-
-interface SeriesWanted {
-  readonly signal: number;
-  readonly from: number;
-  readonly to: number;
-  /** Width of the plot in pixels: the number of columns. */
-  readonly width: number;
-}
-
-interface SeriesRequest {
-  readonly wanted: SeriesWanted;
-  readonly then: (series: Series) => void;
-}
-
-interface SeriesSlot extends SeriesRequest {
-  next: SeriesRequest | null;
-}
 
 function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
   const { others: _, ...rest } = answer;
@@ -129,7 +113,7 @@ export class Store {
   private readonly paths = new Map<string, (path: Path | null) => void>();
   private readonly ways = new Map<number, (way: Way | null) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
-  private readonly waiting = new Map<string, SeriesSlot>();
+  readonly series: SeriesRequests;
   /** The instant or the time that the cursor is moving to. */
   private goal: number | null = null;
   private goalTime: number | null = null;
@@ -148,6 +132,7 @@ export class Store {
   ) {
     this.range = [program.start, program.end];
     this.other = program.other ?? null;
+    this.series = new SeriesRequests((question) => connection.ask(question));
   }
 
   on(change: Change, listener: Listener): void {
@@ -436,58 +421,15 @@ export class Store {
     this.changed("place");
   }
 
-  /**
-   * Requests a series for a user, such as a plot. Each user has at most one pending request for a
-   * signal; of requests made meanwhile only the last is sent, and the others get no answer.
-   */
-  series(user: string, wanted: SeriesWanted, then: (series: Series) => void): void {
-    const key = `${user} ${wanted.signal}`;
-    const slot = this.waiting.get(key);
-    if (slot) slot.next = { wanted, then };
-    else this.sendSeries(key, wanted, then);
-  }
-
-  /** Whether a request of this user is pending. */
-  awaits(user: string, signal: number): boolean {
-    return this.waiting.has(`${user} ${signal}`);
-  }
-
-  private sendSeries(key: string, wanted: SeriesWanted, then: (series: Series) => void): void {
-    const { signal, from, to, width } = wanted;
-    this.waiting.set(key, { wanted, then, next: null });
-    this.connection.ask(`series ${signal} ${from} ${to} ${Math.max(1, Math.round(width))}`);
-  }
-
   received(series: Series): void {
-    const { signal, from, to } = series;
-    this.endSeries({ signal, from, to }, (request) =>
-      request.then(this.hasOthers ? series : withoutOthers(series)),
-    );
-  }
-
-  private endSeries(
-    answered: Omit<SeriesWanted, "width">,
-    act: (request: SeriesRequest) => void,
-  ): void {
-    const ended = [...this.waiting].filter(
-      ([, { wanted }]) =>
-        wanted.signal === answered.signal &&
-        wanted.from === answered.from &&
-        wanted.to === answered.to,
-    );
-    for (const [key, slot] of ended) {
-      this.waiting.delete(key);
-      if (slot.next) this.sendSeries(key, slot.next.wanted, slot.next.then);
-      act(slot);
-    }
+    this.series.received(this.hasOthers ? series : withoutOthers(series));
   }
 
   /** Handles the refusal of a question. Returns false if the user should see it. */
   refused(question: string): boolean {
     const [word, ...numbers] = question.split(" ");
     const [first = 0, second = 0, third = 0] = numbers.map(Number);
-    if (word === "series")
-      this.endSeries({ signal: first, from: second, to: third }, () => undefined);
+    if (word === "series") this.series.end(first, second, third);
     else if (word === "path") this.paths.get(`${first} ${second}`)?.(null);
     else if (word === "way") this.ways.get(first)?.(null);
     return word === "series" || word === "path" || word === "way" || word === "keep";

@@ -81,7 +81,7 @@ export function saveTable(store: Store, name: string, signals: readonly number[]
     save(`${name}.csv`, new Blob([text], { type: "text/csv" }));
   };
   for (const signal of signals)
-    store.series("table", { signal, from, to, width: columns }, (series) => {
+    store.series.request("table", { signal, from, to, width: columns }, (series) => {
       found.set(signal, series);
       if (found.size === signals.length) write();
     });

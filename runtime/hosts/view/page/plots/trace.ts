@@ -30,7 +30,7 @@ export class Trace {
   /** Requests the data for the visible range. */
   load(width: number): void {
     const [from, to] = this.store.range;
-    this.store.series(this.user, { signal: this.number, from, to, width }, (series) => {
+    this.store.series.request(this.user, { signal: this.number, from, to, width }, (series) => {
       const isLate = from !== this.store.range[0] || to !== this.store.range[1];
       if (isLate && !this.store.following) return;
       this.times = series.times;
@@ -42,7 +42,7 @@ export class Trace {
 
   /** Requests the data that has arrived since, in a live run that is followed. */
   grow(width: number): void {
-    if (this.store.awaits(this.user, this.number)) return;
+    if (this.store.series.awaits(this.user, this.number)) return;
     // Data of the whole run grows without limit; load it again in the plot's resolution. In a fast
     // run, most of it is new.
     const [start, end] = this.store.range;
@@ -54,7 +54,7 @@ export class Trace {
     const from = this.times.at(-1) ?? this.store.range[0];
     const to = this.store.program.end;
     const wanted = { signal: this.number, from, to, width: mostPoints };
-    this.store.series(this.user, wanted, (series) => {
+    this.store.series.request(this.user, wanted, (series) => {
       if (!this.store.following) return;
       this.append(series);
       this.changed();

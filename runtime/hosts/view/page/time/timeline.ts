@@ -249,7 +249,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   const askForBands = () => {
     asked = performance.now();
     rows.forEach(({ number }) =>
-      store.series(
+      store.series.request(
         "band",
         { signal: number, from: program.start, to: program.end, width },
         (series) => {
