@@ -13,7 +13,7 @@ size_t frob_lidar_label(const struct frob_control *control)
     return space == NULL ? 0 : (size_t)(space - control->label);
 }
 
-/* The number of the constructor `Just` of a Maybe; that of `Nothing` is the other of 0 and 1. */
+/* The number of the constructor `Just` of a Maybe: 0 or 1. `Nothing` has the other number. */
 static unsigned char just(const struct frob_value *maybe)
 {
     return maybe->constructors[0].count == 0 ? 1 : 0;
@@ -51,8 +51,8 @@ static void offer(void *input, const struct frob_value *maybe, double distance)
     frob_camera_set_number(input, number, distance);
 }
 
-/* Offers a ray's distance to the direction in which it lies, and to those whose bearings are at
- * most half a step away. */
+/* Applies the distance of a ray to the direction in whose sector the ray lies, and to the
+ * directions whose bearings are at most half a step away. */
 static void spread(void *input, const struct frob_constructor *ranges, double bearing,
                    double half_step, double distance)
 {

@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Replaces this process by frobc, and tells it which Python it was installed for."""
+    """Replaces this process with frobc, and tells frobc for which Python it was installed."""
     frobc = str(Path(__file__).resolve().parent / "frob" / "tools" / "bin" / "frobc")
     os.environ.setdefault("FROB_PYTHON", sys.executable)
     try:

@@ -2,7 +2,7 @@
 # usage: wheel.sh BUILD : builds the wheel in BUILD/wheel, with frobc and the hosts that dune has
 # installed below BUILD. Run it in the top folder of the project. It installs the build tools from
 # PyPI into a virtual environment. The wheel includes the libraries that the hosts are linked with,
-# except those that every Linux system has, and the licences of what it includes.
+# except those that every Linux system has, and the licences of the included software.
 set -eu
 build=$1
 tools=$build/wheel-tools

@@ -1,13 +1,14 @@
-/* frob-tcc -- the C compiler that frobc uses where no other is installed.
+/* frob-tcc -- the C compiler that frobc uses if no other is installed.
  *
- * A driver for libtcc that accepts the options which frobc passes to gcc, and needs no other file of
- * a C development system: the headers are Frob's own (share/frobc/tcc/include), and instead of the
- * C library's development files it uses the libraries that this very process has loaded.
+ * It is a driver for libtcc that accepts the options which frobc passes to gcc. It does not need
+ * the files of a C development environment: the headers are Frob's own (share/frobc/tcc/include),
+ * and instead of the development files of the C library it uses the libraries that its own process
+ * has loaded.
  *
  *     frob-tcc [-c | -shared] [-I FOLDER] [-D NAME[=VALUE]] -o RESULT FILE... [-lm]
  *
  * libtcc neither contracts nor reorders floating-point operations, and computes with the SSE
- * registers, so the options about that are accepted and ignored, as are those about optimization. */
+ * registers, so frob-tcc ignores the options about these, and those about optimization. */
 #define _GNU_SOURCE
 #include <libtcc.h>
 
@@ -104,9 +105,9 @@ static bool link_system(TCCState *compiler)
     return tcc_add_file(compiler, own) == 0 && dl_iterate_phdr(add_loaded, compiler) == 0;
 }
 
-/* Adds the header that says that a shared object needs no executable stack, which libtcc does not
- * write, and without which glibc 2.41 and later load no object. The table of program headers moves
- * to the end of the file, where there is room for one more. */
+/* Adds a program header which says that the shared object does not need an executable stack. libtcc
+ * does not write this header, and glibc 2.41 and later do not load objects without it. Moves the
+ * table of program headers to the end of the file, where there is room for one more. */
 static bool mark_stack(const char *path)
 {
     FILE *file = fopen(path, "r+b");
@@ -141,7 +142,7 @@ static bool starts_with(const char *text, const char *start_)
     return strncmp(text, start_, strlen(start_)) == 0;
 }
 
-/* Whether an option changes nothing that libtcc does. */
+/* Whether an option has no effect on libtcc. */
 static bool is_ignored(const char *option)
 {
     static const char *const beginnings[] = { "-O", "-std=", "-f", "-W", "-g" };

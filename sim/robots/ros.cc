@@ -6,7 +6,7 @@ namespace frob::sim {
 
 Ros::Ros(const Scene &scene, std::uint64_t seed) : Robot(turtlebot4::chassis(), scene, seed) {}
 
-// The node of a base computes its speeds from those of its wheels.
+// The node of a robot base computes the speeds of the base from those of the wheels.
 void Ros::read(std::int64_t, void *into) {
     frob_ros_input input{};
     const Pose &believed = odometry_.pose();

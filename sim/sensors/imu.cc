@@ -9,7 +9,7 @@ namespace frob::sim {
 namespace {
 
 constexpr double gravity = 9.80665;         // m/s^2
-constexpr double closest = 0.05;            // m: a magnet's field does not grow any more
+constexpr double closest = 0.05;            // m: the field of a magnet is constant within it
 constexpr std::size_t most_waiting = 10000; // measurements that have not arrived
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
@@ -33,7 +33,7 @@ Imu::Imu(const ImuSettings &settings, std::vector<Magnet> magnets, Noise noise, 
 // The horizontal field in the world is that of the Earth, which points along the x axis, and that
 // of the magnets:
 //   B = (1, 0) + sum of strength * r / |r|^4, with r from the magnet to the robot.
-// The compass takes its direction for that of the x axis.
+// The compass assumes that this field points along the x axis.
 double Imu::compass(const Pose &pose) {
     Vec field = {1.0, 0.0};
     for (const Magnet &magnet : magnets_) {

@@ -16,7 +16,7 @@ constexpr std::size_t most_waiting = 1000; // scans that have not arrived
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
-// The same angle, from 0 (inclusive) to a turn.
+// The equivalent angle from 0 (inclusive) to a full turn (exclusive).
 double positive(double angle) { return angle - turn * std::floor(angle / turn); }
 
 } // namespace
@@ -51,7 +51,8 @@ std::vector<double> Lidar::measure(const Body &body) {
         const double middle = seat.heading + first_ + step_ * begin + half;
         const RayFan fan(body, seat.position, middle, half, settings_.farthest);
         for (int i = begin; i < end; ++i) {
-            // Draw the noise of all rays, so that an obstacle does not change that of the others.
+            // Draw the noise of all rays, so that an obstacle does not change the noise of other
+            // rays.
             const double error = settings_.noise * noise_.normal();
             const bool is_lost = noise_.uniform() < settings_.dropout;
             if (masked_[static_cast<std::size_t>(i)] || is_lost) {

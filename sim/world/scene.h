@@ -127,7 +127,7 @@ struct ImuSettings {
     std::string name = "imu"; // the name that programs use
     double rate = 100.0;      // measurements per second
     double latency = 0.0;     // s from a measurement to its arrival at the program
-    // The gyroscope. A bias is constant during a run; its standard deviation over all runs.
+    // The gyroscope. A bias is constant during a run; this is its standard deviation over all runs.
     double gyro_noise = 0.0; // rad/s, standard deviation
     double gyro_bias = 0.0;  // rad/s
     double gyro_drift = 0.0; // rad/s per square root of a second: the bias walks at random
@@ -141,7 +141,7 @@ struct ImuSettings {
     double compass_error = 0.0; // rad, constant
 };
 
-// Something magnetic, which deflects compasses.
+// A magnet, which deflects compasses.
 struct Magnet {
     Vec position;
     double strength = 0.0; // its field at 1 m, relative to the Earth's horizontal field

@@ -1,5 +1,5 @@
-/* line.h -- the robot's line, which is reopened after it was lost: a serial line, or the socket of
- * another process that reaches the robot. */
+/* line.h -- the connection to the robot, which is reopened after a loss: a serial line, or a socket
+ * to another process that communicates with the robot. */
 #ifndef FROB_HOST_ROBOT_LINE_H
 #define FROB_HOST_ROBOT_LINE_H
 
@@ -14,8 +14,7 @@
 
 struct line;
 
-/* How to open a line that is not a serial line. It takes its own arguments from the command
- * line. */
+/* How to open a line that is not a serial line. It has its own arguments on the command line. */
 struct line_opening {
     const char *option; /* its arguments follow this option, up to `--` or the end */
     const char *usage;  /* describes them, for --help */

@@ -6,13 +6,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The bases of robots stop if they hear nothing for some time, often half a second. */
+/* Robot bases stop if they receive no command for some time, often half a second. So the last
+ * command is repeated after this time. */
 #define REPEAT_NS INT64_C(100000000)
 
-/* Without messages for this time, the silence is reported. */
+/* After this time without messages, the driver reports the silence. */
 #define SILENCE_NS INT64_C(1000000000)
 
-/* Slower than this, the robot stands. */
+/* A robot that is slower than this counts as standing still. */
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
@@ -57,7 +58,8 @@ static double s(int64_t ns)
     return (double)ns * 1e-9;
 }
 
-/* Reports a message with a strange stamp, once for each kind of fault until the clock is set. */
+/* Reports a message with an implausible timestamp: once for each kind of fault, until the clock is
+ * set. */
 static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int64_t by_ns)
 {
     if (verdict == STAMPS_GOOD || topic->told[verdict])
@@ -85,7 +87,7 @@ static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int
     }
 }
 
-/* Reports that no more messages arrive, once until they do. */
+/* Reports once that messages no longer arrive, until the next one does. */
 static void tell_silence(const struct ros_device *d, struct ros_topic *topic, const char *effect)
 {
     const int64_t now = frob_now_ns(&d->clock);

@@ -1,8 +1,8 @@
 /* device.h -- the driver of the robot `ros`, whose line leads to the node (node.h).
  *
- * Like every driver, it decides nothing about safety: core/robot.h stops the robot if the newest
- * odometry is too old. Messages that are late, or whose numbers are not usable, do not count as
- * readings. The first of each kind is reported. */
+ * Like every driver, it makes no decisions about safety: core/robot.h stops the robot if the newest
+ * odometry is too old. The driver ignores messages that are late or have invalid numbers, and
+ * reports the first of each kind. */
 #ifndef FROB_HOST_ROS_DEVICE_H
 #define FROB_HOST_ROS_DEVICE_H
 
@@ -32,7 +32,7 @@ struct ros_topic {
     struct stamps stamps;
     int64_t received_ns; /* when the last message arrived, good or not; INT64_MIN: never */
     bool told_silence;
-    bool told[ROS_VERDICTS]; /* stamps that were reported */
+    bool told[ROS_VERDICTS]; /* timestamp faults that were reported */
     const char *told_bad;    /* reason for an unusable message that was reported last */
 };
 
@@ -67,10 +67,10 @@ struct ros_device {
     struct ros_started started;
     struct ros_topic odometry;
     struct ros_motion motion;
-    int64_t sensed_ns; /* when the newest good odometry left its sender; INT64_MIN: never */
+    int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
-    bool commanded; /* a velocity was commanded; it is repeated */
-    bool drove;     /* one was commanded since the first session */
+    bool commanded; /* a velocity was commanded, which the driver repeats */
+    bool drove;     /* a velocity was commanded since the first session */
     struct ros_velocity velocity;
     int64_t sent_ns;
 };

@@ -1,8 +1,8 @@
 /* messages.h -- the messages between the supervisor and the node, which is a process of its own
  * (node.h). Both processes run the same executable, so a message is a struct.
  *
- * Each message begins with its size and kind. The socket between the processes transfers a message
- * whole or not at all. */
+ * Each message begins with its size and kind. The socket between the processes transfers each
+ * message either completely or not at all. */
 #ifndef FROB_HOST_ROS_MESSAGES_H
 #define FROB_HOST_ROS_MESSAGES_H
 
@@ -11,8 +11,8 @@
 
 enum ros_kind {
     /* From the node. */
-    ROS_STARTED = 1, /* it has joined the ROS 2 system; the rest is a struct ros_started */
-    ROS_REFUSED,     /* it could not; the rest is a struct ros_refused */
+    ROS_STARTED = 1, /* the node has joined the ROS 2 system; the rest is a struct ros_started */
+    ROS_REFUSED,     /* the node could not join; the rest is a struct ros_refused */
     ROS_ODOMETRY,
     ROS_SCAN,
     ROS_IMU,

@@ -23,7 +23,7 @@
 
 #define WAIT_NS INT64_C(500000000)
 
-/* For how long the node waits until its last velocity has arrived. */
+/* Maximum time to wait until the last velocity has arrived. */
 #define ACKNOWLEDGED_NS INT64_C(100000000)
 
 enum { DONE = 0, FAULT = 2 };
@@ -34,7 +34,7 @@ struct node {
     rcl_node_t node;
     struct inputs inputs;
     rcl_publisher_t velocity;
-    rcl_guard_condition_t over; /* triggered when the supervisor is gone */
+    rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
     geometry_msgs__msg__Twist twist;
     geometry_msgs__msg__TwistStamped stamped;
@@ -119,7 +119,7 @@ static bool advertise(struct node *n)
     const rosidl_message_type_support_t *type =
         n->options->stamped ? ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, TwistStamped)
                             : ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, Twist);
-    options.qos.depth = 1; /* an old velocity is of no use */
+    options.qos.depth = 1; /* an old velocity is useless */
     n->velocity = rcl_get_zero_initialized_publisher();
     if (!geometry_msgs__msg__Twist__init(&n->twist) ||
         !geometry_msgs__msg__TwistStamped__init(&n->stamped) ||
@@ -182,7 +182,7 @@ static void publish(struct node *n, double speed_m_s, double turn_rad_s)
     }
 }
 
-/* The thread that publishes. It ends when nobody holds the other end of the socket. */
+/* The thread that publishes. It ends when no process has the other end of the socket open. */
 static void *publish_all(void *of)
 {
     struct node *n = (struct node *)of;

@@ -1,10 +1,10 @@
 /* node.h -- the ROS 2 node, in a process of its own: it receives the robot's messages, and publishes
  * the velocities that the supervisor sends.
  *
- * rcl starts threads, and the supervisor forks. So they are separate processes, connected by a
- * socket. When nobody holds the other end of the socket any more, the node publishes zero and ends;
- * it ignores signals from the terminal until then. The guards (hosts/robot/guard.h) have the socket
- * open, too, and stop the robot through the node.
+ * rcl starts threads, and the supervisor forks, so they must be separate processes; a socket
+ * connects them. When no process has the other end of the socket open, the node publishes zero and
+ * ends. Until then, it ignores signals from the terminal. The guards (hosts/robot/guard.h) also
+ * keep the socket open, and stop the robot through the node.
  *
  * The process has two threads. One waits for messages, the other publishes velocities without
  * waiting for the first one. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* How much the square of the length of a rotation may differ from 1. */
+/* Maximum difference between 1 and the squared norm of a rotation's quaternion. */
 #define ROUGHLY 0.02
 
 bool ros_yaw_of(const double rotation[4], double *yaw_rad)

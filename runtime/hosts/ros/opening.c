@@ -15,7 +15,7 @@
 #include "messages.h"
 #include "node.h"
 
-/* For how long the node may take to join the ROS 2 system, and to end. */
+/* Maximum time for the node to join the ROS 2 system, and to end. */
 enum { START_MS = 20000, END_MS = 1000 };
 
 /* ---- The supervisor's side */

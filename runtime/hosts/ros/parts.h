@@ -11,13 +11,13 @@
 struct topic {
     const char *name; /* after remapping */
     const char *type; /* "nav_msgs/msg/Odometry" */
-    bool told;        /* that another node uses another type */
+    bool told;        /* whether a node with another type was reported */
     bool told_silence;
 };
 
 struct inputs;
 
-/* What is reported of the other nodes. */
+/* The state of the reports about other nodes. */
 struct graph {
     struct inputs *inputs;
     struct topic velocity;

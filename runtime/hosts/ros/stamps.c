@@ -1,10 +1,11 @@
 #include "stamps.h"
 
-/* For how long messages of another clock must arrive before it counts; and for how long after the
- * start a message may be ahead, because the first one was delayed. */
+/* How long messages with another clock must arrive before that clock is accepted. Also how long
+ * after the start a message may be ahead, because the first one may have been delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
-/* Clocks run at different speeds: the smallest difference may grow by one part in this number. */
+/* Clocks run at different speeds: the smallest difference may grow by one part in this number
+ * (clock drift). */
 enum { DRIFT = 2000 };
 
 static int64_t apart(int64_t a, int64_t b)
@@ -19,7 +20,7 @@ static void accept(struct stamps *s, int64_t stamp_ns, int64_t arrived_ns)
     s->doubted = false;
 }
 
-/* Refuses a message of another clock, or accepts that clock. */
+/* Rejects a message with another clock, or accepts that clock. */
 static enum stamps_verdict doubt(struct stamps *s, enum stamps_verdict verdict, int64_t stamp_ns,
                                  int64_t arrived_ns, int64_t patience_ns)
 {

@@ -19,7 +19,7 @@ static const struct kind lidar = { frob_sim_open_lidar, frob_sim_lidar_name, "li
 static const struct kind imu = { frob_sim_open_imu, frob_sim_imu_name, "inertial measurement unit",
                                  "imu" };
 
-/* Prints the table that is missing in the world file. */
+/* Prints the table that the world file lacks. */
 static void tell_missing(const struct frob_sim *sim, const struct kind *kind, const char *name)
 {
     fprintf(stderr, "error: the program uses %s %s, `%s`, but the robot of this world has",

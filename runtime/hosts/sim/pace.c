@@ -4,9 +4,9 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS INT64_C(5000000) /* how often to check for requests while waiting */
-/* At more than this speed, the simulator waits for a viewer that has not read half of the published
- * instants, because it would miss the rest. */
+#define LOOK_NS INT64_C(5000000) /* interval between checks for requests while waiting */
+/* Above this speed, the simulator waits while the viewer has not read half of the published
+ * instants. Otherwise the viewer would miss some of them. */
 #define UNSEEN_SPEED 100.0
 #define UNSEEN_NS INT64_C(500000)
 #define LATE_NS INT64_C(100000000) /* longer delays are not made up for */

@@ -20,7 +20,7 @@ extern "C" {
  * heading, positive to the left. step_rad is positive, and the rays cover at most one turn. */
 struct frob_scan {
     /* Distances from the device. Infinity, or more than farthest_m: nothing is in range. NaN, or
-     * less than nearest_m: the device does not know. */
+     * less than nearest_m: the distance is unknown. */
     const double *ranges_m;
     size_t count;
     double first_rad, step_rad;
@@ -38,8 +38,8 @@ size_t frob_lidar_label(const struct frob_control *control);
  *
  * Direction k of n has the bearing k * 360 / n degrees, and covers the sector of 360 / n degrees
  * around it. Its distance is the smallest one among the rays in the sector, and among the rays that
- * are at most half a step_rad away from its bearing. So no object gets lost if the device has more
- * rays than the program has directions, and no direction is empty if it has fewer. */
+ * are at most half a step_rad away from its bearing. So no object is lost if the device has more
+ * rays than the program has directions, and no direction is empty if the device has fewer. */
 void frob_lidar_give(const struct frob_control *lidar, void *input, const struct frob_scan *scan,
                      int64_t now_ns);
 

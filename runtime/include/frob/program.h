@@ -76,10 +76,11 @@ enum frob_control_kind {
     /* An event of the tags in a frame (frob/tags.h), also set by the host. Its label is the
      * camera's label and " tags". */
     FROB_TAGS,
-    /* An event of a lidar's scan (frob/lidar.h), set by the host. Its label is the lidar's name and
-     * the number of directions. */
+    /* An event with a scan of a lidar (frob/lidar.h), set by the host. Its label is the lidar's
+     * name and the number of directions. */
     FROB_LIDAR,
-    FROB_IMU /* an event of an inertial measurement unit's reading (frob/imu.h), set by the host */
+    FROB_IMU /* an event with a reading of an inertial measurement unit (frob/imu.h), set by the
+              * host */
 };
 
 /* A control on the operator's console; see frob/console.h. */

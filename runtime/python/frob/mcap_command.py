@@ -52,9 +52,8 @@ def decoded(schema: Any, channel: Any, message: Any, ros: Any, skipped: Dict[str
 
 
 def rows(reader: Any) -> Tuple[List[str], List[Tuple[int, Dict[str, str]]], Dict[str, str]]:
-    """The columns in the order of their first messages; for each time of a message the cells that
-    it changes; and the topics that were skipped, with their encodings.
-    """
+    """Returns the columns in the order of their first messages; the time of each message, with the
+    cells that the message changes; and the skipped topics, with their encodings."""
     ros = None
     if find_spec("mcap_ros2") is not None:
         from mcap_ros2.decoder import DecoderFactory

@@ -56,7 +56,7 @@ const double *view_other_numbers(struct view *view, const struct signal *signal)
 
 /* ---- In path.c */
 
-/* Of at most about `count` instants from instant `first` on. */
+/* Appends at most about `count` corners of the path from instant `first` on. */
 void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);

@@ -73,7 +73,7 @@ static void match(struct reader *r, enum operator operator, const struct dimensi
     r->wrong = true;
 }
 
-/* Replaces the dimensions of an operation's operands by that of its result. */
+/* Replaces the dimensions of the operands of an operation by the dimension of its result. */
 static void measure(struct reader *r, enum operator operator)
 {
     static const struct dimension none;

@@ -58,10 +58,11 @@ static void add_truth(const struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
-/* For how long an event of the input stays visible, in ns: one round of all sonars takes 320 ms. */
+/* How long an event of the input stays visible, in ns. One cycle of all sonars takes 320 ms. */
 #define RECENT_NS 400000000
 
-/* Appends the position and heading of the first robot: the truth, or else by odometry. */
+/* Appends the position and heading of the first robot: the true ones if they are known, otherwise
+ * those of the odometry. */
 static void add_pose(struct view *view, size_t k, struct buffer *answer)
 {
     static const char *const names[] = { "in.odometry.position.x", "in.odometry.position.y",

@@ -11,7 +11,7 @@
 /* Maximum size of a file; larger ones are not from a page. */
 #define MOST 65536
 
-/* A number for the program's file, by FNV-1a. */
+/* The FNV-1a hash of the path of the program's file. */
 static uint64_t number_of(const char *path)
 {
     uint64_t number = 14695981039346656037U;
@@ -20,8 +20,8 @@ static uint64_t number_of(const char *path)
     return number;
 }
 
-/* Creates the folders on the way to a file, if `creates`, and writes its path. Returns false if
- * there is no such place. */
+/* Writes the path of a file. If `creates`, also creates its folders. Returns false if the
+ * program's file does not exist or the environment does not name a folder. */
 static bool find(const char *source, bool creates, char *path, size_t size)
 {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");

@@ -1,7 +1,7 @@
 /* kept.h -- what a page keeps for the next run of the program: its plots, the sizes of its panels.
  *
- * It is a text of the page's own, in a file in $XDG_STATE_HOME or ~/.local/state. If that is not
- * possible, nothing is kept. */
+ * The page determines the format of the text; the viewer stores it in a file in $XDG_STATE_HOME or
+ * ~/.local/state. If it cannot write the file, it keeps nothing. */
 #ifndef FROB_VIEW_KEPT_H
 #define FROB_VIEW_KEPT_H
 

@@ -1,4 +1,4 @@
-/* The way of a robot: the instants at which it turns, so that lines between them follow it. */
+/* The path of a robot, simplified to its corners: straight lines between them approximate it. */
 #include "answers.h"
 
 #include "../../common/truth.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* About the largest distance between the way and the lines, and the longest time between points. Both
- * double until the points are few enough. */
+/* Approximate maximum distance between the path and the lines, and maximum time between points.
+ * Both are doubled until the number of points is small enough. */
 #define CLOSE_M 0.01
 #define LONG_S 1.0
 
@@ -22,8 +22,8 @@ struct place {
     double x_m, y_m, time_s;
 };
 
-/* The directions in which the way may go on without a corner: between `low` and `high`, relative
- * to `direction`, as seen from `anchor`. */
+/* The directions in which the path may continue without a corner: between `low` and `high`,
+ * relative to `direction`, as seen from `anchor`. */
 struct cone {
     struct place anchor;
     bool is_open; /* any direction */
@@ -55,7 +55,7 @@ static struct cone cone_at(struct place anchor)
 }
 
 /* Narrows the cone to the lines that pass within `close_m` of a place. Returns false if there are
- * none, or if the robot has turned back. */
+ * no such lines, or if the robot has turned back. */
 static bool narrow(struct cone *cone, struct place at, double close_m)
 {
     const double dx = at.x_m - cone->anchor.x_m, dy = at.y_m - cone->anchor.y_m;
@@ -142,8 +142,8 @@ static void add_corner(void *context, size_t k, struct place place)
     corners->last = k;
 }
 
-/* Appends the time and position of at most about `most` instants. Returns the last corner, from
- * which the way can be continued. */
+/* Appends the times and positions of at most about `most` instants. Returns the last corner, at
+ * which a later request can continue the path. */
 static size_t add_way(const struct way *way, size_t first, size_t most, struct buffer *answer)
 {
     struct corners corners = { answer, "", first, first };

@@ -88,7 +88,7 @@ bool view_start(struct view *view, const struct frob_program *program,
     }
     series_start(&view->series, &view->replay);
     if (files->other != NULL) {
-        /* To compare, all of this recording must be there. */
+        /* A comparison needs the whole recording. */
         while (recording_read_on(&view->recording))
             continue;
         return view_compare(view);

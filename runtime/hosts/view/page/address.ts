@@ -1,5 +1,5 @@
-// The address of the page: after `#` the token, then what the page shows, so that a link opens the
-// same view: `#TOKEN&at=12.5&range=10..20&plots=out.forward,out.turn;in.battery`.
+// The address of the page contains, after `#`, the token and then the shown view, so that a link
+// opens the same view: `#TOKEN&at=12.5&range=10..20&plots=out.forward,out.turn;in.battery`.
 
 export interface Shown {
   /** The time of the instant, in seconds. */
@@ -8,7 +8,7 @@ export interface Shown {
   readonly plots?: string | undefined;
 }
 
-/** Least time between changes of the address, in ms: browsers limit them. */
+/** Minimum time between changes of the address, in ms, because browsers limit them. */
 const pause = 400;
 
 export function token(): string {
@@ -39,7 +39,7 @@ export function shown(): Shown {
 
 let timer: number | undefined;
 
-/** Writes what the page shows into the address, soon. */
+/** Writes the shown view into the address, after a delay. */
 export function update(now: () => Shown): void {
   timer ??= window.setTimeout(() => {
     timer = undefined;

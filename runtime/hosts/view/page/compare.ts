@@ -1,4 +1,5 @@
-// A second recording, drawn over the first one: where they differ, and how they are aligned.
+// Controls for a second recording, drawn on top of the first one: where the two differ, and how
+// they are aligned.
 import type { Align } from "./protocol";
 import type { Store } from "./store";
 import { formatTime } from "./values";

@@ -42,7 +42,7 @@ interface Question {
 }
 
 export interface Listener {
-  /** `question` is the text of the answered question; empty if it was none. */
+  /** `question` is the text of the answered question; empty for a message that is not an answer. */
   answered(answer: Answer, question: string): void;
   /** The connection was closed, for this reason; `final`: the page does not reconnect. */
   closed(why: string, final: boolean): void;

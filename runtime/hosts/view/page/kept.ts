@@ -1,8 +1,9 @@
-// What the page keeps of a program: its plots, the sizes of the panels, the theme, the edited text.
-// A tab keeps it over a reload; the viewer keeps it for the next run of the program.
+// The state of the page that is kept for each program: its plots, the sizes of the panels, the
+// theme, the edited text. The tab keeps it over a reload, and the viewer keeps it for the next run
+// of the program.
 import type { Link } from "./connection";
 
-/** Time from a change until it is kept, in ms. */
+/** Delay after a change until the state is kept, in ms. */
 const soon = 500;
 /** Maximum length of a request to the viewer, less than its limit of 64 kB. */
 const longest = 60_000;
@@ -33,7 +34,7 @@ export class Kept {
 
   constructor(
     program: string,
-    /** What the viewer has kept, as JSON. */
+    /** The state that the viewer has kept, as JSON. */
     before: string,
     private readonly connection: Link,
   ) {
@@ -45,7 +46,7 @@ export class Kept {
     try {
       return sessionStorage.getItem(this.key);
     } catch {
-      return null; // not available to a file
+      return null; // not available to a page that is opened from a file
     }
   }
 
@@ -65,7 +66,7 @@ export class Kept {
     try {
       sessionStorage.setItem(this.key, text);
     } catch {
-      // The tab has no room for it; the viewer may.
+      // The storage of the tab is full; the viewer may still keep the state.
     }
     const isShort = new TextEncoder().encode(text).length < longest;
     this.connection.ask(`keep ${isShort ? text : JSON.stringify({ ...this.all, edited: null })}`);

@@ -103,7 +103,7 @@ export function startKeys(
   const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End", "v", "V"]);
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof Element ? event.target : null;
-    // A saved page has no viewer that could do these.
+    // A saved page has no viewer that could carry out these commands.
     if (document.body.classList.contains("saved") && "fwe".includes(event.key)) return;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;
     if (target?.closest("input, select") || (store.isEditing && target?.closest("#source"))) return;

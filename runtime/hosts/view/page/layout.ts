@@ -10,7 +10,7 @@ const bars = {
 } as const;
 type Bar = keyof typeof bars;
 
-/** Least size of a panel, in pixels. */
+/** Minimum size of a panel, in pixels. */
 const least = 90;
 const keyStep = 24;
 
@@ -28,7 +28,7 @@ export class Layout {
   /** The share of each panel whose size the user has chosen. */
   private shares: Record<string, number> = {};
 
-  /** The user has changed a size. */
+  /** Called when the user has changed a size. */
   onChange: () => void = () => undefined;
 
   constructor() {
@@ -79,7 +79,7 @@ export class Layout {
     this.tell(bar, name, isUpright);
   }
 
-  /** Moves a bar by pixels; returns by how many it has moved. */
+  /** Moves a bar by a number of pixels. Returns by how many pixels it moved. */
   private move(name: Bar, by: number, isUpright: boolean): number {
     // All panels of the row or column get shares in pixels, so that the others keep their sizes.
     const names: readonly string[] = isUpright ? ["source", "middle", "side"] : bars[name];

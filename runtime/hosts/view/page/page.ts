@@ -98,7 +98,7 @@ function showProgress(): void {
   }
 }
 
-/** Says what is the case while there is no run to show, and what to do. */
+/** Explains why there is no run to show, and what the user can do. */
 function say(title: string, text: string): void {
   const head = document.createElement("h2"),
     body = document.createElement("p");
@@ -107,7 +107,7 @@ function say(title: string, text: string): void {
   element("opening").replaceChildren(head, body);
 }
 
-/** The reasons for which the viewer refuses a page. */
+/** The reasons why the viewer refuses a page. */
 function sayRefusal(why: string): void {
   if (token() === "")
     say(
@@ -215,7 +215,8 @@ function extend(extent: Program | Live): void {
   contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
 }
 
-/** Speed of a run, relative to real time, from which the page pauses between pictures, in ms. */
+/** Speed of a run, relative to real time, above which the page pauses between frames; and this
+ * pause, in ms. */
 const fast = 20,
   fastPause = 100;
 
@@ -232,7 +233,7 @@ function answered(answer: Answer, question: string): void {
       break;
     case "program":
       progress = answer;
-      // The panels need their sizes.
+      // Set the sizes of the panels before building them.
       if (answer.instants > 0) document.body.classList.remove("opening");
       if (store) reconnected(store, answer);
       else store = start(withRadians(answer));
@@ -248,8 +249,8 @@ function answered(answer: Answer, question: string): void {
       store.askClaims();
       break;
     case "live":
-      // Request the next one when this one has been drawn; of a fast run less often, because drawing
-      // takes processor time from it.
+      // Request the next instant after drawing this one. In a fast run, request it less often,
+      // because drawing takes processor time from the run.
       requestAnimationFrame(() => setTimeout(more, (run?.speed ?? 1) > fast ? fastPause : 0));
       if (!store) break;
       store.grew(answer);

@@ -15,7 +15,8 @@ export interface Signal {
   readonly own: string;
   readonly file: string;
   readonly line: number;
-  /** It depends on no other signal: a constant, unless it depends on the time or a mode. */
+  /** Whether it does not depend on other signals: it is constant, unless it depends on the time or
+   * a mode. */
   readonly fixed: boolean;
   /** For the running mode of a machine: the transitions between its modes. */
   readonly transitions?: readonly Transition[];
@@ -92,7 +93,8 @@ export interface Program {
   readonly world: Source | null;
   /** The recording to compare with, if there is one. */
   readonly other?: Other;
-  /** What a page of an earlier run of this program has kept, as JSON; empty if there is nothing. */
+  /** The state that a page of an earlier run of this program has kept, as JSON; empty if there is
+   * none. */
   readonly kept: string;
 }
 
@@ -331,14 +333,15 @@ export interface Other {
   readonly signal?: string;
 }
 
-/** The recording to compare with has another shift, unless there is a reason why not. */
+/** Reports the new shift of the recording to compare with, or the reason why the shift has not
+ * changed. */
 export interface Align {
   readonly is: "align";
   readonly why?: string;
   readonly other?: Other;
 }
 
-/** The viewer has kept what the page sent. */
+/** Confirms that the viewer has kept the state of the page. */
 export interface KeepDone {
   readonly is: "keep";
 }

@@ -1,5 +1,5 @@
-// Opens the page as it was: from its address, from the tab before a reload, or from an earlier run of
-// the program; and keeps what changes.
+// Restores the state of the page from its address, from the tab before a reload, or from an earlier
+// run of the program; and keeps changes of the state.
 import { shown, update } from "./address";
 import type { Kept, Json } from "./kept";
 import type { Layout, Sizes } from "./layout";
@@ -19,7 +19,7 @@ function isObject(value: Json | undefined): value is { readonly [key: string]: J
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** A short number for a text, to notice that a program has changed. */
+/** A hash of a text, which shows whether a program has changed. */
 function hash(text: string): number {
   let sum = 0;
   for (const character of text) sum = (sum * 31 + (character.codePointAt(0) ?? 0)) | 0;
@@ -55,7 +55,7 @@ function restoreMap(store: Store, kept: Kept, view: View | null): void {
   });
 }
 
-/** Of an edited text that belongs to another version of the program, nothing is kept. */
+/** Discards an edited text that belongs to another version of the program. */
 function restoreEdited(store: Store, kept: Kept): void {
   const own = store.program.sources.find(({ library }) => !library);
   const before = kept.get("edited");
@@ -85,7 +85,7 @@ function restoreTime(store: Store): void {
   };
   for (const change of ["instant", "range", "plotted", "following"] as const)
     store.on(change, () => update(now));
-  // The user has changed the address, or followed a link to another view.
+  // The user has edited the address, or followed a link to another view.
   window.addEventListener("hashchange", () => {
     const wanted = shown();
     if (wanted.plots !== undefined) store.setPlots(readPlots(wanted.plots, program));

@@ -15,7 +15,7 @@ export function startRoving(list: HTMLElement): void {
     current = button;
     button.tabIndex = 0;
   };
-  /** Buttons that are added later are no tab stops either; one always is. */
+  /** Buttons that are added later are not tab stops; exactly one button is. */
   const tidy = () => {
     for (const button of list.querySelectorAll<HTMLElement>("button"))
       if (button !== current) button.tabIndex = -1;

@@ -36,11 +36,11 @@ export type Change =
   | "why"
   | "place"
   | "claims"
-  /** The edited program's text has changed. */
+  /** Called when the text of the edited program has changed. */
   | "edited"
-  /** Parts of the plots need other sizes. */
+  /** Called when the plots must adapt their sizes. */
   | "sizes"
-  /** The map shows another part of the world. */
+  /** Called when the map shows another part of the world. */
   | "view"
   /** "contact": contact was lost or is back; "resumed": contact is back, perhaps with much data. */
   | "contact"
@@ -78,7 +78,7 @@ export class Store {
   whatIf: WhatIf | null = null;
   /** The recording to compare with; null if there is none. */
   other: Other | null;
-  /** Whether keys go to the program's editor, and the edited text; null if it is the program's. */
+  /** Whether the editor receives keys, and the edited text; null if the text is unchanged. */
   isEditing = false;
   edited: string | null = null;
   continueEditing: (text: string) => void = () => undefined;
@@ -294,12 +294,12 @@ export class Store {
     return this.other !== null || (this.whatIf?.there ?? false);
   }
 
-  /** The word for these values. */
+  /** The label of these values. */
   get otherWord(): string {
     return this.whatIf?.there ? "what if" : "other";
   }
 
-  /** Aligns the other recording by a condition; an empty one: by the start. */
+  /** Aligns the other recording by a condition, or by the start if the condition is empty. */
   align(condition: string): void {
     this.connection.ask(condition === "" ? "align" : `align ${condition}`);
   }

@@ -60,7 +60,7 @@ export function toggleTheme(): void {
   for (const listener of choices) listener();
 }
 
-/** Whether the user has chosen the theme, which then does not follow the desktop. */
+/** Whether the user has chosen the theme, so that it does not follow the desktop. */
 let isChosen = false;
 const choices: (() => void)[] = [];
 

@@ -1,6 +1,7 @@
 // The labelled positions of axes.
 
-/** Returns the least of 1, 2, 5, 10 … times a power of ten that is not less than `least`. */
+/** Returns the smallest of the numbers 1, 2 and 5 times a power of ten that is not less than
+ * `least`. */
 export function niceStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5].map((x) => x * power).find((x) => x >= least * (1 - 1e-9)) ?? 10 * power;
@@ -12,7 +13,7 @@ export function timeTicks(from: number, to: number, width: number, space = 80): 
   const step = niceStep(((to - from) * space) / width);
   const first = Math.ceil(from / step - 1e-9),
     last = Math.floor(to / step + 1e-9);
-  // Multiples rather than sums, which would collect rounding errors.
+  // Multiply instead of adding, because sums would accumulate rounding errors.
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
   );

@@ -1,9 +1,9 @@
 // Formats values in Frob's syntax, shortened so that they can be read at a glance.
 import type { Signal } from "./protocol";
 
-/** Number of digits of the largest value of a signal that are shown. */
+/** Number of digits that are shown of the largest value of a signal. */
 const digits = 4;
-/** Values below this are shown with an exponent, and those above the other one. */
+/** Values below `small` or above `large` are shown with an exponent. */
 const small = 1e-4,
   large = 1e7;
 
@@ -24,7 +24,7 @@ export function formatNumber(x: number): string {
   return String(Number(x.toPrecision(6)));
 }
 
-/** What has been shown of a signal: its largest value, and its decimals. */
+/** The largest value of a signal that has been shown, and its number of decimals. */
 interface Look {
   largest: number;
   decimals: number;
@@ -32,7 +32,7 @@ interface Look {
 
 const looks = new WeakMap<Signal, Look>();
 
-/** Returns the decimals of a number with a given precision: 2 for 0.25. */
+/** Returns the number of decimals that a number needs, but not more than `most`: 2 for 0.25. */
 function decimalsOf(x: number, most: number): number {
   let places = most;
   const text = x.toFixed(most);
@@ -41,8 +41,9 @@ function decimalsOf(x: number, most: number): number {
 }
 
 /**
- * Formats a number of a signal. The number of decimals does not jump from one instant to the next: a
- * signal keeps the most that any of its values needed, as far as its largest value has few digits.
+ * Formats a number of a signal. The number of decimals does not jump from one instant to the next:
+ * a signal keeps the largest number that any of its values needed, within the limit on the digits
+ * of its largest value.
  */
 function steady(signal: Signal, x: number): string {
   if (!Number.isFinite(x)) return special(x);

@@ -1,5 +1,5 @@
-/* compare.h -- a second recording to compare with, in the place of an edited program. It may be of
- * another version of the program; then only its inputs and outputs are known. */
+/* compare.h -- a second recording to compare with, in the place of an edited program. It may come
+ * from another version of the program; then only its inputs and outputs are known. */
 #ifndef FROB_VIEW_COMPARE_H
 #define FROB_VIEW_COMPARE_H
 
@@ -10,8 +10,8 @@
 bool compare_start(struct what_if *other, const struct signals *recorded, const char *file,
                    const struct csv_dialect *dialect);
 
-/* Finds the instant of the other one at the time of instant `k` of this recording. Returns false if
- * it has none. */
+/* Finds the instant of the other recording at the time of instant `k` of this one. Returns false if
+ * there is none. */
 bool compare_instant(const struct what_if *other, const struct recording *recording, size_t k,
                      size_t *there);
 

@@ -8,7 +8,7 @@
 struct what_if {
     bool is_there;          /* an edited program was compiled; the rest describes it */
     bool drives;            /* it ran in the simulator, and has its own inputs */
-    bool compares;          /* it is no edited program, but another recording (compare.h) */
+    bool compares;          /* this is another recording (compare.h), not an edited program */
     int64_t shift_ns;       /* its time at time 0 of the shown recording */
     struct buffer settings; /* parameters in the form of a recording */
     struct signals signals;

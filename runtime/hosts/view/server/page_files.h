@@ -12,7 +12,7 @@ struct page_file {
     const char *packed, *packed_end; /* compressed by gzip */
 };
 
-/* Returns whether a browser with this header Accept-Encoding takes compressed files. */
+/* Returns whether a browser that sends this Accept-Encoding header accepts compressed files. */
 bool page_file_may_be_packed(const char *encodings, size_t length);
 
 /* Returns the file at a path; NULL if there is none. */

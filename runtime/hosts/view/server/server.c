@@ -30,7 +30,7 @@ struct server {
     unsigned long operator; /* number of the page that took control */
     pid_t host;             /* process id of the run's host */
     bool host_has_ended, was_visited;
-    bool has_terminal; /* somebody can read the address, and end the run with Ctrl-C */
+    bool has_terminal; /* a user can read the address in a terminal, and end the run with Ctrl-C */
     long leaving;      /* beats since the request to end */
     lws_sorted_usec_list_t again;
     long idle; /* beats since the last page was closed, or the run ended */
@@ -456,7 +456,7 @@ static bool is_to_end(struct server *server, bool is_over)
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
     const bool is_visited = pages(server) > 0;
     server->was_visited |= is_visited;
-    /* Somebody who reads the address in a terminal may open it later. */
+    /* A user who sees the address in a terminal may open it later. */
     server->idle = is_visited || (!server->was_visited && (!is_over || server->has_terminal))
                        ? 0
                        : server->idle + 1;

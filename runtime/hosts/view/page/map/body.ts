@@ -5,7 +5,7 @@ import type { Robot, Sonar } from "./robots";
 import { coneOpacity, type Pen } from "./scene";
 import type { Point } from "./world";
 
-/** Least size of a robot, in pixels, so that it can be found on the map of a large world. */
+/** Minimum size of a robot, in pixels, so that it is visible on the map of a large world. */
 const leastSize = 7;
 
 function circle(radius: number): Point[] {
@@ -15,7 +15,7 @@ function circle(radius: number): Point[] {
   ]);
 }
 
-/** Factor by which a robot is drawn larger than it is. */
+/** Factor by which a robot is enlarged on the map. */
 function enlarged({ radius }: Robot, scale: number): number {
   return Math.max(1, leastSize / (radius * scale));
 }
@@ -55,7 +55,7 @@ export function drawRobot(pen: Pen, robot: Robot, pose: Pose, fill: string, edge
   );
 }
 
-/** The last echo of a sonar, and where the robot was then. */
+/** The last echo of a sonar, and the robot's position at that time. */
 export interface Echo {
   readonly sonar: Sonar;
   readonly range: number;

@@ -2,7 +2,7 @@
 import type { View } from "./view";
 import type { Point } from "./world";
 
-/** Movement from which a press is not a click, in pixels. */
+/** Movement, in pixels, above which a press is not a click. */
 const still = 5;
 /** Pixels by which an arrow key moves the map, and the factor by which a key zooms it. */
 const keyStep = 60;
@@ -16,7 +16,7 @@ const arrows: Readonly<Record<string, Point>> = {
 };
 
 export interface Gestures {
-  /** The view has changed. */
+  /** Called when the view has changed. */
   moved(): void;
   clicked(at: Point): void;
 }

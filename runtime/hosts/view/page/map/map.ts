@@ -1,4 +1,4 @@
-// The map: the world, the robots with their ways and sonars, and the program's marks.
+// The map: the world, the robots with their paths and sonars, and the program's marks.
 import { clear } from "../canvas";
 import type { Instant } from "../protocol";
 import type { Store } from "../store";
@@ -15,7 +15,7 @@ import { drawTimes, drawWay } from "./way";
 import { Ways } from "./ways";
 import { readWorld, worldPoints, type Point, type World } from "./world";
 
-/** Difference between odometry and truth from which the map shows both, in metres. */
+/** Difference between odometry and truth, in metres, above which the map shows both. */
 const drift = 0.03;
 
 export function startMap(store: Store, host: HTMLElement): View | null {
@@ -26,7 +26,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
   const heading = number("in.odometry.heading");
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
-  // What does not change between instants: the world and the grid.
+  // The layer that does not change between instants: the world and the grid.
   const scene = document.createElement("canvas").getContext("2d");
   if (x < 0 || y < 0 || heading < 0 || !context || !scene) {
     host.hidden = true;
@@ -89,7 +89,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
       return [{ sonar, range, pose: truth ? pose : within(start, pose) }];
     });
 
-  /** Draws the ways and the sonars of all robots, of which the first one runs the shown program. */
+  /** Draws the paths and sonars of all robots. The first robot runs the shown program. */
   const drawWays = (instant: Instant, robots: readonly Pose[], believed: Pose) => {
     drawOutline(pen, robot, start, colour("robot-edge"));
     robots.forEach((pose, i) => {

@@ -8,7 +8,7 @@ export interface Sonar {
 }
 
 export interface Robot {
-  /** The corners of the body; empty: it is round. */
+  /** The corners of the body; empty for a round body. */
   readonly outline: readonly Point[];
   readonly radius: number;
   /** Half the distance between the driving wheels, and their radius; 0 if they are unknown. */

@@ -5,7 +5,7 @@ import { formatNumber } from "../values";
 import type { View } from "./view";
 import type { Disc, Point, World } from "./world";
 
-/** Least distance between grid lines, in pixels. */
+/** Minimum distance between grid lines, in pixels. */
 const gridSpace = 60;
 const labelFont = "11px system-ui, sans-serif";
 
@@ -135,7 +135,7 @@ function drawFloor(pen: Pen, world: World): void {
     pen.line(points, shade(reflectance), Math.max(1.5, width * pen.view.scale));
 }
 
-/** The size of this symbol has no meaning. */
+/** This symbol is not drawn to scale. */
 function drawLamp(pen: Pen, at: Point): void {
   const [x, y] = pen.view.toPixel(at);
   pen.context.beginPath();
@@ -173,7 +173,7 @@ function drawObjects(pen: Pen, world: World): void {
     pen.line([from, to], colour("believed"), 3);
     pen.line([middle, front], colour("believed"), 1.6);
   }
-  // Objects that robots can push are drawn where they were at the start.
+  // Objects that robots can push are drawn at their start positions.
   for (const points of world.boxes) {
     pen.shape(points, colour("box"));
     pen.stroke(colour("box-edge"), 1.2, [3, 4]);

@@ -1,23 +1,24 @@
-// The way of a robot: its corners, with the time at which it passed each. In a live run it grows:
-// the viewer sends all corners since the last one, however many instants the page has not shown.
+// The path of a robot: its corners, and the time at which the robot passed each. In a live run, the
+// path grows: the viewer sends all corners since the last one, even for instants that the page has
+// not shown.
 import type { Extent } from "./view";
 import type { Point } from "./world";
 
 export class Track {
   points: Point[] = [];
   times: number[] = [];
-  /** The instant of the last corner, from which the way is continued. */
+  /** The instant of the last corner, at which the path is continued. */
   next = 0;
   /** The index of this corner. Points after it are provisional. */
   private corner = -1;
 
   constructor(private readonly extent: Extent) {}
 
-  /** Adds the way from instant `from` on, whose last corner is at instant `next`. */
+  /** Adds the path from instant `from` on, whose last corner is at instant `next`. */
   extend(from: number, points: readonly Point[], times: readonly number[], next: number): void {
     if (from !== this.next && from !== 0) return;
     const kept = from === 0 ? 0 : this.corner + 1;
-    // The way starts with the corner that is known.
+    // The new part starts with a corner that is known already.
     const skipped = kept === 0 ? 0 : 1;
     this.points.length = this.times.length = kept;
     this.points.push(...points.slice(skipped));
@@ -52,7 +53,7 @@ export class Track {
     return [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])];
   }
 
-  /** Returns the time at which the way was nearest to a point. */
+  /** Returns the time at which the path was nearest to a point. */
   nearest([x, y]: Point): number | undefined {
     let best = Infinity,
       time: number | undefined = this.times[0];

@@ -59,7 +59,7 @@ export class View {
     this.centre[1] - (y - this.height / 2) / this.scale,
   ];
 
-  /** The part that it shows, for comparison with a later one. */
+  /** Identifies the shown part, for comparison with a later one. */
   get key(): string {
     return [this.scale, ...this.centre, this.width, this.height].join();
   }
@@ -83,7 +83,7 @@ export class View {
     this.mode = "robot";
   }
 
-  /** Keeps the place at a pixel where it is, unless the map follows the robot. */
+  /** Keeps the place at this pixel fixed, unless the map follows the robot. */
   zoom(factor: number, at: Point): void {
     const [x, y] = this.fromPixel(at);
     this.scale = Math.min(mostScale, Math.max(leastScale, this.scale * factor));

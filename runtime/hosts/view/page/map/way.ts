@@ -1,5 +1,5 @@
-// Draws the way of a robot, from light at the start to dark at the instant that is shown, and marks
-// on it every few seconds.
+// Draws the path of a robot, from light at the start to dark at the shown instant, with a mark
+// every few seconds.
 import { colour } from "../theme";
 import { formatNumber } from "../values";
 import { niceStep } from "../ticks";
@@ -11,7 +11,7 @@ import type { Point } from "./world";
 const pieces = 48;
 /** Approximate number of time marks. */
 const marks = 6;
-/** Least distance between a mark and the robot, or the mark before it, in pixels. */
+/** Minimum distance between a mark and the robot or the previous mark, in pixels. */
 const markSpace = 26;
 
 /** Omits points that are less than half a pixel from the one before. */
@@ -27,7 +27,7 @@ function thinned(pen: Pen, points: readonly Point[]): Point[] {
   return all;
 }
 
-/** Draws the way up to `time`, which ends where the robot is, and the rest in a faint colour. */
+/** Draws the path up to `time`, where it ends at the robot, and the rest in a faint colour. */
 export function drawWay(
   pen: Pen,
   track: Track,
@@ -55,7 +55,8 @@ export function drawWay(
   }
 }
 
-/** Marks the way up to `time` with a dot every few seconds of the run, and the time next to it. */
+/** Marks the path up to `time` with a dot every few seconds of the run, and labels each dot with
+ * its time. */
 export function drawTimes(
   pen: Pen,
   track: Track,
@@ -76,7 +77,7 @@ export function drawTimes(
     const pixel = view.toPixel(at);
     if (apart(pixel, view.toPixel(robot)) < markSpace || apart(pixel, last) < markSpace) continue;
     last = pixel;
-    // Put the label on the right of the way, away from a wall that the robot follows on its left.
+    // Put the label on the right of the path, away from a wall that the robot follows on its left.
     const heading = Math.atan2(at[1] - before[1], at[0] - before[0]);
     const [x, y] = [pixel[0] + 18 * Math.sin(heading), pixel[1] + 14 * Math.cos(heading) + 4];
     pen.disc(at, 3.2, colour("panel"));

@@ -1,26 +1,26 @@
-// The ways of all robots, and the requests for them: the way by odometry, and, in a live simulated
-// run, the true ways.
+// The paths of all robots, and the requests for them: the path by odometry, and, in a live
+// simulated run, the true paths.
 import type { Store } from "../store";
 import { placed, type Pose } from "./pose";
 import { Track } from "./track";
 import type { Extent } from "./view";
 import type { Point } from "./world";
 
-/** Approximate maximum number of points of a way. */
+/** Approximate maximum number of points of a path. */
 const mostPoints = 6000;
 
 export class Ways {
   readonly believed: Track;
-  /** The true ways of simulated robots; empty if they are unknown. */
+  /** The true paths of simulated robots; empty if they are unknown. */
   readonly true: Track[] = [];
-  /** The way of the edited program, if it ran in the simulator. */
+  /** The path of the edited program, if it ran in the simulator. */
   other: Point[] = [];
   private pending = 0;
   private turn = 0;
 
   constructor(
     private readonly store: Store,
-    /** The numbers of the signals of the position by odometry. */
+    /** The numbers of the signals with the position by odometry. */
     private readonly x: number,
     private readonly y: number,
     private readonly start: Pose,
@@ -34,7 +34,7 @@ export class Ways {
     this.loadBelieved(0);
   }
 
-  /** The way of the first robot. */
+  /** The path of the first robot. */
   get first(): Track {
     return this.true[0] ?? this.believed;
   }
@@ -46,7 +46,7 @@ export class Ways {
     while (this.true.length < robots) this.true.push(new Track(this.extent));
     this.loadBelieved(this.believed.next);
     if (robots > 0) this.loadTrue(0);
-    // One of the other robots at a time: there may be hundreds.
+    // Request the path of one other robot at a time, because there may be hundreds.
     if (robots > 1) this.loadTrue(1 + (this.turn++ % (robots - 1)));
   }
 

@@ -1,4 +1,4 @@
-// What all kinds of plots have in common, and the size of their parts.
+// The common interface of all kinds of plots, and the sizes of their parts.
 import type { Trace } from "./trace";
 
 /** Width of an axis on the left or on the right. */
@@ -18,13 +18,13 @@ export interface Body {
   readonly traces: readonly Trace[];
   /** Requests the data for the visible range. */
   load(): void;
-  /** Requests the data that has arrived since, in a live run that is followed. */
+  /** Requests the data that has arrived since the last request, if the plot follows a live run. */
   grow(): void;
   /** Draws the plot with another height, or with other colours. */
   build(height: number): void;
-  /** The instant or the mark has changed. */
+  /** Called when the instant or the mark has changed. */
   moved(): void;
-  /** Where the pointer is; null: elsewhere. */
+  /** The position of the pointer; null if it is not on the plot. */
   readonly pointed: Pointed | null;
   /** The drawn plot, for a picture. */
   readonly picture: HTMLCanvasElement | null;

@@ -4,7 +4,8 @@ import type { Store } from "../store";
 import { colour } from "../theme";
 import { formatPoint } from "../values";
 
-/** As many as the viewer sends: all instants, unless the range has more than 500,000. */
+/** Maximum number of points that the viewer sends: all instants, unless the range has more than
+ * 500,000. */
 const columns = 100_000;
 
 function save(name: string, content: Blob): void {
@@ -20,7 +21,7 @@ export interface Title {
   readonly colour: string;
 }
 
-/** Saves canvases, one below the other, with a line of titles above them. */
+/** Saves canvases as one picture, one below the other, with a line of titles above them. */
 export function savePicture(
   name: string,
   titles: readonly Title[],

@@ -1,5 +1,5 @@
-// The lines on a plot at the current instant and at the mark. They are elements that move over the
-// plot, so that it need not be drawn again at each instant.
+// The lines on a plot at the current instant and at the mark. They are separate elements that move
+// over the plot, so the plot is not redrawn at each instant.
 import type uPlot from "uplot";
 import type { Store } from "../store";
 

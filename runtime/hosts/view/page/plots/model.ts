@@ -1,16 +1,17 @@
-// What the plots show: which signals share a plot, and on which scale.
+// The model of the plots: which signals share a plot, and on which scale.
 import type { Program, Signal } from "../protocol";
 
 export interface Plot {
   readonly id: number;
   /** The numbers of its signals. In an XY plot the first one is the horizontal axis. */
   signals: number[];
-  /** The range of its vertical axis on the left; null: as the values require. */
+  /** The range of the left vertical axis; null for an automatic range. */
   fixed: readonly [number, number] | null;
   isXy: boolean;
 }
 
-/** Two signals share an axis if this is the same for both: their unit, or the names of their values. */
+/** The key of an axis: the unit of a signal, or the names of its values. Signals with the same key
+ * share an axis. */
 export function axisOf(signal: Signal | undefined): string {
   if (!signal) return "";
   if (signal.kind === "bool") return "Bool";

@@ -1,4 +1,4 @@
-// The panel of plots, one below the other, which share the axis of time and fill the panel.
+// The panel of plots, which are one below the other, share the time axis, and fill the panel.
 import type { Store } from "../store";
 import { onTheme } from "../theme";
 import { takesSignals } from "./drag";
@@ -6,10 +6,10 @@ import type { Plot } from "./model";
 import { Strip } from "./strip";
 import { drawTimeAxis, timeAxisHeight } from "./time_axis";
 
-/** Least height of a plot of numbers, and of one of truth values or names. */
+/** Minimum height of a plot of numbers, and of a plot of truth values or names. */
 const leastHigh = 84,
   leastLow = 56;
-/** Greatest height of the latter. */
+/** Maximum height of a plot of truth values or names. */
 const mostLow = 90;
 /** Maximum number of plots at which there is room for a hint on how to add one. */
 const hinted = 1;

@@ -15,7 +15,7 @@ function button(text: string, title: string, act: () => void): HTMLButtonElement
   const made = document.createElement("button");
   made.textContent = text;
   made.title = title;
-  // A word is its own label.
+  // A value that is a word does not need a label.
   if (!/\w/.test(text)) made.ariaLabel = title;
   made.onclick = act;
   return made;
@@ -84,7 +84,7 @@ export class Strip {
   constructor(
     private readonly store: Store,
     readonly plot: Plot,
-    /** The axis of time below all plots, for pictures. */
+    /** The time axis below all plots, for pictures. */
     private readonly axis: HTMLCanvasElement,
   ) {
     this.add = button("+", "Add signals to this plot: click them", () => {
@@ -226,7 +226,7 @@ export class Strip {
     this.body.build(height);
   }
 
-  /** Draws the plot anew, in other colours. */
+  /** Redraws the plot after a change of colours. */
   restyle(): void {
     for (const entry of this.entries) entry.colour();
     if (this.body instanceof TimePlot) this.body.forget();

@@ -1,4 +1,4 @@
-// The axis of time that all plots share, below them.
+// The time axis below the plots, which all of them share.
 import { clear } from "../canvas";
 import type { Store } from "../store";
 import { colour } from "../theme";

@@ -10,7 +10,7 @@ import { around, isNamed, labels, splitsOf, topOf } from "./scales";
 import { startTouch } from "./touch";
 import { Trace } from "./trace";
 
-/** How near the pointer must be to an event to show it, in pixels. */
+/** Maximum distance, in pixels, from the pointer to an event whose value is shown. */
 const close = 5;
 const font = "11px system-ui, sans-serif";
 
@@ -106,7 +106,7 @@ export class TimePlot implements Body {
 
   private isOld = false;
 
-  /** Builds the plot anew when it is drawn next. */
+  /** Rebuilds the plot when it is drawn next. */
   forget(): void {
     this.isOld = true;
   }

@@ -1,8 +1,8 @@
-// Fingers on a plot: two of them zoom the time axis, one of them moves it sideways. A tap goes to an
-// instant, as a click does. Scrolling up and down is left to the browser.
+// Touch gestures on a plot: two fingers zoom the time axis, and one finger moves it sideways. A tap
+// goes to an instant, like a click. The browser handles scrolling up and down.
 import type { Store } from "../store";
 
-/** Movement from which a touch is not a tap, in pixels. */
+/** Movement, in pixels, above which a touch is not a tap. */
 const still = 8;
 
 export function startTouch(over: HTMLElement, store: Store): void {

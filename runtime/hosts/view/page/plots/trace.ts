@@ -1,9 +1,9 @@
-// The values of one signal in the visible range, as the viewer sends them, and as they grow in a
-// live run.
+// The values of one signal in the visible range. The viewer sends them; in a live run, more values
+// arrive.
 import type { Series, Signal } from "../protocol";
 import type { Store } from "../store";
 
-/** Practically unlimited, for requests of the newest data. */
+/** A practically unlimited time, for requests of the newest data. */
 const mostPoints = 100_000;
 
 type Values = (number | null)[];
@@ -40,7 +40,7 @@ export class Trace {
     });
   }
 
-  /** Requests the data that has arrived since, in a live run that is followed. */
+  /** Requests the data that has arrived since the last request, if the plot follows a live run. */
   grow(width: number): void {
     if (this.store.series.awaits(this.user, this.number)) return;
     // Data of the whole run grows without limit; load it again in the plot's resolution. In a fast
@@ -66,7 +66,7 @@ export class Trace {
     const last = this.times.at(-1) ?? -Infinity;
     const isNew = (_: unknown, i: number) => (series.times[i] ?? 0) > last;
     const times = [...this.times, ...series.times.filter(isNew)];
-    // Keep one point before the visible range, from which a step leads into it.
+    // Keep one point before the visible range, because its step extends into the range.
     const first = Math.max(0, times.findIndex((time) => time > from) - 1);
     const joined = (before: Values, more: Values) =>
       [...before, ...more.filter(isNew)].slice(first);

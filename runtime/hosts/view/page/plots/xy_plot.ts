@@ -8,7 +8,7 @@ import type { Plot } from "./model";
 import { around, splitsOf } from "./scales";
 import { Trace } from "./trace";
 
-/** Columns that are requested; shorter runs are complete. */
+/** Number of requested columns; the data of shorter runs is complete. */
 const columns = 4000;
 const bottom = 20,
   top = 8,

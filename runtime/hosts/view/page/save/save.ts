@@ -3,7 +3,7 @@ import type { Instant } from "../protocol";
 import type { Store } from "../store";
 import { mostInstants, pack, type SavedRun } from "./format";
 
-/** How many instants are requested at a time. */
+/** Number of instants in a request. */
 const atOnce = 200;
 
 /** Returns the instants of the run, or of the visible part of a long one. */
@@ -69,7 +69,7 @@ async function build(run: SavedRun): Promise<Blob> {
     file("icon.svg"),
     pack(run),
   ]);
-  // A function, because `$` has a meaning in a text that replaces another one.
+  // A function, because `$` is special in replacement strings.
   const whole = page
     .replace(
       /<link rel="icon"[^>]*>/,

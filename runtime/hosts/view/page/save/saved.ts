@@ -3,7 +3,7 @@ import type { Link, Listener } from "../connection";
 import type { Answer, Instant, Path, Series, Signal, Way } from "../protocol";
 import { unpack, type SavedRun } from "./format";
 
-/** For how long an event of the input stays visible, in seconds: see instant.c. */
+/** How long an event of the input stays visible, in seconds: see instant.c. */
 const recentlySeconds = 0.4;
 
 /** Returns the number that represents a cell in a plot. */
@@ -29,7 +29,7 @@ export class Saved implements Link {
       this.answer(run.program, "");
       this.answer(run.claims, "");
     });
-    // There is nobody to lose contact with.
+    // There is no viewer with which the page could lose contact.
     setInterval(() => this.answer({ is: "beat", time: 0 }, ""), 100);
   }
 
@@ -46,7 +46,7 @@ export class Saved implements Link {
   }
 
   ask(question: string): void {
-    // Like a viewer, never before the caller has finished.
+    // Like a viewer, never answer before the caller has finished.
     queueMicrotask(() => this.answer(this.answerTo(question), question));
   }
 

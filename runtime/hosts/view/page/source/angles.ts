@@ -1,5 +1,6 @@
-// Finds the signals whose types say that they are angles or turn rates. Radians have no dimension, so
-// that units do not show it: the types are read from the text of the program.
+// Finds the signals that are angles or turn rates according to their types. The unit of a signal
+// does not show this, because radians are dimensionless. So this module reads the types from the
+// source text of the program.
 import type { Program, Signal, Source } from "../protocol";
 
 const units: Readonly<Record<string, string>> = { Angle: "rad", AngularVelocity: "rad/s" };
@@ -74,7 +75,7 @@ function namesIn({ name: file, text }: Source): Named[] {
     const unit = units[type.trim()];
     if (unit !== undefined) found.push({ file, first, last, name, unit });
   };
-  // The parts of the file that begin at the left margin: signatures and definitions.
+  // Split the file into the parts that begin at the left margin: signatures and definitions.
   const starts = lines.flatMap((line, i) => (/^[\w(]/.test(line) ? [i] : []));
   let signature: { readonly name: string; readonly type: string } | null = null;
   starts.forEach((start, i) => {

@@ -1,9 +1,9 @@
-// Deletes and replaces text in the editor. The browser would do it in the page's elements, and add
-// styles to them, which the page's security policy rejects.
+// Deletes and replaces text in the editor. The browser's own editing would add styles to the page's
+// elements, which the page's security policy rejects.
 import { findClusterBreak } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 
-/** Returns how far a deletion without a selection goes, from a position in a text. */
+/** Returns the end of a deletion without a selection, from a position in a text. */
 const ends: Readonly<Record<string, (text: string, at: number) => number>> = {
   deleteContentBackward: (text, at) => findClusterBreak(text, at, false),
   deleteContentForward: (text, at) => findClusterBreak(text, at, true),

@@ -209,8 +209,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   };
   /** The line of which all values are shown; 0: none. */
   let expanded = 0;
-  /** Returns the room for values after a text, in characters: what it leaves, or else less than half
-   * of the line, whose end the values then cover. */
+  /** Returns the room for values after a text, in characters: the free space, or, if there is too
+   * little, less than half of the line, whose end the values then cover. */
   const roomAfter = (line: number, text: string) => {
     const across = view.contentDOM.clientWidth / Math.max(1, view.defaultCharacterWidth) - 2;
     const free = text.length < across ? across - text.length : 0;

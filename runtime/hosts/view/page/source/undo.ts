@@ -1,4 +1,4 @@
-// Undo and redo of changes to the edited program. Changes that follow each other soon are one step.
+// Undo and redo of changes to the edited program. Changes in quick succession are one step.
 import { Transaction, type ChangeSet, type Extension } from "@codemirror/state";
 import { EditorView, type KeyBinding } from "@codemirror/view";
 

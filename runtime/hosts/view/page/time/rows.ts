@@ -1,5 +1,5 @@
-// The rows of the time line: the modes of machines; and for a program with few of them, its events and
-// its first outputs, so that there is something to recognize.
+// The rows of the timeline: the modes of state machines. For a program with few of them, also its
+// events and first outputs, so that the user can recognize parts of the run.
 import { grouped } from "../signals/groups";
 import { modeSignals } from "../signals/modes";
 import type { Program } from "../protocol";
@@ -10,7 +10,7 @@ export interface Row {
   readonly number: number;
 }
 
-/** Number of rows of modes from which a time line needs nothing else. */
+/** If the timeline has at least this number of rows of modes, it shows no events and outputs. */
 const enough = 2;
 const mostEvents = 2;
 const mostLines = 2;

@@ -11,7 +11,7 @@ import { rowsOf } from "./rows";
 
 const bandHeight = 16;
 const axisHeight = 20;
-/** How near the pointer must be to an end of the plots' range to drag it, in pixels. */
+/** Maximum distance, in pixels, from the pointer to an end of the plots' range to drag this end. */
 const handle = 6;
 /** Maximum number of bands that leaves room for the rest of the page. */
 const mostBands = () => (innerHeight < 800 ? 4 : 6);
@@ -76,7 +76,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     });
   };
 
-  /** Draws the course of a value. */
+  /** Draws the curve of a value. */
   const drawCourse = (series: Series, y: number) => {
     const [low, high] = around(series.values);
     const at = (x: number) =>
@@ -94,8 +94,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     context.stroke();
   };
 
-  /** Marks where the other program or recording differs: in a mode at all, in a value by more than a
-   * twentieth of its range. */
+  /** Marks where the other program or recording differs: where a mode differs, or a value differs
+   * by more than 5 % of its range. */
   const drawDifferences = ({ times, values, others }: Series, kind: string, y: number) => {
     if (!others) return;
     const [low, high] = around([...values, ...others]);
@@ -181,7 +181,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     if (from > start || to < end) {
       context.fillStyle = colour("range");
       context.fillRect(place(from), 0, place(to) - place(from), bottom);
-      // Handles, to drag the ends of the range.
+      // Handles for dragging the ends of the range.
       context.fillStyle = colour("accent");
       for (const end of [from, to]) context.fillRect(place(end) - 1.5, 0, 3, bottom);
     }
