@@ -233,7 +233,7 @@ function answered(answer: Answer, question: string): void {
       break;
     case "program":
       progress = answer;
-      // Set the sizes of the panels before building them.
+      // Show the panels first, because building the plots needs their sizes.
       if (answer.instants > 0) document.body.classList.remove("opening");
       if (store) reconnected(store, answer);
       else store = start(withRadians(answer));

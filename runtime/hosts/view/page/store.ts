@@ -36,11 +36,11 @@ export type Change =
   | "why"
   | "place"
   | "claims"
-  /** Called when the text of the edited program has changed. */
+  /** Emitted when the text of the edited program has changed. */
   | "edited"
-  /** Called when the plots must adapt their sizes. */
+  /** Emitted when the plots must adapt their sizes. */
   | "sizes"
-  /** Called when the map shows another part of the world. */
+  /** Emitted when the map shows another part of the world. */
   | "view"
   /** "contact": contact was lost or is back; "resumed": contact is back, perhaps with much data. */
   | "contact"

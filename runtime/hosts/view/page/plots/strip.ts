@@ -15,7 +15,7 @@ function button(text: string, title: string, act: () => void): HTMLButtonElement
   const made = document.createElement("button");
   made.textContent = text;
   made.title = title;
-  // A value that is a word does not need a label.
+  // A button whose text is a word does not need a label.
   if (!/\w/.test(text)) made.ariaLabel = title;
   made.onclick = act;
   return made;
