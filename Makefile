@@ -57,7 +57,7 @@ RTAMT_PACKAGES = python3 python3-venv
 # npm.
 MCAP_PACKAGES = python3 python3-venv
 
-# Packages that only `make ros` needs; it gets ROS 2 from PyPI.
+# Packages that only `make ros` needs. It downloads ROS 2 from PyPI.
 ROS_PACKAGES = python3 python3-venv libpython3-dev
 
 # Packages that only `make fuzz-frontend` needs.

@@ -98,8 +98,8 @@ static void tell_silence(const struct ros_device *d, struct ros_topic *topic, co
     fprintf(stderr, "warning: no message on %s for %.0f s%s\n", topic->name, s(SILENCE_NS), effect);
 }
 
-/* Decides whether a message counts. `bad`: why its content is not usable, or NULL. `taken_ns`
- * receives the time when it left its sender, on our clock. */
+/* Decides whether a message is accepted. `bad`: the reason why its content is invalid, or NULL.
+ * `taken_ns` receives the time at which it was sent, on our clock. */
 static bool counts(struct ros_device *d, struct ros_topic *topic, const char *bad, int64_t stamp_ns,
                    int64_t arrived_ns, int64_t *taken_ns)
 {

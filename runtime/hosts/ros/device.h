@@ -26,14 +26,14 @@ enum ros_setting {
 
 enum { ROS_VERDICTS = STAMPS_RESET + 1 };
 
-/* The messages of one topic: whether they arrive, and what was reported of them. */
+/* The state of one topic: whether messages arrive, and which faults were reported. */
 struct ros_topic {
-    char name[ROS_NAME]; /* of the topic; "" until it is known */
+    char name[ROS_NAME]; /* name of the topic; "" until it is known */
     struct stamps stamps;
     int64_t received_ns; /* when the last message arrived, good or not; INT64_MIN: never */
     bool told_silence;
     bool told[ROS_VERDICTS]; /* timestamp faults that were reported */
-    const char *told_bad;    /* reason for an unusable message that was reported last */
+    const char *told_bad;    /* the last reported reason for rejecting a message */
 };
 
 /* A lidar or inertial measurement unit. */
@@ -43,7 +43,7 @@ struct ros_sensor {
     uint32_t control;
     struct ros_topic topic;
     bool fresh;       /* a message has arrived that the program has not read */
-    int64_t taken_ns; /* when the newest one left its sender */
+    int64_t taken_ns; /* when the newest one was sent */
     struct frob_scan scan;
     double ranges_m[ROS_RAYS_MOST];
     uint32_t number; /* counts the scans */

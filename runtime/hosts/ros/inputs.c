@@ -55,7 +55,7 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node)
 {
     rcl_subscription_options_t options = rcl_subscription_get_default_options();
-    /* Best effort, because this matches every publisher. */
+    /* Best-effort delivery matches every publisher. */
     options.qos = rmw_qos_profile_sensor_data;
     for (size_t i = 0; i < inputs->count; i++) {
         struct input *input = &inputs->each[i];

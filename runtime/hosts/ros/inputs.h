@@ -17,7 +17,7 @@ enum { INPUTS_MOST = 1 + ROS_SENSORS_MOST };
 
 struct input {
     enum ros_kind kind;
-    uint32_t control; /* of the program's console, for a sensor */
+    uint32_t control; /* index in the program's console, for a sensor */
     char name[ROS_NAME];
     rcl_subscription_t subscription;
     struct topic topic;
@@ -32,7 +32,7 @@ struct input {
 struct inputs {
     struct input each[INPUTS_MOST];
     size_t count;
-    struct ros_scan scan; /* the one that is sent */
+    struct ros_scan scan; /* the message that is sent next */
 };
 
 /* Determines the inputs of a program. Returns false if it has too many sensors. */
@@ -41,8 +41,8 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program);
 /* Subscribes to all topics. Returns NULL, or the name of the topic that failed. */
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node);
 
-/* Sends all messages that have arrived to the supervisor. A message is dropped if the supervisor does
- * not keep up: it would be old when the supervisor reads it. */
+/* Forwards all messages that have arrived to the supervisor. If the supervisor does not keep up,
+ * drops messages, which would be old when the supervisor reads them. */
 void inputs_take(struct inputs *inputs, struct input *input, int socket);
 
 #endif

@@ -27,7 +27,7 @@ struct ros_head {
 
 enum { ROS_NAME = 256, ROS_REASON = 1400 };
 
-/* The most lidars and inertial measurement units that a program may use. */
+/* Maximum number of lidars and inertial measurement units of a program. */
 enum { ROS_SENSORS_MOST = 8 };
 
 struct ros_started {
@@ -57,7 +57,7 @@ struct ros_odometry {
     double speed_m_s, turning_rad_s;
 };
 
-/* Which message a struct describes, and when it was made. */
+/* The sensor and the times of a message. */
 struct ros_origin {
     uint32_t control; /* index of the first control of the program's console that uses it */
     int64_t stamp_ns; /* as in struct ros_odometry */

@@ -28,8 +28,8 @@ struct graph {
 /* The monotonic clock. */
 int64_t node_now_ns(void);
 
-/* Looks at the other nodes once a second, and reports topics without a publisher, messages of
- * another type, and a second node of the same name, each once. */
+/* Checks the other nodes once a second, and reports topics without a publisher, messages of another
+ * type, and a second node with the same name, each once. */
 void graph_look(struct graph *graph, const rcl_node_t *node);
 
 #endif

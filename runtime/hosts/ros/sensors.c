@@ -10,8 +10,8 @@ static const double two_pi = 6.28318530717958647692;
 
 /* ---- Lidars */
 
-/* In ROS, minus infinity means that an object is nearer than the device can measure. For a program it
- * is an object at the smallest distance. */
+/* In ROS, minus infinity means that an object is closer than the device can measure. A program sees
+ * such an object at the minimum range. */
 static double distance(float range, double nearest_m)
 {
     return isinf(range) && range < 0.0f ? nearest_m : (double)range;
@@ -30,7 +30,7 @@ const char *ros_scan_of(const struct ros_scan *m, const struct ros_seat *seat, d
     if (!isfinite(m->nearest_m) || !isfinite(m->farthest_m) || m->nearest_m < 0.0 ||
         m->nearest_m >= m->farthest_m)
         return "range_min and range_max are not the limits of a range";
-    /* Devices that turn clockwise send the rays from left to right. */
+    /* Devices that rotate clockwise send the rays from left to right. */
     for (uint32_t i = 0; i < m->count; i++)
         room[i] = distance(m->ranges_m[m->step_rad > 0.0 ? i : m->count - 1 - i], m->nearest_m);
     scan->ranges_m = room;

@@ -1,5 +1,5 @@
 /* sensors.h -- the lidars and inertial measurement units of the robot `ros`: their newest messages,
- * and what of them a program reads at an instant. */
+ * and the readings that a program receives from them at an instant. */
 #ifndef FROB_HOST_ROS_SENSORS_H
 #define FROB_HOST_ROS_SENSORS_H
 
@@ -12,34 +12,34 @@
 
 #include "messages.h"
 
-/* Where a lidar is on the robot. */
+/* The position of a lidar on the robot. */
 struct ros_seat {
     double x_m, y_m, heading_rad; /* positive to the left */
 };
 
-/* Converts a scan; `room` holds its distances, at least as many as the message has. Returns NULL, or
- * the reason why it is not usable. */
+/* Converts a scan; `room` receives its distances and must be large enough for those of the message.
+ * Returns NULL, or the reason why the scan is invalid. */
 const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *seat, double *room,
                         struct frob_scan *scan);
 
 /* Measurements since a program last read an inertial measurement unit. */
 struct ros_measurements {
     double rate_radps[3], acceleration_mps2[3]; /* sums */
-    double heading_rad;                         /* of the last one; NaN if it has none */
+    double heading_rad;                         /* of the last measurement; NaN if it has none */
     uint32_t count;                             /* in the sums */
     uint32_t number;                            /* of all */
 };
 
-/* Returns NULL, or the reason why the message is not usable. */
+/* Returns NULL, or the reason why the message is invalid. */
 const char *ros_imu_check(const struct ros_imu *message);
 
-/* Adds a usable measurement. */
+/* Adds a valid measurement. */
 void ros_imu_add(struct ros_measurements *sums, const struct ros_imu *message);
 
-/* Returns the means, as a reading that was taken at this time. There must be a measurement. */
+/* Returns the means, as a reading at this time. There must be at least one measurement. */
 struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_ns);
 
-/* Begins new sums. */
+/* Resets the sums. */
 void ros_imu_restart(struct ros_measurements *sums);
 
 /* Returns the name of the topic for a control, without namespace: for a lidar `scan`, for a unit

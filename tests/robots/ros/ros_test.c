@@ -1,5 +1,5 @@
-/* Tests what the host for ROS 2 does with messages, without ROS: stamps, conversions, and the driver
- * with core/robot.h on a line in memory, in virtual time. */
+/* Tests without ROS how the host for ROS 2 handles messages: timestamps, conversions, and the
+ * driver with core/robot.h on a line in memory, in virtual time. */
 #include "../drivers/check.h"
 
 #include "core/robot.h"
@@ -220,7 +220,7 @@ static void test_imu(void)
     check(ros_imu_check(&m) != NULL, "a rate of NaN is rejected");
 }
 
-/* ---- The driver, with the core that keeps the robot at rest */
+/* ---- The driver, with the core that stops the robot */
 
 struct bench {
     struct frob_fake_clock time;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Stands in for Python with venv and pip: an "environment" is a folder with this script, and pip
-# only writes down the names of the packages. The file `offline` removes the network.
+# Replaces Python with venv and pip in tests: an "environment" is a folder with this script, and pip
+# only records the names of the packages. If the file `offline` exists, there is no network.
 here=$(cd "$(dirname "$0")" && pwd)
 case "$1 $2" in
 "-m venv")

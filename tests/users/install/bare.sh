@@ -1,8 +1,8 @@
 #!/bin/sh
-# usage: bare.sh BUILD SUITE... : installs the wheel in BUILD/wheel in a bare Debian of each suite,
-# which has Python with pip but no compiler, as a user would, and drives a simulated robot with it.
-# Must run as root, because it creates the systems with debootstrap, in BUILD/bare. Their network
-# has no interface, so pip can only use the packages in BUILD/bare/index.
+# usage: bare.sh BUILD SUITE... : installs the wheel in BUILD/wheel, as a user would, in a bare
+# Debian of each suite, which has Python with pip but no compiler; and drives a simulated robot with
+# it. Must run as root, because it creates the systems with debootstrap, in BUILD/bare. Their
+# network has no interface, so pip can only use the packages in BUILD/bare/index.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$1

@@ -1,4 +1,5 @@
-"""usage: foreign.py FILE: writes a small MCAP file as another program would, without packages."""
+"""usage: foreign.py FILE: writes a small MCAP file, in the form in which other programs write it,
+without using packages."""
 
 import struct
 import sys

@@ -17,9 +17,9 @@ sh "$1/build.sh" "$work/packages" "$work/bundle" 2>"$work/log" || { cat "$work/l
 for file in "$work"/bundle/*; do
     name=$(basename "$file")
     if cmp -s "$file" "$1/bundle/$name"; then
-        echo "ok bundle/$name is what its sources make"
+        echo "ok bundle/$name is up to date with its sources"
     else
-        echo "FAIL bundle/$name is not what its sources make: run make page"
+        echo "FAIL bundle/$name is out of date: run make page"
         failed=1
     fi
 done

@@ -51,7 +51,7 @@ def main():
 
 
 def forgotten():
-    """A run that ends before anybody opens its page, in a terminal."""
+    """In a terminal, runs a program that ends before a browser opens its page."""
     frobc, _, program, robot = sys.argv[1:5]
     ours, theirs = pty.openpty()
     run = subprocess.Popen(

@@ -20,7 +20,7 @@ sizes = {"phone": (390, 844), "laptop": (1280, 720), "desk": (1920, 1080), "200 
 
 
 def axe():
-    """The text of axe-core, or None if npm does not have it."""
+    """Returns the source text of axe-core, or None if npm cannot provide it."""
     if not shutil.which("npm"):
         return None
     with tempfile.TemporaryDirectory() as folder:
@@ -80,7 +80,7 @@ def open_everything(page):
 
 
 def barriers(page, searcher, name):
-    """Searches each panel, at each size, in both themes."""
+    """Checks each panel, at each size, in both themes."""
     for size in sizes:
         for theme in "light", "dark":
             show(page.driver, size, theme)

@@ -13,7 +13,7 @@ import viewer
 from journey import Page, start
 from viewer import check
 
-# What a click on a button saves: the text of a table, or the size of a picture.
+# Returns the file that a click on a button saves: the text of a table, or the size of a picture.
 saved = """
 const [selector, title, done] = arguments;
 const make = URL.createObjectURL;
@@ -150,7 +150,7 @@ def edits(page):
 
 
 def shape(page):
-    """What a page shows: theme, plots, sizes and the map's view."""
+    """The visible state of a page: theme, plots, sizes and the view of the map."""
     return page.driver.execute_script("""
         const style = (name) => document.documentElement.style.getPropertyValue(name);
         return [document.documentElement.dataset.theme, style("--source"), style("--middle"),
@@ -180,7 +180,7 @@ def main():
         page.press("e")
         page.wait(lambda: page.all(".what-if button")[0].is_displayed())
         page.press("-- edited ")
-        # Until it is kept.
+        # Wait until the viewer has kept the state.
         kept = os.path.join(os.environ["XDG_STATE_HOME"], "frobc", "view")
 
         def is_kept():

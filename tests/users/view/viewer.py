@@ -8,7 +8,8 @@ import signal
 import subprocess
 import tempfile
 
-# What pages keep for the next run of a program must not reach other tests, or come from them.
+# Isolate the state that pages keep for the next run of a program, so that tests do not affect each
+# other.
 state = tempfile.TemporaryDirectory()
 os.environ["XDG_STATE_HOME"] = state.name
 

@@ -1,7 +1,7 @@
 """usage: speed.py FROBC
 
 Measures a simulated run that a page shows: how often the page shows a new instant, at 1 and at 10
-times real time; and the speed of the run at full speed, compared with the run without a page."""
+times real time; and the speed of the run at full speed, relative to a run without a page."""
 
 import re
 import subprocess

@@ -12,8 +12,8 @@
 /* The robot publishes its odometry at this rate. */
 #define PERIOD_NS INT64_C(20000000)
 
-/* The faults that tests ask for by the variable FAKE_ROS, as in "silent=1 nan=0.5": each begins this
- * number of seconds after the start. */
+/* The faults that tests request with the environment variable FAKE_ROS, as in "silent=1 nan=0.5":
+ * each begins this number of seconds after the start. */
 static double fault_after(const char *name)
 {
     const char *text = getenv("FAKE_ROS");
@@ -109,7 +109,7 @@ static bool odometry(nav_msgs__msg__Odometry *m, int64_t stamp_ns)
 }
 
 /* A lidar with 360 rays that looks ahead in the middle of its scan, 1 m before a wall. Ray 0 points
- * back. The rays at its left are lost. */
+ * back. The rays on its left are lost. */
 static void scan(sensor_msgs__msg__LaserScan *m)
 {
     static float ranges[360];
@@ -138,7 +138,7 @@ static void imu(sensor_msgs__msg__Imu *m)
     m->orientation.w = cos(0.25);
 }
 
-/* The sensors send a message after every fifth of the odometry. */
+/* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
     static int64_t scan_ns = 0, imu_ns = 0;

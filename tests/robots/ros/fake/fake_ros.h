@@ -1,8 +1,8 @@
 /* fake_ros.h -- the part of rcl and of the message packages that the host uses, without ROS.
  *
- * There is one robot, in fake_ros.c: it publishes its odometry, and drives as the velocities say.
- * Types have only the members that the host uses. build.sh installs this header under the names
- * that the host includes. */
+ * There is one robot, in fake_ros.c, which publishes its odometry and drives at the commanded
+ * velocity. Types have only the members that the host uses. build.sh installs this header under the
+ * names that the host includes. */
 #ifndef FAKE_ROS_H
 #define FAKE_ROS_H
 

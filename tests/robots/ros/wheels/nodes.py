@@ -26,7 +26,7 @@ main = reactimateRobot (proc i -> roMake (setVelTR (if (place i).x < 100[m] then
 """
 
 
-# What to close after each test, also after one that failed.
+# Objects to close after each test, even after a failed one.
 OPEN = []
 
 
@@ -135,8 +135,8 @@ def test_remapping():
 
 
 def test_stamped():
-    """TwistStamped is published if a setting says so; without it, the node says what to do."""
-    base = robot(stamped=True)
+    """The node publishes TwistStamped if a setting requires it; without the setting, it reports
+    which one to use.""" base = robot(stamped=True)
     run = Run("--set", "stamped=1")
     base.until_driving()
     run.end()
@@ -187,7 +187,7 @@ def test_same_name():
 
 
 def test_bad_odometry():
-    """Silence, numbers that are not numbers and stamps that jump stop the robot."""
+    """The robot stops on silence, NaN, and timestamps that jump."""
     base = robot()
     run = Run(patient=False)
     base.until_driving()
@@ -205,7 +205,7 @@ def test_bad_odometry():
 
 
 def latencies(name, kill, times):
-    """Prints how long it takes until the robot is stopped after something was killed, in ms."""
+    """Prints the time from killing a process until the robot is stopped, in ms."""
     found = []
     base = robot()
     for _ in range(times):
@@ -231,7 +231,7 @@ def test_killed():
 
 
 def test_node_killed():
-    """A node that was killed is replaced, and drives on."""
+    """A killed node is replaced, and the robot drives on."""
     base = robot()
     run = Run()
     base.until_driving()

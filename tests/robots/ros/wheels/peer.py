@@ -1,6 +1,6 @@
 """A robot's base in rclpy, for tests of programs that run as ROS 2 nodes.
 
-It drives as the commands on cmd_vel say and publishes odom. It runs in a thread of its own, so a
+It follows the commands on cmd_vel and publishes odom. It runs in a thread of its own, so a
 test can change its behaviour at any time.
 """
 
@@ -23,7 +23,7 @@ class Base:
     def __init__(self, name="base", odom="odom", cmd_vel="cmd_vel", stamped=False, reliable=True):
         self.silent = False  # publishes nothing
         self.nan = False  # publishes a position that is not a number
-        self.shift = 0.0  # seconds, added to stamps
+        self.shift = 0.0  # seconds, added to timestamps
         self.wall = None  # m, the place of a wall ahead, which the lidar sees
 
         self.stamped = stamped

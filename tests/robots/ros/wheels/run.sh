@@ -5,7 +5,7 @@ set -e
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$2"
 frobc=$1 folder=$(cd "$2" && pwd)
-# A domain of its own, below the ports that Linux gives to programs.
+# Use a separate domain, whose ports are below the range that Linux assigns to programs.
 export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST ROS_DOMAIN_ID=${ROS_DOMAIN_ID:-87}
 export PYTHONDONTWRITEBYTECODE=1
 for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
