@@ -82,9 +82,11 @@ class Started:
 
     def until_it_runs(self):
         """Whether all processes of the command run at the same time at some point. On a busy
-        machine, the robot or the controller may be too slow, and the run ends before that: then the
-        test starts the command again.""" for _ in range(ATTEMPTS):     if until(lambda: self.runs()
-        or self.process.poll() is not None) and self.runs():         return True
+        machine, a run may end before that, because the robot or the controller is too slow. Then
+        the command starts again."""
+        for _ in range(ATTEMPTS):
+            if until(lambda: self.runs() or self.process.poll() is not None) and self.runs():
+                return True
             if self.process.poll() is None:
                 return False
             print(self.name, "ended by itself:", self.said())

@@ -14,10 +14,11 @@ def apart(a, b, place):
 
 
 def is_followed(points, places, close=0.015, long=1.0):
-    """Whether the lines between `points` pass within `close` metres of all `places`, and each line
-    takes at most `long` seconds and an instant. Points and places are given as time, x and y."""
-    times = [time for time, _, _ in points] if any(b - a > long + 0.021 for a, b in zip(times,
-    times[1:])):     return False
+    """Whether the lines between `points` pass within `close` metres of all `places`, and each
+    of them takes at most `long` seconds and an instant. Points and places have time, x and y."""
+    times = [time for time, _, _ in points]
+    if any(b - a > long + 0.021 for a, b in zip(times, times[1:])):
+        return False
     for time, *place in places:
         after = max(1, min(bisect.bisect_left(times, time), len(points) - 1))
         if apart(points[after - 1][1:], points[after][1:], place) > close + 1e-9:

@@ -135,8 +135,8 @@ def test_remapping():
 
 
 def test_stamped():
-    """The node publishes TwistStamped if a setting requires it; without the setting, it reports
-    which one to use.""" base = robot(stamped=True)
+    """A setting selects TwistStamped; without it, the node explains how to set it."""
+    base = robot(stamped=True)
     run = Run("--set", "stamped=1")
     base.until_driving()
     run.end()
