@@ -34,7 +34,7 @@ The bearings of directions, and the direction of a bearing:
   0,90,180,-90,0,0,0,35,18
   0,90,180,-90,1,0,0,35,18
 
-The newest scan counts for half a second, with the age that it had on arrival:
+`latestScan` returns the newest scan until it is half a second old, including its age on arrival:
 
   $ cat > latest.frob << 'FROB'
   > import Lidar

@@ -1,4 +1,4 @@
-Memories for values of every type in the module Control, in both engines.
+Functions of the module Control that store values of every type, in both engines.
 
   $ . ./trace.sh
   $ cat > previous.frob << 'FROB'

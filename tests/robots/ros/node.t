@@ -99,7 +99,7 @@ Without a robot, the program waits; it names the topic.
   $ grep '^steps' summary
   steps: 0
 
-Other nodes that do not fit are reported:
+Conflicts with other nodes are reported:
 
   $ run_node 1.5s "other_type=0 wants_stamped=0 same_name=0"; cat messages
   warning: /odom has two types, so no message gets through: the node base publishes geometry_msgs/msg/PoseStamped, and this program needs nav_msgs/msg/Odometry
@@ -115,7 +115,7 @@ before the program continues.
   0.000 0.000
   0.200 0.000
 
-Whatever ends or stops any part of a run, the robot is stopped.
+The robot is stopped when any part of a run ends or is suspended.
 
   $ frobc build --ros2 drive.frob
   $ FAKE_ROS=crash=0.5 ./drive --reconnect 0 >summary
@@ -135,7 +135,7 @@ Whatever ends or stops any part of a run, the robot is stopped.
   last velocity: 0.000 0.000
   $ kill -KILL $run
 
-No process of them survives.
+None of these processes survives.
 
   $ until_true '! pgrep -f "^[^ ]*drive --ros-node" >/dev/null'
 

@@ -70,7 +70,7 @@ is the mean of the two measurements of an instant:
   turned 35.899, odometry 35.898; speed 0.32; up 9.807; rates around x: mean 0.0000, deviation 0.0000
   no compass
 
-Something magnetic deflects the compass near it:
+A magnet deflects the compass near it:
 
   $ printf '[imu]\n[[magnet]]\nposition = [3, 2]\nstrength = 0.5\n' | room
   $ frobc run turn.frob --world room.toml --for 60s --record run.csv > /dev/null
@@ -78,7 +78,7 @@ Something magnetic deflects the compass near it:
   turned 35.899, odometry 35.898; speed 0.32; up 9.807; rates around x: mean 0.0000, deviation 0.0000
   compass: mean error 0.015, deviation 0.013
 
-The gyroscope has a bias and the compass noise: `imuHeading` has the drift of neither.
+The gyroscope has a bias, and the compass has noise. The error of `imuHeading` stays below 3 degrees:
 
   $ cat > fused.frob <<FROB
   > import Geometry

@@ -25,7 +25,7 @@ test, a script stands in for Python, so that no network is needed.
   mcap      frobc convert of MCAP files of other programs
             not installed: `frobc extras install mcap`
 
-Installing more keeps what is there. The old environment is removed when the new one is complete.
+Installing another group keeps the installed ones. The old environment is removed when the new one is complete.
 
   $ here frobc extras install mcap
   Installing cma, mcap, numpy in data/frobc
@@ -49,7 +49,7 @@ The environment finds the Python package of this frobc.
   $ sed 's|.*/share/frobc/|PREFIX/share/frobc/|' data/frobc/python/lib/frobc.pth
   PREFIX/share/frobc/python
 
-If the installation fails or is interrupted, the old environment stays whole.
+If the installation fails or is interrupted, the old environment stays intact.
 
   $ touch offline; here frobc extras install jupyter; rm offline
   Installing cma, jupyterlab, matplotlib, mcap, numpy, pandas in data/frobc
@@ -80,7 +80,7 @@ A damaged environment is reported, with the command that replaces it.
   search    frobc falsify
             numpy 1.0, cma 1.0
 
-Bad input and systems on which it cannot work:
+Wrong usage, and systems on which the command cannot work:
 
   $ here frobc extras install serch
   error: there are no extras `serch`; there are `search`, `mcap`, `ros`, `jupyter` and `cluster`

@@ -1,4 +1,4 @@
-Each command that misses a Python package names the command that installs it. Here, Python has no
+Each command that lacks a Python package names the command that installs it. Here, Python has no
 packages of others.
 
   $ unset VIRTUAL_ENV FROB_PYTHON; export XDG_DATA_HOME=$PWD/data

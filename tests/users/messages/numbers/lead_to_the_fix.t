@@ -1,7 +1,7 @@
 Mistakes of newcomers with types and units. Every replacement that a message offers compiles when
 it is pasted.
 
-A number without a unit, as an argument beside a quantity:
+A number without a unit, as an argument next to a quantity:
 
   $ cat > least.frob <<'FROB'
   > f :: SF Velocity Velocity
@@ -399,7 +399,7 @@ Half of a whole number:
   $ sed 's:n / 2:div n 2:' half.frob > pasted.frob && frobc check pasted.frob
   $ sed 's:n / 2:toFloat n / 2:; s:SF Int Int:SF Int Float:' half.frob > pasted.frob && frobc check pasted.frob
 
-A definition that fits together, and a signature that does not:
+A consistent definition, and a signature that does not match it:
 
   $ cat > against_signature.frob <<'FROB'
   > f :: SF Velocity Velocity
@@ -487,7 +487,7 @@ A number in a formula that lacks its unit:
   [1]
   $ sed 's:0.3:0.3[m]:' inline_divisor.frob > pasted.frob && frobc check pasted.frob
 
-A unit too many:
+A superfluous unit:
 
   $ cat > mean.frob <<'FROB'
   > f :: SF (Array 4 Distance) Distance

@@ -1,7 +1,7 @@
 Mistakes of newcomers with events, modes and robots. Every replacement that a message offers compiles
 when it is pasted.
 
-Arguments of `hold` that are exchanged:
+Exchanged arguments of `hold`:
 
   $ cat > hold.frob <<'FROB'
   > f :: SF (Event Float) Float
@@ -283,7 +283,7 @@ Numbers as an output:
   [1]
   $ sed 's:(Velocity, AngularVelocity):RobotOutput:' speeds.frob > pasted.frob && frobc check pasted.frob
 
-A sensor of something else than the robot:
+A sensor that is applied to something other than the robot:
 
   $ cat > sonar_of_a_speed.frob <<'FROB'
   > import Robot
@@ -595,7 +595,7 @@ A comma between arguments:
   [1]
   $ sed 's:(setVelTR 0.3\[m/s\], 0):(setVelTR 0.3[m/s] 0):' comma.frob > pasted.frob && frobc check pasted.frob
 
-An event beside the mode that it ends:
+An event next to the mode that it ends:
 
   $ cat > pair_of_a_mode.frob <<'FROB'
   > import Robot
