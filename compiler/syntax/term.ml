@@ -135,6 +135,14 @@ and no_expression span (desc : Ir.expr_desc) =
       Reject.at ~code:"E0114" span
         ~hint:(Printf.sprintf "Frob has no objects: write only the name, `%s`" field.text)
         "a field access cannot be part of a pattern"
+  | Field { record = { desc = Variable { name; _ }; _ }; field } ->
+      Reject.at ~code:"E0114" span
+        ~hint:
+          (Printf.sprintf
+             "Frob has no assignments: give a changed copy a new name, as in `changed = %s { %s = \
+              … }`"
+             name.text field.text)
+        "a field access cannot be part of a pattern"
   | Field _ ->
       Reject.at ~code:"E0114" span
         ~hint:"Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`"

@@ -123,15 +123,32 @@ let hint_elsewhere passage =
 (* The hint for a loop that is closed in the library, whose signals have no names. *)
 let hint_within = "put a `delay` or an `integral` into the signal function inside the loop"
 
-let hint_here first last =
-  let name = last.read.name in
+(* The signal's initial value: of this type, and likely. *)
+let initial (program : Ir.program) (signal : Ir.signal) =
+  match signal.ty with
+  | Bool -> "False"
+  | Int | Float -> "0"
+  | Sum i -> (
+      match program.sums.(i).constructors with
+      | { constructor; fields = [] } :: _ -> constructor
+      | _ -> "x0")
+  | Array _ | Foreign _ -> "x0"
+
+let hint_here program first last =
+  let read = last.read in
   let whose =
-    if last.reader.id = last.read.id then Printf.sprintf "let `%s` read its own previous value" name
+    if last.reader.id = read.id then Printf.sprintf "let `%s` read its own previous value" read.name
     else
       Printf.sprintf "let `%s` read the previous value of `%s`" last.reader.name first.reader.name
   in
-  if is_expression name then
-    Printf.sprintf "%s: `delay x0 %s`, where `x0` is the initial value" whose name
+  if is_expression read.name then
+    let start = initial program read in
+    let name = if List.mem "before" [ last.reader.name; read.name ] then "earlier" else "before" in
+    Printf.sprintf
+      "%s: add the equation `%s = delay %s %s`, where %s is the initial value, and read `%s` here"
+      whose name start read.name
+      (if start = "x0" then "`x0`" else start)
+      name
   else whose ^ ", with `delay`"
 
 (* Maximum number of hops in a message. If the loop is longer, the message shows the first ones and
@@ -143,7 +160,7 @@ let shorten hops =
   if n <= longest_shown then (hops, 0)
   else (List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) hops, n - longest_shown)
 
-let report_named entry hops =
+let report_named program entry hops =
   let first = List.hd hops in
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
@@ -162,7 +179,7 @@ let report_named entry hops =
     match (List.concat_map elsewhere hops, Own_code.is_own ~entry last.at) with
     | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
     | others, true when List.exists own others -> hint_elsewhere (fst (List.find own others))
-    | _, true -> hint_here first last
+    | _, true -> hint_here program first last
     | [], false -> hint_within
   in
   let d = List.fold_left label d shown |> Diagnostic.hint hint in
@@ -200,7 +217,9 @@ let report program entry passages uses index (node : Dependency.node) component 
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = Long_list.map (hop program passages node) edges in
   let d =
-    match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops
+    match named_hops hops with
+    | Some hops -> report_named program entry hops
+    | None -> report_unnamed hops
   in
   match Own_code.use uses ~entry index with
   | None -> d

@@ -69,3 +69,40 @@ let call ~text (span : Span.t) =
     let name = String.sub line first (opening - first) in
     if String.equal written name || String.starts_with ~prefix:(name ^ " ") written then None
     else Some (on_line span first stop, written)
+
+let equation ~text (span : Span.t) =
+  let line = String.trim (line_of text span) in
+  let start = forward Character.is_name line 0 in
+  let sign = forward (Char.equal ' ') line start in
+  let is_last = not (String.contains line ';') in
+  if
+    start > 0
+    && Span.column span.start - 1 = String.index_from (line_of text span) 0 line.[0]
+    && char_at line sign = '='
+    && char_at line (sign + 1) = ' '
+    && String.length line < 80
+    && is_last
+  then Some (String.sub line 0 start ^ " " ^ String.sub line sign (String.length line - sign))
+  else None
+
+let definition ~text (span : Span.t) =
+  let starts line = line <> "" && Character.is_lower line.[0] in
+  let lines = String.split_on_char '\n' text in
+  let line = Span.line span.start in
+  let before = List.filteri (fun i _ -> i < line) lines in
+  let after = List.filteri (fun i _ -> i >= line) lines in
+  let rec up found = function
+    | first :: _ when starts first -> Some (first :: found)
+    | line :: rest -> up (line :: found) rest
+    | [] -> None
+  in
+  let rec down = function
+    | line :: rest when line = "" || line.[0] = ' ' -> line :: down rest
+    | _ -> []
+  in
+  Option.map
+    (fun above ->
+      let words = List.concat_map (String.split_on_char ' ') (above @ down after) in
+      let first = List.hd above in
+      (String.sub first 0 (forward Character.is_name first 0), List.mem "where" words))
+    (up [] (List.rev before))

@@ -25,3 +25,10 @@ val starts_an_equation : text:string -> string -> bool
 val call : text:string -> Span.t -> (Span.t * string) option
 (** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
     Frob, if that does not begin with the name. *)
+
+val equation : text:string -> Span.t -> string option
+(** The line of the name, if it is an equation that begins with the name. *)
+
+val definition : text:string -> Span.t -> (string * bool) option
+(** The name that begins the top-level definition around this place, and whether this definition
+    contains a [where]. *)

@@ -56,6 +56,7 @@ let data = function
   | "null" | "nil" | "none" | "nullptr" ->
       Some
         "write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`"
+  | "with" -> Some "remove `with`: a copy of the record `p` with another field `x` is `p { x = 1 }`"
   | "fromJust" -> Some "use `fromMaybe x m`, where `x` replaces a missing value"
   | "isJust" | "isNothing" ->
       Some "use `maybe False (const True) m`, which is True if `m` contains a value"
@@ -90,10 +91,17 @@ let activity = function
       Some
         "a program cannot print: make the value an output, and write all outputs to a file with \
          `--record`"
-  | "analogRead" | "digitalRead" ->
-      Some "make the value that you want to read a part of the program's input"
-  | "analogWrite" | "digitalWrite" ->
-      Some "make the value that you want to write a part of the program's output"
+  | "analogRead" | "digitalRead" | "pulseIn" ->
+      Some
+        "a program reads pins through its input: add a field for the value to the input's type, \
+         and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal \
+         functions, such as `frontSonar i`"
+  | "analogWrite" | "digitalWrite" | "tone" ->
+      Some
+        "a program writes pins through its output: add a field for the value to the output's type, \
+         or combine commands of a robot, as in `roMake (setVelTR v omega . setLight On)`"
+  | "pinMode" | "attachInterrupt" | "servo" ->
+      Some "remove it: the host of the program sets up its inputs and outputs"
   | "sleep" | "usleep" | "wait" | "delayMicroseconds" ->
       Some "to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile"
   | "while" ->
@@ -106,7 +114,10 @@ let activity = function
       Some
         "to compute something for each element, write `map f xs`; to run a task for each, write \
          `forEachT xs f`"
-  | "millis" | "micros" -> Some "use `time ()` for the time since the start, in seconds"
+  | "millis" | "micros" ->
+      Some
+        "use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs \
+         once, 1 s after the start, and `every 1[s] ()` one that occurs each second"
   | "localTime" -> Some "write `time`"
   | "dt" | "deltaTime" | "delta_t" ->
       Some
@@ -197,12 +208,24 @@ let constructor = function
   | "INFINITY" | "Infinity" -> Some "use `1 / 0` for infinity"
   | _ -> None
 
-let module_ = function
+let qualifier = function
   | "Math" | "Maths" | "Numeric" -> Some no_module
   | "Time" | "Clock" -> Some "time is built in: write `time ()` for the time since the start"
-  | "List" | "Array" | "Vector" | "Arrays" ->
-      Some "arrays are built in: write `map f xs`, `foldl (+) 0 xs`"
+  | "List" | "Array" | "Vector" -> Some "arrays are built in: write `map f xs`, `foldl (+) 0 xs`"
   | "Random" -> Some "for random numbers write `whiteNoise 1 ()`, with `import Sources`"
+  | _ -> None
+
+let module_ = function
+  | "Math" | "Maths" | "Numeric" ->
+      Some "remove this line: mathematical functions are built in, as in `sin x` and `sqrt x`"
+  | "Time" | "Clock" ->
+      Some
+        "remove this line: time is built in; write `time ()` for the time since the start of the \
+         program"
+  | "List" | "Array" | "Vector" ->
+      Some "remove this line: arrays are built in, as in `map f xs` and `foldl (+) 0 xs`"
+  | "Random" ->
+      Some "write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1"
   | _ -> None
 
 let type_ = function

@@ -23,5 +23,8 @@ val type_ : string -> string option
 val class_ : string -> string option
 (** A hint for an unknown type class. *)
 
+val qualifier : string -> string option
+(** A module of another language before a name, as in [Math.sqrt]. *)
+
 val module_ : string -> string option
-(** A hint for an unknown module, as in [Math.sqrt]. *)
+(** A hint for an unknown module, as in [import Math]. *)

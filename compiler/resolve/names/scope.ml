@@ -230,6 +230,25 @@ let unit_in_text t space (name : Syntax.Ir.name) =
 let call_in_text t space (name : Syntax.Ir.name) =
   if String.equal space.noun "name" then Name_in_text.call ~text:t.text name.span else None
 
+let clamp_module = ", with `import Control`"
+
+(* The hint without the imports that the module already has. *)
+let without_imported t hint =
+  let words (import : import) =
+    if import.unqualified then Some (Printf.sprintf ", with `import %s`" import.module_) else None
+  in
+  let remove hint part =
+    let n = String.length part in
+    let rec find i =
+      if i + n > String.length hint then hint
+      else if String.equal (String.sub hint i n) part then
+        String.sub hint 0 i ^ String.sub hint (i + n) (String.length hint - i - n)
+      else find (i + 1)
+    in
+    find 0
+  in
+  List.fold_left remove hint (List.filter_map words t.imports)
+
 (* The message for a word or a notation of another language. *)
 let of_another_language t space (name : Syntax.Ir.name) diagnostic =
   let preceding = Name_in_text.before ~text:t.text name.span in
@@ -262,11 +281,14 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
           c_type_before t name )
       with
       | Some (whole, text), _, _ ->
-          Diagnostic.hint (Printf.sprintf "write `%s`" text) diagnostic
+          let source = if String.starts_with ~prefix:"clamp " text then clamp_module else "" in
+          Diagnostic.hint
+            (without_imported t (Printf.sprintf "write `%s`%s" text source))
+            diagnostic
           |> Diagnostic.write whole (Source.grouped text)
           |> Option.some
       | None, Some text, _ ->
-          Diagnostic.hint text diagnostic
+          Diagnostic.hint (without_imported t text) diagnostic
           |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
           |> Option.some
       | None, None, Some declaration ->
@@ -276,6 +298,26 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
           |> Diagnostic.hint (of_c_declaration declaration)
           |> Option.some
       | None, None, None -> None)
+
+(* The hint for a signal of another `proc`. *)
+let of_another_proc t (signal : Proc_signals.t) (name : Syntax.Ir.name) =
+  match
+    ( Name_in_text.equation ~text:t.text signal.name.span,
+      Name_in_text.definition ~text:t.text name.span )
+  with
+  | Some equation, Some (definition, has_where) ->
+      Printf.sprintf
+        "a signal can only be used inside its `proc`: %s, or make the value a part of this \
+         `proc`'s input"
+        (if has_where then Printf.sprintf "add `%s` to the `where` of `%s`" equation definition
+         else
+           Printf.sprintf "add a `where` to the `proc` in `%s`, and `%s` below it" definition
+             equation)
+  | _ ->
+      Printf.sprintf
+        "a signal can only be used inside its `proc`: move the equation to the `where` of that \
+         `proc`, or write a signal function, `proc %s -> …`"
+        name.text
 
 let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
@@ -334,11 +376,7 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
         Diagnostic.label ~at:signal.name.span
           (Printf.sprintf "this `%s` is a signal of a `proc`" name.text)
           diagnostic
-        |> Diagnostic.hint
-             (Printf.sprintf
-                "a signal can only be used inside its `proc`: move the equation to the `where` of \
-                 that `proc`, or write a signal function, `proc %s -> …`"
-                name.text)
+        |> Diagnostic.hint (of_another_proc t signal name)
     | [], None -> (
         let suggested =
           Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
@@ -394,7 +432,7 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name)
        diagnostic
      |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
    else
-     match Other_languages.module_ qualifier.text with
+     match Other_languages.qualifier qualifier.text with
      | Some hint -> Diagnostic.hint hint diagnostic
      | None ->
          let imported =

@@ -32,6 +32,17 @@ let cures =
 
 let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)
 
+let is_forever line =
+  let blank = function '(' | ')' | ':' | '{' -> ' ' | c -> c in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank line)) in
+  match words with
+  | [ "while"; ("True" | "true" | "1") ] | [ "while"; ("True" | "true" | "1"); "do" ] | [ "loop" ]
+    ->
+      true
+  | _ -> false
+
+let forever = "to repeat the tasks of this block, write `forever $ do` in place of this line"
+
 let waiting =
   "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \
    that occurs 1 s after the start"

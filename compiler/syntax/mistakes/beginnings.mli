@@ -14,3 +14,9 @@ val waits : string -> bool
 
 val needless : string list
 (** Superfluous words before a definition: [const], [var] and similar ones. *)
+
+val is_forever : string -> bool
+(** Does the line begin a loop without an end, as in [while True do]? *)
+
+val forever : string
+(** The hint for such a loop. *)

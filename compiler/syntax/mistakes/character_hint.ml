@@ -38,22 +38,34 @@ let declares_a_record line =
     (List.hd (String.split_on_char ' ' (String.trim line)))
     [ "struct"; "typedef"; "class"; "record"; "interface" ]
 
-(* The line of the innermost open brace, up to that brace. Stops at the start of the definition. *)
-let line_of_brace text at =
+(* The offset of the innermost open brace. Stops at the start of the definition. *)
+let open_brace text at =
   let rec back i closed =
     if i < 0 then None
     else
       match text.[i] with
       | '}' -> back (i - 1) (closed + 1)
-      | '{' when closed = 0 ->
-          let start = line_start text i in
-          Some (String.sub text start (i - start))
+      | '{' when closed = 0 -> Some i
       | '{' -> back (i - 1) (closed - 1)
       | '\n' when Basis.Character.is_lower (char_at text (i + 1)) && line_start text at <> i + 1 ->
           None
       | _ -> back (i - 1) closed
   in
   back (at - 1) 0
+
+(* The line of the innermost open brace, up to that brace. *)
+let line_of_brace text at =
+  Option.map
+    (fun brace ->
+      let start = line_start text brace in
+      String.sub text start (brace - start))
+    (open_brace text at)
+
+(* The changed copy of a record around this offset: `{ ...p, x: 1 }`. *)
+let changed_copy text at =
+  Option.map
+    (Printf.sprintf "for a copy of the record with other fields, write `%s`")
+    (Option.bind (open_brace text at) (Other_record.update text))
 
 (* `case 1:` and `default:` of a C `switch`. *)
 let starts_a_case text at =
@@ -98,8 +110,14 @@ let of_field text at =
         instead = None;
       }
   | Some _, _ when starts_a_case text at -> { hint = Some (of_switch text at); instead = None }
+  | Some _, _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
-      { hint = Some (Printf.sprintf "set a field with `=`: `%s = …`" name); instead = Some " =" }
+      let fields =
+        match Option.bind (open_brace text at) (Other_record.value text) with
+        | Some value -> value
+        | None -> name ^ " = …"
+      in
+      { hint = Some (Printf.sprintf "set a field with `=`: `%s`" fields); instead = Some " =" }
   | _ -> { hint = Some "put `::` before a type"; instead = None }
 
 let of_class =
@@ -184,6 +202,8 @@ let of_colon text at =
   | ("assert" | "assume") :: _ ->
       hint
         (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
+  | "while" :: _ when ends_line && Beginnings.is_forever (String.concat " " words) ->
+      hint Beginnings.forever
   | "while" :: _ ->
       hint
         "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"
@@ -194,6 +214,7 @@ let of_colon text at =
          `generate (\\i -> i + 1)`; the type gives their number"
   | _ when is_a_slice text at ->
       hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
+  | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
@@ -253,7 +274,6 @@ let symbol text at = function
   | "\u{2190}" -> Some ("<-", "write the arrow as `<-`")
   | "\u{2227}" -> Some ("&&", "write `&&`")
   | "\u{2228}" -> Some ("||", "write `||`")
-  | "\u{00ac}" -> Some ("not ", "write `not b` for the opposite of `b`")
   | "\u{2212}" | "\u{2013}" -> Some ("-", "write the minus sign as `-`")
   | "\u{2264}" -> Some ("<=", "write `<=`")
   | "\u{2265}" -> Some (">=", "write `>=`")
@@ -336,6 +356,22 @@ let ends_in_words text at =
   String.contains rest ' ' && String.for_all is_letter rest
   && not (List.exists (fun w -> List.mem w [ "then"; "else" ]) (String.split_on_char ' ' rest))
 
+(* Is the rest of the line a single word that occurs nowhere else in the text? *)
+let ends_in_a_new_word text at =
+  let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
+  let word = String.trim (String.sub text (at + 1) (stop - at - 1)) in
+  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false in
+  let n = String.length word in
+  let occurs_at i =
+    String.equal (String.sub text i n) word
+    && (not (Basis.Character.is_name (char_at text (i - 1))))
+    && not (Basis.Character.is_name (char_at text (i + n)))
+  in
+  let rec count i =
+    if i + n > String.length text then 0 else Bool.to_int (occurs_at i) + count (i + 1)
+  in
+  n > 1 && n < 40 && String.for_all is_letter word && String.length text < 100_000 && count 0 = 1
+
 (* Whether only spaces precede this offset in its line. *)
 let begins_line text at =
   let rec go i = i < 0 || text.[i] = '\n' || (text.[i] = ' ' && go (i - 1)) in
@@ -366,14 +402,20 @@ let of_character ~text ~at character =
   | "#", None when starts "#include" -> only (of_include text at)
   | "#", None -> both "write `--` to start a comment" "--"
   | "~", None when next = '=' -> only "use `/=` to compare for inequality"
-  | "~", None -> both "write `not b` for the opposite of `b`" "not "
+  | ("~" | "\u{00ac}"), None -> (
+      match Other_operator.negation text (at + String.length character) with
+      | Some (negation, _) when String.ends_with ~suffix:")" negation ->
+          only (Printf.sprintf "write `%s`" negation)
+      | Some (negation, _) -> both (Printf.sprintf "write `%s`" negation) "not "
+      | None -> both "write `not b` for the opposite of `b`" "not ")
   | "?", None ->
       only
         (Printf.sprintf "use `%s`" (Option.value (ternary text at) ~default:"if c then a else b"))
   | "%", None when begins_line text at -> both "write `--` to start a comment" "--"
   | "%", None when char_at text (at - 1) = '[' ->
       only "percent is not a unit: write 20 percent of x as `0.2 * x`"
-  | "%", None when ends_in_words text at -> both "write `--` to start a comment" "--"
+  | "%", None when ends_in_words text at || ends_in_a_new_word text at ->
+      both "write `--` to start a comment" "--"
   | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"
   | ("\u{201c}" | "\u{201d}"), None -> only "put a text in double quotes"
   | _, None when String.length character > 1 ->

@@ -156,8 +156,30 @@ let power base exponent =
     (if String.for_all Character.is_digit exponent then "^" else "**")
     (Source.grouped exponent)
 
+(* `x * 5 / 1023` for `map(x, 0, 1023, 0, 5)` of Arduino. *)
+let mapped x low high from to_ =
+  let whole text =
+    if String.for_all Character.is_digit text then int_of_string_opt text else None
+  in
+  let minus a b =
+    match (whole a, whole b) with
+    | _, Some 0 -> a
+    | Some a, Some b when a >= b -> string_of_int (a - b)
+    | _ -> Printf.sprintf "(%s - %s)" (Source.grouped a) (Source.grouped b)
+  in
+  let scaled =
+    Printf.sprintf "%s * %s / %s"
+      (Source.grouped (minus x low))
+      (Source.grouped (minus to_ from))
+      (Source.grouped (minus high low))
+  in
+  if whole from = Some 0 then scaled else Printf.sprintf "%s + %s" from scaled
+
 let call name arguments =
   match (name, arguments) with
+  | "map", [ x; low; high; from; to_ ] -> mapped x low high from to_
+  | ("constrain" | "clip" | "saturate"), [ x; low; high ] ->
+      String.concat " " ("clamp" :: List.map Source.grouped [ low; high; x ])
   | ("pow" | "powf"), [ base; exponent ] -> power base exponent
   | ("sq" | "square"), [ base ] -> power base "2"
   | _ -> String.concat " " (function_ name :: List.map Source.grouped arguments)

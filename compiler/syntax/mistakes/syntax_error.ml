@@ -134,8 +134,12 @@ let cured found =
   | EQUAL, Some _
     when compares found.context && is_blank (char_at found (found.token.start.pos_cnum - 1)) ->
       Diagnostic.write (span found.token) "=="
-  | OPERATOR "!", _ when Operator_hint.negation found <> None ->
-      Diagnostic.write (span found.token) "not "
+  | OPERATOR "!", _ when Operator_hint.negation found <> None -> (
+      match Operator_hint.negated found with
+      | Some (text, stop) ->
+          let start = found.token.start in
+          Diagnostic.write (Build.span (start, { start with pos_cnum = stop })) text
+      | None -> Diagnostic.write (span found.token) "not ")
   | BAR, _ when Operator_hint.disjunction found <> None -> Diagnostic.write (span found.token) "||"
   | SLASH, _ when Operator_hint.starts_a_comment found ->
       let stop = { found.token.stop with pos_cnum = found.token.stop.pos_cnum + 1 } in
@@ -621,8 +625,15 @@ let report_found sink found =
     let is_function (other : Diagnostic.t) = other.message = "Frob has no `function`" in
     d.hints = [ Beginnings.by_equation ] && List.exists is_function (Diagnostic.all sink)
   in
-  if not (of_block || ends_function || (once && List.exists told (Diagnostic.all sink))) then
-    Diagnostic.emit sink d
+  (* the rest of `{ p with x = 1; y = 2 }` *)
+  let ends_copy =
+    found.token.token = RBRACE && d.code = "E0111"
+    && List.exists
+         (fun (other : Diagnostic.t) -> List.exists Record_hint.is_of_a_copy other.hints)
+         (Diagnostic.all sink)
+  in
+  if not (of_block || ends_function || ends_copy || (once && List.exists told (Diagnostic.all sink)))
+  then Diagnostic.emit sink d
 
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in

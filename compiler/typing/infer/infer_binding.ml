@@ -61,7 +61,20 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
                 types"
                (Option.get (as_one_tuple words ~name parameters expected)))
             diagnostic
-      | Signal_function _ -> Diagnostic.hint "take the signal in a `proc`: `proc x -> …`" diagnostic
+      | Signal_function _ ->
+          let quote (p : Resolve.Ir.pattern) = Show.quote words p.span in
+          let texts = List.filter_map quote parameters in
+          let hint =
+            match (name, List.rev texts) with
+            | Some name, last :: others
+              when List.length texts = List.length parameters && List.length others = allowed ->
+                Printf.sprintf
+                  "take the signal in a `proc`: begin the definition with `%s = proc %s ->`"
+                  (String.concat " " (name :: List.rev others))
+                  last
+            | _ -> "take the signal in a `proc`: `proc x -> …`"
+          in
+          Diagnostic.hint hint diagnostic
       | _ -> diagnostic)
 
 (* `f (x, y) = …` with a signature that takes separate parameters. *)

@@ -182,7 +182,14 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
       | None -> (
           let d = error "%s has no field `%s`" described name.text in
           let usual () =
+            let begins field =
+              String.length name.text > 2 && String.starts_with ~prefix:name.text field
+            in
             match (Suggest.closest name.text known, known) with
+            | None, _ when List.length (List.filter begins known) = 1 ->
+                let field = List.find begins known in
+                Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
+                |> Diagnostic.write name.span field
             | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
                 let fields = List.map (Printf.sprintf "`%s`") known in
                 Diagnostic.note ("its fields: " ^ String.concat ", " fields) d

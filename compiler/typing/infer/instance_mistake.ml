@@ -146,8 +146,19 @@ let output_with_an_event fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
       Some
-        (Diagnostic.hint
-           "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`")
+        (fun d ->
+          {
+            d with
+            message =
+              Printf.sprintf
+                "a pair of an output and an event is needed here, but %s returns only an output"
+                fact.required.by;
+            here = "";
+            labels = [];
+          }
+          |> Diagnostic.hint
+               "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] \
+                ())`")
   | _ -> None
 
 (* Numbers in place of a robot's output. *)

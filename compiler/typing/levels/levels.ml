@@ -7,7 +7,7 @@ open Ir
 type region = { depth : int; proc_depth : int; kind : kind; mutable reported : bool }
 
 and kind =
-  | Head of expr
+  | Head of { head : expr; input : expr }
   | Binding_of of Local.t  (** a signal function *)
   | Binding_of_task of Local.t
 
@@ -28,7 +28,9 @@ type walk = {
   graph : Level_graph.t;
   constants : Constant_index.constants;
   definition : Global.t;
+  within : expr;  (** the value of the definition *)
   sources : Source.t;
+  values : (int, expr) Hashtbl.t;  (** the value of each local variable, by its [id] *)
   memory : Memory.t;
 }
 
@@ -47,9 +49,10 @@ let rec runs_a_local (h : expr) =
 
 let complaint kind what =
   match kind with
-  | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
+  | Head { head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ }; _ }
+    ->
       Printf.sprintf "the initial value of `delay` must be static, but %s" what
-  | Head ({ desc = Apply _; _ } as h) when not (runs_a_local h) ->
+  | Head { head = { desc = Apply _; _ } as h; _ } when not (runs_a_local h) ->
       Printf.sprintf "the arguments of %s before its signal must be static, but %s"
         (Misplaced.name h) what
   | Head _ -> Printf.sprintf "the signal function that runs here must be static, but %s" what
@@ -57,25 +60,41 @@ let complaint kind what =
       Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
+(* The hint for an argument of a signal function that is not static. *)
+let for_arguments w head input =
+  let value (x : Local.t) = Hashtbl.find_opt w.values x.id in
+  match Settings.hint w.sources ~value ~head ~input with
+  | Some hint -> hint
+  | None when runs_a_local head ->
+      "static values are known when it starts: pass a signal in its input, or use `initially` to \
+       start it with the first value of a signal"
+  | None ->
+      "static values are known when it starts: run one for each of a few constant settings and \
+       choose between their outputs, pass the signal in the input, or use `initially` to keep its \
+       first value"
+
 (* A hint that guesses what the programmer meant. *)
-let cure = function
-  | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
+let cure w = function
+  | Head { head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ }; _ }
+    ->
       Diagnostic.hint
         "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
          `previous x`, with `import Control`"
-  | Head { desc = If _ | Case _; _ } ->
+  | Head { head = { desc = If _ | Case _; _ }; _ } ->
       Diagnostic.hint "run each in a separate equation, and choose between their outputs"
-  | Head { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ }
+  | Head
+      {
+        head =
+          { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ };
+        _;
+      }
     when name = "switch" || name = "dSwitch" ->
       Diagnostic.hint (Printf.sprintf "pass it in the event of the `%s`, or use `initially`" name)
   | Binding_of_task _ ->
       Diagnostic.hint
         "pass values that are known at the start as parameters of the task, and signals in its \
          input"
-  | Head _ ->
-      Diagnostic.hint
-        "static values are known when it starts: pass a signal in its input, or use `initially` to \
-         start it with the first value of a signal"
+  | Head { head; input } -> Diagnostic.hint (for_arguments w head input)
   | Binding_of x ->
       Diagnostic.hint
         (Printf.sprintf
@@ -90,7 +109,7 @@ let report w region ~at what explain =
     region.reported <- true;
     Diagnostic.(
       error ~code:(code region.kind) ~at "%s" (complaint region.kind what)
-      |> explain |> cure region.kind |> emit w.sink))
+      |> explain |> cure w region.kind |> emit w.sink))
 
 let outermost suits regions =
   List.fold_left (fun found r -> if suits r then Some r else found) None regions
@@ -148,7 +167,7 @@ let instance w place (e : expr) head input =
   | None -> (
       match obstacle w place e head with
       | Some obstacle ->
-          Misplaced.report w.sink w.sources place.position obstacle e ~head ~input;
+          Misplaced.report w.sink w.sources ~within:w.within place.position obstacle e ~head ~input;
           (place, place)
       | None -> (
           match region place.proc_depth with
@@ -157,7 +176,7 @@ let instance w place (e : expr) head input =
               let place =
                 { place with position = Every_instant; depth = place.proc_depth; conditional = [] }
               in
-              (enter place (Head head), place)))
+              (enter place (Head { head; input }), place)))
 
 let conditional place (position : Misplaced.position) =
   match place.position with
@@ -181,7 +200,7 @@ let knowing place patterns =
 
 (* {1 The index of an array} *)
 
-let not_constant w (e : expr) problem =
+let not_constant w ?array (e : expr) problem =
   let error at format = Diagnostic.error ~code:"E0347" ~at format in
   let index = match e.desc with Local (x, _) -> x.name | Global (g, _) -> g.name | _ -> "i" in
   (match (problem : Constant_index.problem) with
@@ -198,9 +217,24 @@ let not_constant w (e : expr) problem =
       error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
   |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
   |> Diagnostic.hint
-       (Printf.sprintf
-          "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
-          index)
+       (let quoted = Option.bind array (fun (a : expr) -> Source.quote w.sources a.span) in
+        let index = Option.value (Source.quote w.sources e.span) ~default:index in
+        let missing =
+          match Option.map (fun (a : expr) -> a.ty) array with
+          | Some (Data { arguments = [ _; Number _ ]; _ }) -> "0"
+          | Some (Data { arguments = [ _; Bool ]; _ }) -> "False"
+          | _ -> "x"
+        in
+        match quoted with
+        | Some array when String.length array + String.length index < 60 ->
+            Printf.sprintf
+              "use `at %s %s %s`, which takes any index, and returns `%s` if there is no such \
+               element"
+              (Source.grouped index) missing (Source.grouped array) missing
+        | _ ->
+            Printf.sprintf
+              "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
+              (Source.grouped index))
   |> Diagnostic.emit w.sink
 
 let outside w (array : expr) (index : expr) k =
@@ -219,14 +253,14 @@ let outside w (array : expr) (index : expr) k =
       |> Diagnostic.emit w.sink
   | _ -> ()
 
-let index w array (k : expr) =
+let index w (array : expr) (k : expr) =
   match Constant_index.value w.constants k with
   | Ok n ->
       let n = Int32.to_int n in
       outside w array k n;
       n
   | Error problem ->
-      not_constant w k problem;
+      not_constant w ~array k problem;
       0
 
 (* {1 The walk} *)
@@ -236,6 +270,9 @@ let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside | In_task -> Static | _ -> Signal)
+
+let remember w (b : binding) =
+  match b.pattern.desc with Bound x -> Hashtbl.replace w.values x.id b.value | _ -> ()
 
 (* Shares unchanged subexpressions, because large programs contain very many and most of them do not
    change. *)
@@ -271,6 +308,7 @@ let rec expr w place (e : expr) : expr =
   | Case (scrutinee, branches) -> case w place e scrutinee branches
   | Let (bindings, body) ->
       List.iter (Memory.local w.memory) bindings;
+      List.iter (remember w) bindings;
       let bind place (b : binding) = (knowing place [ b.pattern ], binding w place b) in
       let place, bindings' = List.fold_left_map bind place bindings in
       let body' = expr w place body in
@@ -333,6 +371,7 @@ and proc w place e input equations output =
     }
   in
   List.iter (Memory.local w.memory) equations;
+  List.iter (remember w) equations;
   let equations' = Long_list.map_sharing (binding w place) equations in
   let output' = expr w place output in
   if equations' == equations && output' == output then e
@@ -391,7 +430,10 @@ let program ?(sources = Source.create ()) sink (p : program) =
   let definition (d : definition) =
     let graph = Level_dependencies.definition sink d in
     Level_graph.solve graph;
-    let w = { sink; graph; constants; definition = d.name; sources; memory } in
+    let values = Hashtbl.create 16 in
+    let w =
+      { sink; graph; constants; definition = d.name; within = d.value; sources; values; memory }
+    in
     (match d.value.ty with Number _ -> Constant_index.global constants d.name d.value | _ -> ());
     let value = expr w top_level d.value in
     if value == d.value then d else { d with value }

@@ -67,9 +67,74 @@ let anew sources condition h input =
     (Option.value (Option.bind condition resets)
        ~default:"to restart it whenever this is chosen, `switch` between signal functions")
 
+(* The line that declares the type of this definition, with `SF a b` in place of its last `a -> b`,
+   if it has as many arrows as parameters. *)
+let as_a_signal_function sources (span : Span.t) name parameters =
+  let prefix = name ^ " :: " in
+  let is_plain text = not (String.exists (fun c -> c = '(' || c = ')') text) in
+  let split_constraint text =
+    match String.index_opt text '=' with
+    | Some i when i + 3 < String.length text && text.[i + 1] = '>' ->
+        (String.sub text 0 (i + 3), String.sub text (i + 3) (String.length text - i - 3))
+    | _ -> ("", text)
+  in
+  let of_line line =
+    if not (String.starts_with ~prefix line) then None
+    else
+      let n = String.length prefix in
+      let given, type_ = split_constraint (String.sub line n (String.length line - n)) in
+      let parts = List.map String.trim (String.split_on_char '>' type_) in
+      let without_arrow part =
+        let n = String.length part in
+        if n > 1 && part.[n - 1] = '-' then String.trim (String.sub part 0 (n - 1)) else part
+      in
+      match List.rev_map without_arrow parts with
+      | b :: a :: before when List.length before = parameters - 1 && is_plain type_ ->
+          let last = Printf.sprintf "SF %s %s" (Source.grouped a) (Source.grouped b) in
+          Some (prefix ^ given ^ String.concat " -> " (List.rev (last :: before)))
+      | _ -> None
+  in
+  match Source.text sources span.file with
+  | Some text -> List.find_map of_line (String.split_on_char '\n' text)
+  | None -> None
+
+(* `f d = proc i -> sf i` for `f d i = sf i`, and the line that declares its type. *)
+let as_a_proc sources (value : expr) =
+  match value.desc with
+  | Lambda ((_ :: _ as patterns), _) -> (
+      let span = (List.nth patterns (List.length patterns - 1)).span in
+      match (Source.quote sources span, Source.line sources span.file (Span.line span.start)) with
+      | Some pattern, Some line ->
+          let first = Span.column span.start - 1 and stop = Span.column span.stop - 1 in
+          let left = String.trim (String.sub line 0 first) in
+          let right = String.trim (String.sub line stop (String.length line - stop)) in
+          let n = String.length right in
+          let is_left = String.for_all (fun c -> Character.is_name c || c = ' ') left in
+          if n > 2 && n < 80 && String.starts_with ~prefix:"= " right && line.[0] <> ' ' && is_left
+          then
+            let name = List.hd (String.split_on_char ' ' left) in
+            let body = String.trim (String.sub right 1 (n - 1)) in
+            Some
+              ( Printf.sprintf "%s = proc %s -> %s" left pattern body,
+                as_a_signal_function sources span name (List.length patterns) )
+          else None
+      | _ -> None)
+  | _ -> None
+
+let outside sources value head =
+  match as_a_proc sources value with
+  | Some (definition, Some signature) ->
+      Printf.sprintf "run it in a `proc`: write `%s`, and below it `%s`" signature definition
+  | Some (definition, None) ->
+      Printf.sprintf "run it in a `proc`: `%s`; the type `a -> b` then becomes `SF a b`" definition
+  | None ->
+      Printf.sprintf
+        "run it in a `proc`, as in `f = proc x -> %s`; the type `a -> b` then becomes `SF a b`"
+        (match quote sources head with Some h -> h ^ " x" | None -> "…")
+
 (* {1 Messages} *)
 
-let report sink sources position obstacle (e : expr) ~head ~input =
+let report sink sources ~within position obstacle (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let emit d = Diagnostic.emit sink d in
   let bound (x : Local.t) d =
@@ -105,11 +170,7 @@ let report sink sources position obstacle (e : expr) ~head ~input =
       emit
         (run "outside of a `proc`" "E0341"
         |> Diagnostic.here "only a `proc` can run a signal function"
-        |> Diagnostic.hint
-             (Printf.sprintf
-                "run it in a `proc`, as in `f = proc x -> %s`; the type `a -> b` then becomes `SF \
-                 a b`"
-                (match quote sources head with Some h -> h ^ " x" | None -> "…")))
+        |> Diagnostic.hint (outside sources within head))
   | In_task ->
       emit
         (run "outside of a `proc`" "E0341"

@@ -33,10 +33,12 @@ val name : Ir.expr -> string
 val report :
   Diagnostic.sink ->
   Source.t ->
+  within:Ir.expr ->
   position ->
   obstacle ->
   Ir.expr ->
   head:Ir.expr ->
   input:Ir.expr ->
   unit
-(** The expression runs the head on the input. The position must not be [Every_instant]. *)
+(** The expression runs the head on the input, in the definition with the value [within]. The
+    position must not be [Every_instant]. *)

@@ -111,7 +111,7 @@ In a loop a component is treated as a unit: every output depends on every input.
   5 |     (n, _) = filter (x + toFloat n)
     |      ^                   --------- `n` reads `n` here, through `filter`
     |
-    = hint: let `n` read its own previous value: `delay x0 n`, where `x0` is the initial value
+    = hint: let `n` read its own previous value: add the equation `before = delay 0 n`, where 0 is the initial value, and read `before` here
   
   1 error
   [1]

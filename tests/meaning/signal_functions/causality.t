@@ -56,7 +56,7 @@ A part that depends on itself is rejected, and the message shows the loop:
   7 |     (x, y) = crossed (n, x + y)
     |      ^                   ----- `x` reads `x` here, through `crossed`
     |
-    = hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value
+    = hint: let `x` read its own previous value: add the equation `before = delay 0 x`, where 0 is the initial value, and read `before` here
   
   1 error
   [1]
@@ -70,7 +70,7 @@ A part that depends on itself is rejected, and the message shows the loop:
   8 |     (w, _) = step (u, v)
     |     -------------------- `w` reads `u` here, through `step`
     |
-    = hint: let `w` read the previous value of `u`: `delay x0 u`, where `x0` is the initial value
+    = hint: let `w` read the previous value of `u`: add the equation `before = delay 0 u`, where 0 is the initial value, and read `before` here
   
   1 error
   [1]
@@ -84,7 +84,7 @@ A part that depends on itself is rejected, and the message shows the loop:
   5 |     y = if b then 0 else x
     |         ------------------ `y` reads `x` here
     |
-    = hint: let `y` read the previous value of `x`: `delay x0 x`, where `x0` is the initial value
+    = hint: let `y` read the previous value of `x`: add the equation `before = delay 0 x`, where 0 is the initial value, and read `before` here
   
   1 error
   [1]
@@ -105,7 +105,7 @@ A loop is an error even if the value of an operand or branch would break it:
   4 |     x = x && False
     |     ^   ---------- `x` reads `x` here
     |
-    = hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value
+    = hint: let `x` read its own previous value: add the equation `before = delay False x`, where False is the initial value, and read `before` here
   
   error[E0401]: the signal `q.g` needs its own value in the same instant
    --> needless.frob:5:5
@@ -113,7 +113,7 @@ A loop is an error even if the value of an operand or branch would break it:
   5 |     q = if q.g > 0 then p { f = 1 } else p
     |     ^      ------- `q.g` reads `q.g` here
     |
-    = hint: let `q.g` read its own previous value: `delay x0 q.g`, where `x0` is the initial value
+    = hint: let `q.g` read its own previous value: add the equation `before = delay 0 q.g`, where 0 is the initial value, and read `before` here
   
   2 errors
   [1]

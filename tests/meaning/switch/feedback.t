@@ -59,7 +59,7 @@ With `switch` it may not: the switch is treated as a unit.
     |     ^                                                           ----- `y` reads `y` here, through a switch
     |
     = note: each output of a switch depends on every input that the signal functions inside the switch read in the same instant
-    = hint: let `y` read its own previous value: `delay x0 y`, where `x0` is the initial value
+    = hint: let `y` read its own previous value: add the equation `before = delay 0 y`, where 0 is the initial value, and read `before` here
   
   1 error
   [1]

@@ -32,8 +32,8 @@ let loop_of_two () =
       "test.frob:2 E0401: the signal `speed` needs its own value in the same instant [reads `err` \
        here]\n\
       \  test.frob:3: `err` reads `speed` here\n\
-      \  hint: let `err` read the previous value of `speed`: `delay x0 speed`, where `x0` is the \
-       initial value";
+      \  hint: let `err` read the previous value of `speed`: add the equation `before = delay 0 \
+       speed`, where 0 is the initial value, and read `before` here";
     ]
     (build (fun b ->
          let target = Build.input b "target" in
@@ -70,7 +70,8 @@ let both_branches_count () =
   let expected =
     [
       "test.frob:2 E0401: the signal `x` needs its own value in the same instant [reads `x` here]\n\
-      \  hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value";
+      \  hint: let `x` read its own previous value: add the equation `before = delay 0 x`, where 0 \
+       is the initial value, and read `before` here";
     ]
   in
   check expected (program ~loop_in_then:true);
@@ -82,8 +83,8 @@ let unnamed_are_skipped () =
       "test.frob:1 E0401: the signal `a` needs its own value in the same instant []\n\
       \  test.frob:7: `a` reads `b` here\n\
       \  test.frob:9: `b` reads `a` here\n\
-      \  hint: let `b` read the previous value of `a`: `delay x0 a`, where `x0` is the initial \
-       value";
+      \  hint: let `b` read the previous value of `a`: add the equation `before = delay 0 a`, \
+       where 0 is the initial value, and read `before` here";
     ]
     (build (fun b ->
          let a = Build.declare ~line:1 b "a" in
@@ -129,8 +130,8 @@ let leaf_by_leaf () =
     [
       "test.frob:2 E0401: the signal `now` needs its own value in the same instant []\n\
       \  test.frob:4: `now` reads `now` here, through `crossing`\n\
-      \  hint: let `now` read its own previous value: `delay x0 now`, where `x0` is the initial \
-       value";
+      \  hint: let `now` read its own previous value: add the equation `before = delay 0 now`, \
+       where 0 is the initial value, and read `before` here";
     ]
     (program ~feed:`Same_instant)
 
@@ -184,7 +185,8 @@ let library_loop_shows_its_use () =
     [
       "Prelude.frob:1 E0401: the signal `c` needs its own value in the same instant [reads `c` here]\n\
       \  test.frob:1: `between` runs here\n\
-      \  hint: let `c` read its own previous value: `delay x0 c`, where `x0` is the initial value";
+      \  hint: let `c` read its own previous value: add the equation `before = delay 0 c`, where 0 \
+       is the initial value, and read `before` here";
     ]
     (Build.program p)
 

@@ -161,7 +161,7 @@ Mistakes in declarations.
     |                        ^
     |
     = note: an index can be a number, a name of a number, or arithmetic with these
-    = hint: use `at k x xs`, which takes any index, and returns `x` if there is no such element
+    = hint: use `at k 0 xs`, which takes any index, and returns `0` if there is no such element
   
   1 error
   [1]

@@ -100,6 +100,33 @@ let applied_to_a_name text =
   | [ f; x ] when is_a_word f && is_a_word x && x.[0] >= 'a' && x.[0] <= 'z' -> Some f
   | _ -> None
 
+(* Is this a function with arguments, possibly a task, rather than a formula? *)
+let applies_a_function text =
+  let is_formula word =
+    List.mem word [ "+"; "-"; "*"; "/"; "^"; "&&"; "||"; "=="; "/="; "<"; ">"; "<="; ">="; "!" ]
+  in
+  let no_task =
+    [ "if"; "case"; "let"; "not"; "sqrt"; "abs"; "min"; "max"; "sin"; "cos"; "tan"; "atan2" ]
+    @ [ "round"; "floor"; "ceiling"; "toFloat"; "mod"; "div"; "map"; "foldl"; "sum"; "exp"; "log" ]
+  in
+  let rec outside depth i =
+    i >= String.length text
+    ||
+    match text.[i] with
+    | '(' | '[' | '{' -> outside (depth + 1) (i + 1)
+    | ')' | ']' | '}' -> outside (depth - 1) (i + 1)
+    | ('+' | '-' | '*' | '/' | '^' | '<' | '>' | '=' | '&' | '|' | '!') when depth = 0 -> false
+    | _ -> outside depth (i + 1)
+  in
+  match String.split_on_char ' ' text with
+  | f :: _ :: _ as words ->
+      f <> ""
+      && Basis.Character.is_lower f.[0]
+      && String.for_all Basis.Character.is_name f
+      && (not (List.mem f no_task))
+      && (outside 0 0 || List.hd (List.rev words) = "do" || not (List.exists is_formula words))
+  | _ -> false
+
 let statement found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
@@ -126,6 +153,10 @@ let statement found =
               "for a value, write `let %s = %s`; for the present value of a sensor, `%s <- ask %s`"
               name value name
               (Option.get (applied_to_a_name value))
+        | _ when applies_a_function value ->
+            Printf.sprintf
+              "for the result of a task, write `%s <- %s`; for a value, write `let %s = %s`" name
+              value name value
         | _ ->
             Printf.sprintf
               "for a value, write `let %s = %s`; for the result of a task `t`, write `%s <- t`" name

@@ -9,14 +9,47 @@ let rest_of_line found offset =
   let n = String.length rest in
   if n > 0 && rest.[n - 1] = ';' then String.trim (String.sub rest 0 (n - 1)) else rest
 
+(* The constant in an equation `y = 0.1` of the lines above, in the same definition. *)
+let constant_above found name =
+  let first = start_of_definition found in
+  let lines = String.split_on_char '\n' (between found first found.token.start.pos_bol) in
+  let prefix = name ^ " = " in
+  let value line =
+    let line = String.trim line in
+    if not (String.starts_with ~prefix line) then None
+    else
+      let n = String.length prefix in
+      let value = String.trim (String.sub line n (String.length line - n)) in
+      let is_literal = function
+        | '0' .. '9' | '.' | '-' | '[' | ']' | '/' | '^' | 'a' .. 'z' | 'A' .. 'Z' -> true
+        | _ -> false
+      in
+      if
+        value <> "" && String.for_all is_literal value
+        && (Basis.Character.is_digit value.[0] || value.[0] = '-')
+      then Some value
+      else None
+  in
+  List.find_map value lines
+
+(* The equation for a value that changes by itself at every instant, as `y += x` would do. *)
+let accumulates found name change =
+  match constant_above found name with
+  | Some value ->
+      Printf.sprintf "%s: in place of both lines, write `%s = delay %s %s %s`" an_equation name
+        (Basis.Source.grouped value) name change
+  | None ->
+      Printf.sprintf "%s: `%s = delay 0 %s %s`, where 0 is the initial value" an_equation name name
+        change
+
 (* `y = delay 0 y + x` for `y += x`. *)
 let accumulated found (operator : Layout.token) =
   let line = between found found.token.start.pos_bol operator.start.pos_cnum in
   let value = Other_notation.expression (rest_of_line found found.token.stop.pos_cnum) in
   match value with
   | Some value when line <> "" && String.for_all Basis.Character.is_name line ->
-      Printf.sprintf "%s: `%s = delay 0 %s %s %s`, where 0 is the initial value" an_equation line
-        line (written found operator) (Basis.Source.grouped value)
+      accumulates found line
+        (Printf.sprintf "%s %s" (written found operator) (Basis.Source.grouped value))
   | _ -> an_equation ^ ", as in `n = delay 0 n + 1`"
 
 let assigns found =
@@ -50,6 +83,20 @@ let element_by_element found (point : Layout.token) operator =
     in
     Some (Printf.sprintf "operators take numbers, not arrays: write `%s`" text)
 
+(* The numbers around the `..` of `seeds = [1..10]`. *)
+let seeds found (point : Layout.token) =
+  let first = word_before found point.start.pos_cnum in
+  let rec digits stop =
+    if Basis.Character.is_digit (char_at found stop) then digits (stop + 1) else stop
+  in
+  let start = found.token.stop.pos_cnum in
+  let start = if char_at found start = ' ' then start + 1 else start in
+  let last = String.sub found.text start (digits start - start) in
+  let is_number text = text <> "" && String.for_all Basis.Character.is_digit text in
+  if is_number first && is_number last then
+    Printf.sprintf "use ``%s `to` %s``, without brackets, which includes both numbers" first last
+  else "use ``1 `to` 20``, without brackets, which includes both numbers"
+
 (* An operator of another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
@@ -73,9 +120,7 @@ let foreign_operator found (before : Layout.token) =
     | ("++" | "--") as text ->
         let name = word_before found before.start.pos_cnum in
         let name = if name = "" then "n" else name in
-        Some
-          (Printf.sprintf "%s: `%s = delay 0 %s %c 1`, where 0 is the initial value" an_equation
-             name name text.[0])
+        Some (accumulates found name (Printf.sprintf "%c 1" text.[0]))
     | "===" -> Some "use `==` to compare"
     | "!!" ->
         Some
@@ -83,7 +128,7 @@ let foreign_operator found (before : Layout.token) =
            replaces a missing element"
     | "/*" -> Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
     | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
-    | ".." when names_before found "seeds" -> Some "use ``1 `to` 20``, which includes both numbers"
+    | ".." when names_before found "seeds" -> Some (seeds found before)
     | ".." ->
         Some
           "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
@@ -107,33 +152,21 @@ let member found =
          i`"
   | _ -> None
 
-(* The name or the expression in parentheses that begins at this offset. *)
-let operand found first =
-  let rec name i = if Basis.Character.is_name (char_at found i) then name (i + 1) else i in
-  let rec close i depth =
-    match char_at found i with
-    | '\n' -> first
-    | '(' -> close (i + 1) (depth + 1)
-    | ')' -> if depth = 1 then i + 1 else close (i + 1) (depth - 1)
-    | _ -> close (i + 1) depth
-  in
-  let last =
-    if char_at found first = '(' then close first 0
-    else
-      let stop = name first in
-      if char_at found stop = '(' && stop > first then close stop 0 else stop
-  in
-  String.sub found.text first (last - first)
+let negated found =
+  match (found.token.token, found.before) with
+  | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
+  | OPERATOR "!", _ when after found <> '=' ->
+      let rec first i = if char_at found i = ' ' then first (i + 1) else i in
+      Other_operator.negation found.text (first found.token.stop.pos_cnum)
+  | _ -> None
 
 let negation found =
   match (found.token.token, found.before) with
   | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
   | OPERATOR "!", _ when after found <> '=' -> (
-      match operand found found.token.stop.pos_cnum with
-      | "" -> Some "use `not b` for the opposite of `b`"
-      | text ->
-          let text = Option.value (Other_notation.expression text) ~default:text in
-          Some (Printf.sprintf "write `not %s`" (Basis.Source.grouped text)))
+      match negated found with
+      | None -> Some "use `not b` for the opposite of `b`"
+      | Some (text, _) -> Some (Printf.sprintf "write `%s`" text))
   | _ -> None
 
 let before_point found =
@@ -163,7 +196,10 @@ let own found =
 
 let pipe found =
   match found.token.token with
-  | BAR when after found = '>' -> Some "write the function before its argument: `f x`"
+  | BAR when after found = '>' -> (
+      match Other_operator.pipeline found.text found.token.start.pos_cnum with
+      | Some text -> Some (Printf.sprintf "write each function before its argument: `%s`" text)
+      | None -> Some "write the function before its argument: `f x`")
   | _ -> None
 
 (* `a | b`, a disjunction. *)
@@ -181,6 +217,7 @@ let disjunction found =
                   [ "data"; "type"; "class"; "instance"; "foreign"; "param" ]))
          && (not (names_before found "::"))
          && (not (opens_with Layout.Bracket found.context))
+         && (not (opens_with Layout.Brace found.context))
          && not (List.mem (first_word_of_line found) [ "match"; "with" ]) ->
       Some "write `||` between two conditions"
   | _ -> None

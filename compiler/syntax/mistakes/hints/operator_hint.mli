@@ -12,6 +12,9 @@ val member : Found.rule
 val negation : Found.rule
 (** [!b], as in C. *)
 
+val negated : Found.t -> (string * int) option
+(** The negation for {!negation}, and the offset after its operand. *)
+
 val disjunction : Found.rule
 (** [a | b], as in C. *)
 

@@ -43,6 +43,21 @@ let typed found =
       else Some "write a `,` between two fields"
   | _ -> None
 
+let of_a_copy = "for a copy of the record with other fields, write "
+let is_of_a_copy hint = String.starts_with ~prefix:of_a_copy hint
+
+(* `{ p | x = 1 }` and the like. *)
+let changed_copy found =
+  let brace =
+    match (found.token.token, found.context) with
+    | LBRACE, _ -> Some found.token.start.pos_cnum
+    | _, (Brace, { by; _ }) :: _ -> Some by.start.pos_cnum
+    | _ -> None
+  in
+  Option.map
+    (Printf.sprintf "%s`%s`" of_a_copy)
+    (Option.bind brace (Other_record.update found.text))
+
 let block_in_braces found =
   match (found.token.token, found.before) with
   | LBRACE, Some { token = OPEN; _ } -> Some (Indentation_hint.without_braces found)

@@ -15,6 +15,12 @@ val without_comma : Found.rule
 val typed : Found.rule
 (** A field with `::`, in a value or after another field. *)
 
+val changed_copy : Found.rule
+(** [{ r | speed = 1 }] or [{ r with speed = 1 }]. *)
+
+val is_of_a_copy : string -> bool
+(** Is this the hint of {!changed_copy}? *)
+
 val block_in_braces : Found.rule
 (** A block in braces, as in C. *)
 

@@ -57,7 +57,10 @@ let beginning found =
           else Printf.sprintf "use `import %s`" (python_import found) )
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
-      Option.map (fun hint -> (start, hint)) (Beginnings.of_word word)
+      let line = between found start.pos_bol (end_of_line found start.pos_bol) in
+      let hint = if Beginnings.is_forever line then Some Beginnings.forever else None in
+      let hint = match hint with Some hint -> Some hint | None -> Beginnings.of_word word in
+      Option.map (fun hint -> (start, hint)) hint
 
 (* {1 Rules}
 
@@ -111,6 +114,7 @@ let equations_and_fields =
     Equation_hint.keyword_argument;
     Equation_hint.changed_field;
     Equation_hint.statement;
+    Record_hint.changed_copy;
     Record_hint.without_names;
     Record_hint.with_points;
     Record_hint.in_a_unit;

@@ -287,9 +287,9 @@ let held_value fact =
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
       Some
         (Printf.sprintf
-           "remove the `%s`: this has a value at every instant; to keep its value from the latest \
-            occurrence of an event `e`, hold `tag e %s`"
-           hold (grouped fact "x"))
+           "this has a value at every instant: to keep its value from the latest occurrence of an \
+            event `e`, hold `tag e %s`; otherwise, remove the `%s`"
+           (grouped fact "x") hold)
   | _ -> None
 
 (* Any other value in place of an event. *)

@@ -33,6 +33,7 @@ let of_functions =
     Output_mistake.not_made;
     Array_mistake.extreme;
     Tuple_mistake.of_all_arguments;
+    Tuple_mistake.mapped_range;
     Argument_mistake.missing;
     Argument_mistake.more_missing_than_expected;
     Argument_mistake.missing_before;

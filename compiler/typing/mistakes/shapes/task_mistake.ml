@@ -159,11 +159,14 @@ let condition fact =
 
 (* {1 Two tasks whose types differ in one part} *)
 
-let of_another_result result result' =
+let of_another_result fact result result' =
   let nothing t = Type.expand t = Type.Tuple [] in
   if nothing result then
-    "to drop the result of a task `t`, write `mapT (const ()) t`, or, in a `do`, `return ()` below \
-     it"
+    Printf.sprintf
+      "to drop the result of %s task, write `mapT (const ()) %s`, or, in a `do`, `return ()` below \
+       it"
+      (match raw fact "" with "" -> "the" | _ -> "this")
+      (grouped fact "t")
   else if nothing result' then "to return `x` instead, write a `do` with `return x` below the task"
   else "to apply a function `f` to the result of a task `t`, write `mapT f t`"
 
@@ -187,7 +190,7 @@ let unlike fact =
       match (differ input input', differ output output', differ result result') with
       | false, false, true ->
           says "expected a task that returns %s, but this one returns %s" result result'
-          |> hint (of_another_result result result')
+          |> hint (of_another_result fact result result')
           |> Option.some
       | false, true, false ->
           Some

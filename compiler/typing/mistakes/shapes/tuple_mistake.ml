@@ -150,6 +150,24 @@ let of_all_arguments fact =
         | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)
   | _ -> None
 
+(* `map(x, 0, 1023, 0, 5)` of Arduino *)
+let mapped_range fact =
+  match (fact.given, fact.expected.because, fact.subject) with
+  | ( Tuple [ _; _; _; _; _ ],
+      Parameter { callee = Some "map"; position = 1; _ },
+      Some { desc = Tuple es; _ } ) ->
+      let written =
+        Option.bind
+          (all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) es))
+          (fun texts -> Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
+      in
+      error ~code:"E0301" ~at:fact.at "`map` applies a function to each element of an array"
+      |> hint
+           (Printf.sprintf "to convert a number from one range to another, write `%s`"
+              (Option.value written ~default:"(x - a) / (b - a) * (d - c) + c"))
+      |> Option.some
+  | _ -> None
+
 let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
 
 let separated_by_commas fact =

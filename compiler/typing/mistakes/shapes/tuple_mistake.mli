@@ -15,6 +15,9 @@ val written_as_an_array : Shape_fact.rule
 val of_all_arguments : Shape_fact.rule
 (** [max(x, 0)], where [max] also accepts a tuple as its first argument. *)
 
+val mapped_range : Shape_fact.rule
+(** [map(x, 0, 1023, 0, 5)], as in the language of Arduino. *)
+
 val separated_by_commas : Shape_fact.rule
 (** The C-style call [f(x, y)]. *)
 

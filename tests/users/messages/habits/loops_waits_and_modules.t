@@ -149,16 +149,16 @@ Modules of other languages for functions that need no import.
   >   frobc check m.frob 2>&1 | grep -e error -e hint
   > done
   error[E0201]: there is no module `Maths`
-    = hint: the mathematical functions are built in: write `abs x`, `sqrt x`
+    = hint: remove this line: mathematical functions are built in, as in `sin x` and `sqrt x`
   1 error
   error[E0201]: there is no module `Time`
-    = hint: time is built in: write `time ()` for the time since the start
+    = hint: remove this line: time is built in; write `time ()` for the time since the start of the program
   1 error
   error[E0201]: there is no module `List`
-    = hint: arrays are built in: write `map f xs`, `foldl (+) 0 xs`
+    = hint: remove this line: arrays are built in, as in `map f xs` and `foldl (+) 0 xs`
   1 error
   error[E0201]: there is no module `Random`
-    = hint: for random numbers write `whiteNoise 1 ()`, with `import Sources`
+    = hint: write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1
   1 error
 
 An undefined colour.

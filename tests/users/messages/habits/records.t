@@ -32,7 +32,7 @@ Records in the syntax of other languages.
   3 | c = Config { speed: 0.1[m/s], gain: 2 }
     |                   ^
     |
-    = hint: set a field with `=`: `speed = …`
+    = hint: set a field with `=`: `Config { speed = 0.1[m/s], gain = 2 }`
   
   1 error
   [1]

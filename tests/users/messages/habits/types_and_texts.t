@@ -75,7 +75,7 @@ Types before names, texts in other quotes, fields that are assigned.
   5 | home.x = 1[m]
     | ^^^^^^
     |
-    = hint: Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`
+    = hint: Frob has no assignments: give a changed copy a new name, as in `changed = home { x = … }`
   
   1 error
   [1]

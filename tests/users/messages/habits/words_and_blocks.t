@@ -102,7 +102,7 @@ An equation among the statements of a task:
   3 |     ok = forward 1[m]
     |        ^
     |
-    = hint: for a value, write `let ok = forward 1[m]`; for the result of a task `t`, write `ok <- t`
+    = hint: for the result of a task, write `ok <- forward 1[m]`; for a value, write `let ok = forward 1[m]`
   
   1 error
   [1]

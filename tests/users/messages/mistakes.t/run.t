@@ -311,7 +311,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 |     count = if pressed then count + 1 else count
     |     ^^^^^   ------------------------------------ `count` reads `count` here
     |
-    = hint: let `count` read its own previous value: `delay x0 count`, where `x0` is the initial value
+    = hint: let `count` read its own previous value: add the equation `before = delay 0 count`, where 0 is the initial value, and read `before` here
   
   1 error
   # 028_task_as_robot.frob
@@ -510,7 +510,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  `k` is bound here
     |
     = note: an index can be a number, a name of a number, or arithmetic with these
-    = hint: use `at k x xs`, which takes any index, and returns `x` if there is no such element
+    = hint: use `at k 0 ds`, which takes any index, and returns `0` if there is no such element
   
   1 error
   # 044_case_misses_one.frob

@@ -75,11 +75,11 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   null: write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`
   TRUE: write `True`
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
-  millis: use `time ()` for the time since the start, in seconds
-  micros: use `time ()` for the time since the start, in seconds
+  millis: use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs once, 1 s after the start, and `every 1[s] ()` one that occurs each second
+  micros: use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs once, 1 s after the start, and `every 1[s] ()` one that occurs each second
   delayMicroseconds: to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile
-  digitalWrite: make the value that you want to write a part of the program's output
-  analogRead: make the value that you want to read a part of the program's input
+  digitalWrite: a program writes pins through its output: add a field for the value to the output's type, or combine commands of a robot, as in `roMake (setVelTR v omega . setLight On)`
+  analogRead: a program reads pins through its input: add a field for the value to the input's type, and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal functions, such as `frontSonar i`
   for: to compute something for each element, write `map f xs`; to run a task for each, write `forEachT xs f`
   undefined: a program never aborts: use `Maybe` for a value that may be absent
   $ hint pre integrate deriv

@@ -59,7 +59,7 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   3 |     while True do
     |     ^^^^^
     |
-    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True
+    = hint: to repeat the tasks of this block, write `forever $ do` in place of this line
   
   1 error
   [1]

@@ -37,6 +37,6 @@ Removes the line number in the library, which does not matter here.
    2 | main = smooth 0.5
      | ----------------- `smooth` runs here
      |
-     = hint: let `before` read the previous value of `y`: `delay x0 y`, where `x0` is the initial value
+     = hint: let `before` read the previous value of `y`: add the equation `earlier = delay 0 y`, where 0 is the initial value, and read `earlier` here
   
   1 error

@@ -48,18 +48,13 @@ what is missing.
   > main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
   > FROB
   $ frobc check no_event.frob
-  error[E0360]: there is no instance `RobotOutput (b, Event a)`
-     --> no_event.frob:2:42
-      |
-    2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
-      |                                          ^^^^^^ `roMake` needs it
-      |
-     ::: stdlib/Capability.frob:215:11
-      |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` requires `RobotOutput o` here
-      |
-      = hint: add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`
+  error[E0360]: a pair of an output and an event is needed here, but `roMake` returns only an output
+   --> no_event.frob:2:42
+    |
+  2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
+    |                                          ^^^^^^
+    |
+    = hint: add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`
   
   1 error
   [1]

@@ -15,7 +15,7 @@ A changing distance instead of a stored one:
   4 | main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
     |                                                ^^^^^^^^^^^^
     |
-    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
+    = hint: static values are known when it starts: run one for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   
   1 error
   [1]

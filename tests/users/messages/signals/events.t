@@ -165,7 +165,7 @@ Each event of `accum` carries a function:
     |         |    because this is a number of `m`
     |         argument 2 of `hold` is `Event n[m]`
     |
-    = hint: remove the `hold`: this has a value at every instant; to keep its value from the latest occurrence of an event `e`, hold `tag e (frontSonar i)`
+    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, hold `tag e (frontSonar i)`; otherwise, remove the `hold`
   
   1 error
   [1]

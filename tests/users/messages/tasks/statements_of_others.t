@@ -53,7 +53,7 @@ Tasks with the statements of other languages.
   5 |     while True:
     |               ^
     |
-    = hint: to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True
+    = hint: to repeat the tasks of this block, write `forever $ do` in place of this line
   
   1 error
   [1]

@@ -1,0 +1,8 @@
+(** Operators of other languages together with their operands, written in Frob. *)
+
+val negation : string -> int -> (string * int) option
+(** [not (f x)] for the application [f x] at this offset, which follows a [!] or a [~], and the
+    offset after the application. [None] if there is no operand. *)
+
+val pipeline : string -> int -> string option
+(** [g (f x)] for [x |> f |> g], where this offset is that of a [|>]. *)

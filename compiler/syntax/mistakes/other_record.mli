@@ -1,0 +1,10 @@
+(** Records in the notation of Elm, OCaml, JavaScript, Python or Rust, and their equivalents in
+    Frob. *)
+
+val update : string -> int -> string option
+(** [p { x = 1 }] for the braces at this offset, if they hold a changed copy of a record:
+    [{ p | x = 1 }], [{ p with x = 1 }], [{ ...p, x: 1 }] or [P { x: 1, ..p }]. *)
+
+val value : string -> int -> string option
+(** [P { x = 1, y = 2 }] for [P { x: 1, y: 2 }], if a constructor or a record precedes the braces at
+    this offset. *)
