@@ -114,7 +114,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb clean rtamt falsify mcap ros wheel python install-check slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb release clean rtamt falsify mcap ros wheel python install-check slurm
 
 all: setup
 	dune build @install
@@ -322,11 +322,21 @@ install: setup
 	sh compiler/package/documents.sh $(PREFIX)/share/doc/frobc
 	@echo "installed: $(PREFIX)/bin/frobc, with its documentation in $(PREFIX)/share/doc/frobc"
 
-# Builds a Debian package in _build/deb.
+# Builds the Debian packages frobc and frobc-doc in _build/deb.
 deb: all
 	@sh tests/setup.sh $(DEB_PACKAGES)
 	@sh compiler/package/deb.sh _build/install/default _build/deb
-	@lintian --fail-on error,warning _build/deb/frobc_*.deb
+	@lintian --fail-on error,warning _build/deb/*.deb
+
+# Builds everything that a release consists of in _build/release: wheel, Debian packages, website,
+# changes and checksums. Builds it twice and compares the bytes; then tries the wheel in bare Debian
+# systems, as root. Publishes nothing.
+release: wheel site
+	@sh tests/setup.sh $(DEB_PACKAGES) $(BARE_PACKAGES)
+	@sh compiler/package/release.sh $(CURDIR)/_build
+	@lintian --fail-on error,warning _build/release/*.deb
+	@rm -rf _build/wheel && mkdir _build/wheel && cp _build/release/*.whl _build/wheel
+	@test "$$(id -u)" != 0 || sh tests/users/install/bare.sh $(CURDIR)/_build $(BARE_SUITES)
 
 clean:
 	dune clean

@@ -42,6 +42,7 @@ ros
 wheel
 python
 install-check BARE_SUITES=bookworm
+release SHORT=1 BARE_SUITES=bookworm
 photographs
 END
 }

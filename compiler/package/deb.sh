@@ -1,7 +1,8 @@
 #!/bin/sh
-# deb.sh IMAGE FOLDER: builds the Debian package frobc_VERSION_ARCHITECTURE.deb in FOLDER from the
-# files that `dune build @install` has put into IMAGE, and prints the package's path. Equal images
-# result in equal packages, byte for byte. DEBFULLNAME and DEBEMAIL name the maintainer. Requires
+# deb.sh IMAGE FOLDER: builds the Debian packages frobc_VERSION_ARCHITECTURE.deb and
+# frobc-doc_VERSION_all.deb in FOLDER from the documentation and the files that `dune build @install`
+# has put into IMAGE, and prints the packages' paths. Equal images result in equal packages, byte for
+# byte. DEBFULLNAME and DEBEMAIL name the maintainer. Requires
 # dpkg-dev and binutils.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -24,17 +25,22 @@ cp -RL "$image/lib/frobc" "$root/usr/lib/"
 cp -RL "$image/share/frobc" "$root/usr/share/"
 cp -RL "$image/man/man1" "$root/usr/share/man/"
 rm -f "$root/usr/lib/frobc/META" "$root/usr/lib/frobc/dune-package" "$root/usr/lib/frobc/opam"
-documents=$root/usr/share/doc/frobc
-sh "$here/documents.sh" "$documents"
-cp "$here/copyright" "$documents/copyright"
-named changelog | gzip -9n > "$documents/changelog.gz"
+doc=$work/doc
+mkdir -p "$doc/usr/share/doc" "$doc/DEBIAN"
+sh "$here/documents.sh" "$doc/usr/share/doc/frobc"
+for package in frobc:"$root" frobc-doc:"$doc"; do
+    documents=${package#*:}/usr/share/doc/${package%%:*}
+    mkdir -p "$documents"
+    cp "$here/copyright" "$documents/copyright"
+    named changelog | gzip -9n > "$documents/changelog.gz"
+done
 gzip -9n "$root/usr/share/man/man1/"*
 mkdir -p "$root/usr/share/lintian/overrides"
 cp "$here/overrides" "$root/usr/share/lintian/overrides/frobc"
 
 # Set the permissions that Debian's policy requires, and remove debugging symbols.
-chmod -R u=rwX,go=rX "$root"
-find "$root/usr" -type f -exec chmod 644 {} +
+chmod -R u=rwX,go=rX "$root" "$doc"
+find "$root/usr" "$doc/usr" -type f -exec chmod 644 {} +
 programs="$root/usr/bin/frobc $(find "$root/usr/lib/frobc" -name 'frob-*')"
 chmod 755 $programs
 strip --strip-unneeded --remove-section=.comment --remove-section=.note $programs
@@ -48,17 +54,25 @@ libraries=$(cd "$work" && dpkg-shlibdeps -O $programs 2> shlibdeps.log) || {
     exit 1
 }
 libraries=${libraries#shlibs:Depends=}
-size=$(du -k -s --apparent-size "$root/usr" | cut -f 1)
-{
-    named control | sed -n "1,/^\$/ { /^Section\|^Priority\|^Maintainer/p; }"
-    named control | sed "1,/^\$/d
-        s|\${shlibs:Depends}|$libraries|
-        s|^Architecture: .*|Version: $version\nArchitecture: $architecture\nInstalled-Size: $size|"
-} > "$root/DEBIAN/control"
-(cd "$root" && find usr -type f -print0 | sort -z | xargs -0 md5sum) > "$root/DEBIAN/md5sums"
+# Writes the control file and the checksums of a package. The paragraph of a package in debian/control
+# ends at the next empty line.
+describe() { # NAME, ROOT, ARCHITECTURE
+    size=$(du -k -s --apparent-size "$2/usr" | cut -f 1)
+    {
+        named control | sed -n "1,/^\$/ { /^Priority\|^Maintainer/p; }"
+        named control | sed -n "/^Package: $1\$/,/^\$/ { /^\$/d
+            s|\${shlibs:Depends}|$libraries|
+            s|^Architecture: .*|Version: $version\nArchitecture: $3\nInstalled-Size: $size|
+            p; }"
+    } > "$2/DEBIAN/control"
+    (cd "$2" && find usr -type f -print0 | sort -z | xargs -0 md5sum) > "$2/DEBIAN/md5sums"
+}
+describe frobc "$root" "$architecture"
+describe frobc-doc "$doc" all
 
 SOURCE_DATE_EPOCH=$(date -d "$(named changelog | sed -n 's/^ -- .*>  //p')" +%s)
 export SOURCE_DATE_EPOCH
-package=$out/frobc_${version}_$architecture.deb
-dpkg-deb --root-owner-group --build "$root" "$package" > /dev/null
-echo "$package"
+for package in "frobc_${version}_$architecture $root" "frobc-doc_${version}_all $doc"; do
+    dpkg-deb --root-owner-group --build "${package#* }" "$out/${package%% *}.deb" > /dev/null
+    echo "$out/${package%% *}.deb"
+done

@@ -4,6 +4,10 @@
 # PyPI into a virtual environment. The wheel includes the libraries that the hosts are linked with,
 # except those that every Linux system has, and the licences of the included software.
 set -eu
+umask 022
+# The time of the files in the wheel, so that equal sources result in equal wheels.
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}
+export SOURCE_DATE_EPOCH
 build=$1
 tools=$build/wheel-tools
 source=$build/wheel-source
@@ -16,8 +20,10 @@ test -x "$tools/bin/auditwheel" || {
 rm -rf "$source" "$build/wheel"
 cp -R runtime/python "$source"
 cp dune-project LICENSE "$source"
-dune install --prefix "$source/frob/tools" frobc 2>"$build/wheel.log" || { cat "$build/wheel.log" >&2; exit 1; }
+cp -RL "$build/install/default" "$source/frob/tools"
+chmod -R u+w "$source/frob/tools"
 rm -rf "$source/frob/tools/man" "$source/frob/tools/doc"
+(cd "$source/frob/tools/lib/frobc" && rm -f META dune-package opam)
 cp "$source/frob/tools/share/frobc/tcc/copyright" "$source/LICENSE.tcc"
 # The licences of the libraries.
 ldd "$source"/frob/tools/lib/frobc/frob-* | sed -n 's|.*=> .*/\([^/ ]*\) (.*|\1|p' | sort -u |

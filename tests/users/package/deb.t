@@ -1,9 +1,10 @@
-lintian reports no errors and no warnings about the Debian package.
+lintian reports no errors and no warnings about the Debian packages frobc and frobc-doc.
 
-  $ deb=$(sh ../../../compiler/package/deb.sh $(dirname $(which frobc))/.. packages)
+  $ sh ../../../compiler/package/deb.sh $(dirname $(which frobc))/.. packages > built
+  $ deb=$(head -n 1 built); doc=$(tail -n 1 built)
   $ [ $deb = $PWD/packages/frobc_$(frobc --version)_$(dpkg --print-architecture).deb ] || echo $deb
   $ [ $(dpkg-deb -f $deb Version) = $(frobc --version) ] || dpkg-deb -f $deb Version
-  $ if command -v lintian > /dev/null; then lintian --fail-on error,warning $deb 2>&1 | grep -v 'root privileges' || true; fi
+  $ if command -v lintian > /dev/null; then lintian --fail-on error,warning $deb $doc 2>&1 | grep -v 'root privileges' || true; fi
   $ dpkg-deb -f $deb Depends Recommends | grep -o -e 'libbox2d' -e 'libcairo2 ' -e 'gcc | c-compiler'
   libbox2d
   libcairo2 
@@ -12,7 +13,11 @@ lintian reports no errors and no warnings about the Debian package.
 When it is unpacked into a folder in place of the root, its compiler runs the wall follower in the
 package, with the library and the simulator that are next to it.
 
-  $ dpkg-deb -x $deb root
+  $ [ $doc = $PWD/packages/frobc-doc_$(frobc --version)_all.deb ] || echo $doc
+  $ dpkg-deb -f $doc Section Architecture
+  Section: doc
+  Architecture: all
+  $ dpkg-deb -x $deb root && dpkg-deb -x $doc root
   $ PATH=$PWD/root/usr/bin:$PATH
   $ cp -R root/usr/share/doc/frobc/examples/wall_follow . && cd wall_follow
   $ frobc run wall_follow.frob --for 20s --picture run.png | head -4; ls
@@ -37,7 +42,7 @@ package, with the library and the simulator that are next to it.
   in …/root/usr, 
   $ mv away root/usr/share/frobc/stdlib
 
-The package contains the documentation. Its links lead to files in the package, except some to
+frobc-doc contains the documentation. Its links lead to files in the package, except some to
 sources.
 
   $ cd root/usr/share && ls doc/frobc man/man1
