@@ -6,14 +6,25 @@
 
 #include "device.h"
 #include "opening.h"
+#include "overrides.h"
+
+#include <stdio.h>
+
+enum { WRONG_USE = 2 };
 
 /* The compiled program. */
 extern const struct frob_program frob_program;
 
 int main(int argc, char **argv)
 {
+    struct overrides overrides;
     int status;
     if (ros_is_node(argc, argv, &frob_program, &status))
         return status;
-    return host_run(argc, argv, &frob_program, &frob_ros_driver, &ros_opening);
+    overrides = overrides_of(argc, argv, &frob_program);
+    if (overrides.argv == NULL) {
+        fprintf(stderr, "error: not enough memory\n");
+        return WRONG_USE;
+    }
+    return host_run(overrides.argc, overrides.argv, &frob_program, &frob_ros_driver, &ros_opening);
 }

@@ -30,6 +30,26 @@ Arguments for ROS 2 follow --ros-args, up to a `--`.
   error: wrong argument after --ros-args: Couldn't parse remap rule
   [2]
 
+A parameter of the program:
+
+  $ cat >paced.frob <<END
+  > import Robot
+  > param pace :: Velocity = 0.2[m/s]
+  > main :: DiffDrive o => Program i o
+  > main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))
+  > END
+  $ rm velocities
+  $ frobc run --ros2 paced.frob $patient --for 0.3s --ros-args -p pace:=0.1 -p use_sim_time:=true -p other:=1 >summary
+  warning: use_sim_time is not supported: the steps of paced follow the clock of this machine, not /clock
+  warning: paced has no parameter `other`; --help lists its parameters
+  $ cat velocities
+  0.000 0.000
+  0.100 0.000
+  0.000 0.000
+  $ frobc run --ros2 paced.frob --for 0.3s --ros-args -p pace:=fast
+  error: the parameter `pace` is a number of m/s, not `fast`
+  [2]
+
 Messages of type TwistStamped:
 
   $ run_node 0.3s "" --set stamped=1; cat messages velocities

@@ -134,6 +134,21 @@ def test_remapping():
     base.close()
 
 
+def test_parameter():
+    """An argument for ROS sets a parameter of the program."""
+    with open(os.path.join(FOLDER, "paced.frob"), "w", encoding="utf-8") as file:
+        file.write(
+            "import Robot\n\nparam pace :: Velocity = 0.2[m/s]\n\n"
+            "main :: DiffDrive o => Program i o\n"
+            "main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))\n"
+        )
+    base = robot()
+    run = Run("--ros-args", "-p", "pace:=0.125", program="paced.frob")
+    base.until(lambda: base.v == 0.125, "the robot drives at the pace of the parameter")
+    run.end()
+    base.close()
+
+
 def test_stamped():
     """A setting selects TwistStamped; without it, the node explains how to set it."""
     base = robot(stamped=True)
