@@ -1,5 +1,5 @@
 #!/bin/sh
-# release.sh BUILD: collects what a release consists of in BUILD/release, from the committed sources:
+# release.sh BUILD: collects the files of a release in BUILD/release, from the committed sources:
 # the wheel, the Debian packages frobc and frobc-doc, the documentation as a website, the changes of
 # this version, and the checksums of these files. Builds everything twice, in separate folders, and
 # compares the results byte for byte. Publishes nothing. Run it in the top folder of the project,

@@ -123,7 +123,7 @@ let hint_elsewhere passage =
 (* The hint for a loop that is closed in the library, whose signals have no names. *)
 let hint_within = "put a `delay` or an `integral` into the signal function inside the loop"
 
-(* The signal's initial value: of this type, and likely. *)
+(* A likely initial value of the signal, of this type. *)
 let initial (program : Ir.program) (signal : Ir.signal) =
   match signal.ty with
   | Bool -> "False"

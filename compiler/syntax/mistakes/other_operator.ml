@@ -68,7 +68,7 @@ let negation text first =
 
 let is_pipe text i = char_at text i = '|' && char_at text (i + 1) = '>'
 
-(* Where the expression that contains this offset begins. *)
+(* The start of the expression that contains this offset. *)
 let start_of text at =
   let rec go i depth =
     if i = 0 then 0
