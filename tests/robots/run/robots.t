@@ -55,7 +55,7 @@ option, and a program for a specific robot must be for that one.
   [1]
   $ sed -i s/create/creator/ ahead.toml
   $ frobc run pioneer.frob --world ahead.toml
-  error: ahead.toml:1:9: there is no robot `creator`; the robots are pioneer, scout, create; remove `robot` if the world is for your own robot
+  error: ahead.toml:1:9: there is no robot `creator`; the robots are pioneer, scout, create, ros; remove `robot` if the world is for your own robot
   [2]
 
 A Create senses where the floor ends. A robot without such sensors falls, and stays there.
