@@ -141,7 +141,10 @@ let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
 let tell_unknown t =
   let by_place (a : Diagnostic.t) (b : Diagnostic.t) = Span.compare a.at b.at in
   let told = Hashtbl.create 16 in
-  let key (d : Diagnostic.t) = (d.code, d.message, d.hints, d.notes) in
+  (* the hint for an unknown unit may contain the number before it *)
+  let key (d : Diagnostic.t) =
+    (d.code, d.message, (if String.equal d.code "E0208" then [] else d.hints), d.notes)
+  in
   let all = List.sort_uniq by_place t.unknown in
   let add d =
     match Hashtbl.find_opt told (key d) with

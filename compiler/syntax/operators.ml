@@ -43,13 +43,44 @@ type pending =
 
 let shown (operator : Ir.qualified) = operator.name.text
 
-let literal_exponent (operator : Ir.qualified) (right : term) =
+(* The exponent 0.5, also as `(1 / 2)`. *)
+let rec is_half (t : term) =
+  match t.desc with
+  | Parenthesized t -> is_half t
+  | Number { digits; unit_ = None; _ } -> float_of_string_opt digits = Some 0.5
+  | Expression
+      (Binary
+         {
+           operator = { name = { text = "/"; _ }; _ };
+           left = { desc = Number { digits = one; unit_ = None; _ }; _ };
+           right = { desc = Number { digits = two; unit_ = None; _ }; _ };
+         }) ->
+      float_of_string_opt one = Some 1. && float_of_string_opt two = Some 2.
+  | _ -> false
+
+let literal_exponent (base : term) (operator : Ir.qualified) (right : term) =
+  let error span =
+    Diagnostic.error ~code:"E0117" ~at:span "the exponent of `%s` must be a literal whole number"
+      (shown operator)
+  in
+  let root quote =
+    let span = Span.merge base.span right.span in
+    match quote base.span with
+    | Some text ->
+        let cure = "sqrt " ^ Source.grouped text in
+        error right.span
+        |> Diagnostic.hint (Printf.sprintf "for a square root, write `%s`" cure)
+        |> Diagnostic.write span ("(" ^ cure ^ ")")
+    | None -> error right.span |> Diagnostic.hint "for a square root, write `sqrt (…)`"
+  in
   let reject span =
-    Reject.at ~code:"E0117" span
-      ~hint:
-        "for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x \
-         ** toFloat n`"
-      "the exponent of `%s` must be a literal whole number" (shown operator)
+    if is_half right then Reject.with_text root
+    else
+      Reject.diagnostic
+        (error span
+        |> Diagnostic.hint
+             "for other exponents use `**`, which takes Floats without a unit; for an Int `n` \
+              write `x ** toFloat n`")
   in
   let rec read negative (t : term) =
     match t.desc with
@@ -70,7 +101,7 @@ let apply (left : term) (operator : Ir.qualified) (right : term) : term =
   let desc : Ir.expr_desc =
     match operator with
     | { qualifier = None; name = { text = "^"; _ }; _ } ->
-        let exponent = literal_exponent operator right in
+        let exponent = literal_exponent left operator right in
         Power { base = Term.to_expr left; exponent }
     | { qualifier = None; name = { text = "$"; _ }; _ } ->
         Apply (Term.to_expr left, Term.to_expr right)

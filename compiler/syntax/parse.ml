@@ -19,6 +19,11 @@ type reader = {
   mutable tokens : int;  (** upper bound on the number of tokens in this item *)
 }
 
+let quote reader (span : Span.t) =
+  let sources = Source.create () in
+  Source.add sources ~file:span.file reader.text;
+  Source.quote sources span
+
 let next reader =
   reader.tokens <- reader.tokens + 1;
   Layout.next reader.layout
@@ -60,6 +65,9 @@ let explained reader =
         | checkpoint -> advance before checkpoint
         | exception Reject.Rejected d ->
             Diagnostic.emit reader.sink d;
+            (Failed, skip reader !token)
+        | exception Reject.With_text explain ->
+            Diagnostic.emit reader.sink (explain (quote reader));
             (Failed, skip reader !token)
         | exception Reject.Command { command; block } ->
             Syntax_error.command reader.sink ~text:reader.text ~command ~block !token;
@@ -128,7 +136,9 @@ let item reader =
   | item ->
       reader.cut <- false;
       (Item item, !last)
-  | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _ | Reject.Command _) ->
+  | exception
+      (Quick_grammar.Error | Bad_token | Reject.Rejected _ | Reject.With_text _ | Reject.Command _)
+    ->
       reader.layout <- again;
       explained reader
 

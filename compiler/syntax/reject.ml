@@ -2,8 +2,10 @@ open Basis
 
 exception Rejected of Diagnostic.t
 exception Command of { command : Span.t; block : Lexing.position }
+exception With_text of ((Span.t -> string option) -> Diagnostic.t)
 
 let diagnostic d = raise (Rejected d)
+let with_text explain = raise (With_text explain)
 
 let at ~code span ?hint format =
   Printf.ksprintf

@@ -9,6 +9,13 @@ exception Command of { command : Span.t; block : Lexing.position }
 (** A command with [-<] in the [do] of tasks that starts at [block]. The right message depends on
     the code around that [do]. *)
 
+exception With_text of ((Span.t -> string option) -> Diagnostic.t)
+(** A diagnostic that quotes the source. *)
+
+val with_text : ((Span.t -> string option) -> Diagnostic.t) -> 'a
+(** The function receives the source text of a place, if that is within one line.
+    @raise With_text always *)
+
 val diagnostic : Diagnostic.t -> 'a
 (** @raise Rejected always *)
 

@@ -63,6 +63,6 @@ let is_number text =
   && (n = String.length text || text.[String.length text - 1] = ']')
 
 let grouped text =
-  let joins c = String.contains " +-*/<>=&|$." c in
+  let joins c = String.contains " +-*/<>=&|$.^!" c in
   if is_number text || in_brackets text || not (String.exists joins text) then text
   else "(" ^ text ^ ")"

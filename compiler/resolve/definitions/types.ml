@@ -54,18 +54,19 @@ let with_power (name : Syntax.Ir.name) power d =
   Diagnostic.hint (Printf.sprintf "write the power with `^`: `%s`" power) d
   |> Diagnostic.write name.span power
 
+let explained (scope : Scope.t) (name : Syntax.Ir.name) =
+  let is_unit text = Scope.is_known scope units text in
+  Other_unit.explain ~is_unit ~text:scope.text name.span name.text
+
 let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
-  match power_without_caret scope name with
-  | None when name.text = "C" || name.text = "F" ->
+  match (power_without_caret scope name, explained scope name) with
+  | Some power, _ -> unknown name |> with_power name power |> Context.emit scope.context
+  | None, Some explain -> unknown name |> explain |> Context.emit scope.context
+  | None, None when name.text = "F" ->
       unknown name
-      |> Diagnostic.hint
-           (if name.text = "C" then
-              "use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`; use `A s` for \
-               a coulomb"
-            else "write `A s/V` for a farad")
+      |> Diagnostic.hint "write `A s/V` for a farad, and use kelvin, `K`, for a temperature"
       |> Context.emit scope.context
-  | Some power -> unknown name |> with_power name power |> Context.emit scope.context
-  | None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
+  | None, None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
 
 let factor (scope : Scope.t) ~variable (name, power) =
   match Scope.look scope units name with
@@ -88,6 +89,7 @@ let concrete_unit (scope : Scope.t) u =
            fun d ->
              Diagnostic.hint (Printf.sprintf "the unit is `%s`" symbol) d
              |> Diagnostic.write name.span symbol
+       | None when explained scope name <> None -> Option.get (explained scope name)
        | None when power_without_caret scope name <> None ->
            fun d -> with_power name (Option.get (power_without_caret scope name)) d
        | None -> Diagnostic.note "a unit variable is only allowed in a type")

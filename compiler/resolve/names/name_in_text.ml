@@ -20,6 +20,7 @@ let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\00
 let rec forward is text i = if is (char_at text i) then forward is text (i + 1) else i
 let rec backward is text i = if is (char_at text (i - 1)) then backward is text (i - 1) else i
 let is_of_a_unit c = Character.is_name c || c = '/' || c = '*' || c = '^'
+let is_of_a_name c = Character.is_name c || c = '.'
 let is_of_a_number c = Character.is_digit c || c = '.'
 
 let words_of measure =
@@ -42,6 +43,18 @@ let unit_after_number ~text ~is_unit (span : Span.t) =
   then
     let number = String.sub line start (blank - start) in
     Some { number; measure; whole = on_line span start last; is_first = first = at }
+  else None
+
+let number_with_unit ~text (span : Span.t) =
+  let line = line_of text span in
+  let opening = Span.column span.start - 2 and closing = Span.column span.stop - 1 in
+  let start = backward is_of_a_number line opening in
+  if
+    char_at line opening = '['
+    && char_at line closing = ']'
+    && start < opening
+    && not (Character.is_name (char_at line (start - 1)))
+  then Some (String.sub line start (opening - start), on_line span start (closing + 1))
   else None
 
 let before ~text (span : Span.t) = char_at (line_of text span) (Span.column span.start - 2)
@@ -106,3 +119,31 @@ let definition ~text (span : Span.t) =
       let first = List.hd above in
       (String.sub first 0 (forward Character.is_name first 0), List.mem "where" words))
     (up [] (List.rev before))
+
+let application ~text (span : Span.t) =
+  let line = line_of text span in
+  let rec close i depth =
+    match char_at line i with
+    | '\000' -> None
+    | '(' | '[' -> close (i + 1) (depth + 1)
+    | ')' | ']' -> if depth = 1 then Some (i + 1) else close (i + 1) (depth - 1)
+    | _ -> close (i + 1) depth
+  in
+  let argument i =
+    match char_at line i with
+    | '(' -> close i 0
+    | c when Character.is_digit c ->
+        let stop = forward is_of_a_number line i in
+        if char_at line stop = '[' then close stop 0 else Some stop
+    | c when Character.is_name c -> Some (forward is_of_a_name line i)
+    | _ -> None
+  in
+  let rec arguments found last =
+    let start = forward (Char.equal ' ') line last in
+    match if start = last then None else argument start with
+    | Some stop -> arguments (String.sub line start (stop - start) :: found) stop
+    | None -> (List.rev found, last)
+  in
+  match arguments [] (Span.column span.stop - 1) with
+  | [], _ -> None
+  | found, last -> Some (on_line span (Span.column span.start - 1) last, found)

@@ -13,6 +13,10 @@ val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> uni
 (** The unit after a number that contains the name, if it is written without brackets, as in
     [0.5 m/s]. *)
 
+val number_with_unit : text:string -> Span.t -> (string * Span.t) option
+(** The number before the brackets that contain only this name, and the place of the number with its
+    brackets. *)
+
 val before : text:string -> Span.t -> char
 (** The character before the name. *)
 
@@ -32,3 +36,7 @@ val equation : text:string -> Span.t -> string option
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
     contains a [where]. *)
+
+val application : text:string -> Span.t -> (Span.t * string list) option
+(** The application of the name to arguments on its line, each a name, a number or in parentheses:
+    its place and the texts of the arguments. *)

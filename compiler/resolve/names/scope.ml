@@ -227,8 +227,20 @@ let unit_in_text t space (name : Syntax.Ir.name) =
     Name_in_text.unit_after_number ~text:t.text ~is_unit:(is_known t units) name.span
   else None
 
+(* `pow v 2`, with the arguments of Frob and the name of another language. *)
+let power_in_text t (name : Syntax.Ir.name) =
+  match (name.text, Name_in_text.application ~text:t.text name.span) with
+  | ("pow" | "powf"), Some (whole, [ base; exponent ]) ->
+      Syntax.Other_notation.expression (Printf.sprintf "pow(%s, %s)" base exponent)
+      |> Option.map (fun text -> (whole, text))
+  | _ -> None
+
 let call_in_text t space (name : Syntax.Ir.name) =
-  if String.equal space.noun "name" then Name_in_text.call ~text:t.text name.span else None
+  if not (String.equal space.noun "name") then None
+  else
+    match Name_in_text.call ~text:t.text name.span with
+    | Some call -> Some call
+    | None -> power_in_text t name
 
 let clamp_module = ", with `import Control`"
 

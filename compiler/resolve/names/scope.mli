@@ -71,6 +71,9 @@ val find_size : t -> Syntax.Ir.qualified -> int option
 (** The number that a name in capitals represents in an expression, if it is not a constructor but a
     size: [N], after [type N = 25]. *)
 
+val is_known : t -> 'a Interface.space -> string -> bool
+(** Does the name have a meaning without a qualifier? *)
+
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 (** Looks up an unqualified name. Reports it only if it is ambiguous, not if it is unknown. *)
 

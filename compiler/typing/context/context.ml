@@ -52,6 +52,7 @@ type t = {
   left_operand : (Resolve.Ir.expr * string) option;
   inputs : (string * Type.t) list;
   sources : Source.t;
+  doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
   group : group;
 }
 
@@ -81,6 +82,7 @@ let start reader ~sources ~real =
     left_operand = None;
     inputs = [];
     sources;
+    doubts = Hashtbl.create 8;
     group = new_group ();
   }
 
@@ -105,6 +107,24 @@ let first_use t (x : Ir.Local.t) ~at =
 
 let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
 let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
+
+(* The measure of a unit that contains no variables. *)
+let written_unit t (u : Resolve.Ir.unit_) =
+  let factor product ((f : Resolve.Ir.unit_factor), (power : Syntax.Ir.rational)) =
+    match (product, f) with
+    | Some product, Declared g -> (
+        let { Environment.measure; _ } = Environment.unit_ t.reader.environment g in
+        match
+          Units.power measure (Rational.make power.numerator power.denominator)
+          |> Units.multiply product
+        with
+        | product -> Some product
+        | exception Rational.Out_of_range -> None)
+    | _, Unit_variable _ | None, _ -> None
+  in
+  List.fold_left factor (Some Units.one) u.factors
+
+let type_of_local t x = Option.map (fun (s : Type.scheme) -> s.body) (find_local t x)
 
 let words t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
@@ -174,6 +194,8 @@ let words t =
       inputs = t.inputs;
       needs_class;
       definition;
+      local = type_of_local t;
+      unit_ = written_unit t;
       fields;
       field_of;
       choices;
@@ -205,12 +227,44 @@ let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
           (t.group.told <- key :: t.group.told;
            false))
 
+(* Remembers the signature that a definition contradicts, with its unit and the actual one. *)
+let doubt t (expected : Expected.t) (clash : Unify.clash) =
+  match (expected.because, clash) with
+  | (Signature { at; _ } | Output (Signature { at; _ })), Different_units (wanted, given) ->
+      Hashtbl.replace t.doubts at (wanted, given)
+  | _ -> ()
+
+(* Does the mismatch disappear if a signature that was reported as doubtful gets the actual unit? *)
+let is_doubted t ~subject (expected : Expected.t) (clash : Unify.clash) =
+  let rec signature (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; style = Juxtaposed; _ } -> signature head
+    | Global g ->
+        Option.bind (Resolve.Global_table.find_opt t.bindings g) (fun (b : Resolve.Ir.binding) ->
+            Option.map (fun (s : Resolve.Ir.scheme) -> s.span) b.signature)
+    | _ -> None
+  in
+  let explains e (wanted, given) =
+    match Option.bind (signature e) (Hashtbl.find_opt t.doubts) with
+    | Some (promised, actual) -> Units.equal promised given && Units.equal actual wanted
+    | None -> false
+  in
+  match (clash, expected.because) with
+  | Different_units (wanted, given), Operand { other; _ } ->
+      Option.fold subject ~none:false ~some:(fun e -> explains e (wanted, given))
+      || explains other (given, wanted)
+  | Different_units (wanted, given), _ ->
+      Option.fold subject ~none:false ~some:(fun e -> explains e (wanted, given))
+  | _ -> false
+
 let expect t ?subject ~at (expected : Expected.t) found =
   match Unify.types expected.ty found with
   | Ok () -> ()
+  | Error clash when is_doubted t ~subject expected clash -> t.group.errors <- t.group.errors + 1
   | Error clash ->
       let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
       let d = Mistake.mismatch (words t) owner ~subject ~at ~expected ~found clash in
+      doubt t expected clash;
       if is_told t subject d then t.group.errors <- t.group.errors + 1 else report t (fun _ -> d)
 
 let require t required = t.group.required <- required :: t.group.required

@@ -59,6 +59,9 @@ type t = {
       (** the left operand that is being inferred, if any, and its operator *)
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
   sources : Source.t;
+  doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
+      (** signatures that were reported to contradict their definitions: the unit in the signature
+          and that of the definition *)
   group : group;
 }
 

@@ -313,6 +313,80 @@ let in_units (constructor : Environment.constructor) =
   Printf.sprintf "in a `%s`, the units depend on each other: %s" constructor.tycon.name
     (String.concat ", " (List.filter_map field constructor.ir.fields))
 
+(* The number that a field is set to, with the place of the digits. *)
+let rec number (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { digits; unit_; _ } -> Some (false, digits, unit_, e.span)
+  | Negate e ->
+      Option.map (fun (negative, digits, unit_, at) -> (not negative, digits, unit_, at)) (number e)
+  | _ -> None
+
+(* The whole record with a unit after each number. The written units determine the units of the
+   type; if they leave some open, these become `m` and `m/s`, as an example. *)
+let with_units ctx (constructor : Environment.constructor) ?wanted fields =
+  let environment = ctx.reader.environment in
+  let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
+  let types, result = Environment.fields constructor instance.ty in
+  Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
+  let words = words ctx in
+  let unit_of (name : Syntax.Ir.name) =
+    match Option.map (fun i -> Type.expand (List.nth types i)) (position constructor name.text) with
+    | Some (Type.Number (_, u)) -> Some u
+    | Some _ | None -> None
+  in
+  let numbers = List.map (fun (name, e) -> (name, number e, unit_of name)) fields in
+  let by_written (_, number, unit_) =
+    match (number, unit_) with
+    | Some (_, _, Some written, _), Some u ->
+        Option.iter
+          (fun written -> ignore (Units.unify u written))
+          (Show.unit_written words written)
+    | _ -> ()
+  in
+  List.iter by_written numbers;
+  let base name = (Environment.unit_ environment (Environment.built_in name)).measure in
+  let units = match Type.expand result with Data { units; _ } -> units | _ -> [] in
+  let is_example = List.exists Units.is_open units in
+  let choose i u =
+    if Units.is_open u then
+      ignore (Units.unify u (if i = 0 then base "m" else Units.divide (base "m") (base "s")))
+  in
+  List.iteri choose units;
+  let field ((name : Syntax.Ir.name), number, unit_) =
+    match (number, unit_) with
+    | Some (negative, digits, _, at), Some u when not (Units.is_open u) ->
+        let measure = Show.measure words u in
+        let is_zero = float_of_string_opt digits = Some 0. in
+        let literal =
+          if is_zero || String.equal measure "1" then digits
+          else Printf.sprintf "%s[%s]" digits measure
+        in
+        let edit = if String.equal literal digits then None else Some (at, literal) in
+        Some (Printf.sprintf "%s = %s%s" name.text (if negative then "-" else "") literal, edit)
+    | _ -> None
+  in
+  let written = List.map field numbers in
+  if List.mem None written || List.exists Units.is_open units then None
+  else
+    let all = List.filter_map Fun.id written in
+    let record =
+      Printf.sprintf "%s { %s }" constructor.ir.constructor.name
+        (String.concat ", " (List.map fst all))
+    in
+    let text =
+      if is_example then
+        Printf.sprintf "give all its numbers their units: for a `%s`, for example, write `%s`"
+          (Show.type_ words result) record
+      else Printf.sprintf "give all its numbers their units: `%s`" record
+    in
+    let edits =
+      List.filter_map
+        (fun ((_, number, _), edit) ->
+          match (number, edit) with Some (_, _, None, _), Some edit -> Some edit | _ -> None)
+        (List.combine numbers (List.map snd all))
+    in
+    Some (text, edits)
+
 let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
   let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
@@ -323,11 +397,22 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let before = errors ctx in
   let several = List.compare_length_with constructor.scheme.units 1 > 0 in
   let units = if several then Some (in_units constructor) else None in
+  (* wanted units that are still open will depend on the wrong numbers *)
+  let wanted =
+    match Option.map Type.expand wanted with
+    | Some (Type.Data { units; _ } as t) when not (List.exists Units.is_open units) -> Some t
+    | Some _ | None -> None
+  in
+  let whole value =
+    match number value with
+    | Some (_, _, None, _) when several -> lazy (with_units ctx constructor ?wanted fields)
+    | _ -> lazy None
+  in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
     (* after one field with a wrong unit, the others would seem wrong too *)
     let ty = if several && errors ctx > before then Type.Erroneous else types.(index) in
-    let because = Expected.Field { name = name.text; at = name.span; units } in
+    let because = Expected.Field { name = name.text; at = name.span; units; whole = whole value } in
     (index, expressions.check ctx value { ty; because })
   in
   let fields = List.map field fields in
@@ -398,13 +483,18 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
       List.iter
         (fun ((name : Syntax.Ir.name), (value : Resolve.Ir.expr), ty) ->
           expect ctx ~subject:value ~at:value.span
-            { ty = types name; because = Field { name = name.text; at = name.span; units = None } }
+            {
+              ty = types name;
+              because = Field { name = name.text; at = name.span; units = None; whole = lazy None };
+            }
             ty)
         values);
   let values =
     List.map
       (fun ((name : Syntax.Ir.name), value, ty) ->
-        let because = Expected.Field { name = name.text; at = name.span; units = None } in
+        let because =
+          Expected.Field { name = name.text; at = name.span; units = None; whole = lazy None }
+        in
         (name, expressions.check ctx value { ty; because }))
       values
   in

@@ -13,14 +13,20 @@ type bound = {
 
 let nothing_bound () = { types = []; units = [] }
 
+(* Two wanted units may depend on each other, such as `u` and `u/s`. *)
 let units_agree bound wanted given =
+  let fits (u, earlier) =
+    Units.is_open earlier || Units.is_open given
+    ||
+    let ratio = Units.divide wanted u in
+    Units.is_open ratio || Units.equal ratio (Units.divide given earlier)
+  in
   if not (Units.is_open wanted) then Units.is_open given || Units.equal wanted given
   else
-    match List.find_opt (fun (u, _) -> Units.equal u wanted) bound.units with
-    | Some (_, earlier) -> Units.is_open earlier || Units.is_open given || Units.equal earlier given
-    | None ->
-        bound.units <- (wanted, given) :: bound.units;
-        true
+    List.for_all fits bound.units
+    &&
+    (bound.units <- (wanted, given) :: bound.units;
+     true)
 
 (* Could an argument of type [given] be meant where [wanted] is expected? All occurrences of a
    variable in the wanted types must agree; [bound] records their bindings. *)

@@ -8,8 +8,6 @@ let angle : Resolve.Ir.unit_ option -> string option = function
   | Some { factors = [ (Declared { name = ("deg" | "rad") as name; _ }, _) ]; _ } -> Some name
   | Some _ | None -> None
 
-let is_per_second words u = String.equal (Show.measure words u) "1/s"
-
 let is_angular_velocity (t : Type.t) =
   match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
@@ -69,6 +67,7 @@ let literal words (e : Resolve.Ir.expr) =
               at;
               name = Some x.name;
               signature = None;
+              of_record = false;
             }
       | _ -> None)
   | Negate _ -> None
@@ -87,7 +86,8 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
     | Some { digits; unit_ = None; at; name; _ }
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
         Some (with_unit words ~ty ~at digits unit_, at, name)
-    | Some { digits; unit_ = written; at; name; _ } when is_per_second words unit_ ->
+    | Some { digits; unit_ = written; at; name; _ } when Unit_conversion.is_per_second words unit_
+      ->
         let per_second angle =
           let text = Printf.sprintf "%s[%s/s]" digits angle in
           let cure d =
@@ -111,7 +111,7 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   | None when is_one given && several <> [] && not (Units.is_open wanted) ->
       let unit_ =
         match several with
-        | (_, written, _) :: _ when is_per_second words wanted ->
+        | (_, written, _) :: _ when Unit_conversion.is_per_second words wanted ->
             Option.fold (angle written) ~none:"deg/s" ~some:(fun angle -> angle ^ "/s")
         | _ -> Show.measure words wanted
       in
@@ -127,155 +127,6 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   | Some (cure, _, None) -> cure diagnostic
   | Some (cure, at, Some name) ->
       label ~at (Printf.sprintf "`%s` is this number" name) diagnostic |> cure
-
-(* The unitless number literals among the arguments, which determine the unit of the function's
-   result. *)
-let numbers_without_units words (e : Resolve.Ir.expr option) =
-  let rec arguments found (e : Resolve.Ir.expr) =
-    match e.desc with
-    | Apply { head; argument; style = Juxtaposed } -> arguments (argument :: found) head
-    | _ -> (e, found)
-  in
-  let plain e =
-    match literal words e with
-    | Some { digits; unit_ = None; name = None; _ } -> Some digits
-    | Some _ | None -> None
-  in
-  match Option.map (arguments []) e with
-  | Some ({ desc = Global { name = "knob" | "min" | "max" | "clamp" | "limit" | "abs"; _ }; _ }, es)
-    ->
-      List.filter_map plain es
-  | _ -> []
-
-let is_operand (expected : Expected.t) =
-  match expected.because with Operand _ -> true | _ -> false
-
-(* The source text of the expression with this change. In a command, the change applies to the input
-   if the signal function is `returnA`, and otherwise to a name for the output. *)
-let changed words (subject : Resolve.Ir.expr option) change =
-  let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
-  match subject with
-  | Some { desc = Apply { head = { desc = Global g; _ }; argument; style = Command }; _ }
-    when String.equal g.name "returnA" ->
-      "returnA -< " ^ change (Option.fold (quote argument) ~none:"e" ~some:Source.grouped)
-  | Some ({ desc = Apply { style = Command; _ }; _ } as e) ->
-      Printf.sprintf "y <- %s`, then `returnA -< %s"
-        (Option.value (quote e) ~default:"sf -< x")
-        (change "y")
-  | subject -> change (Option.fold (Option.bind subject quote) ~none:"e" ~some:Source.grouped)
-
-(* Suggests how to give two operands the same unit if one of them has none. *)
-let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
-  match expected.because with
-  | Operand { other; _ } ->
-      let divided e u = changed words (Some e) (fun e -> Printf.sprintf "%s / 1[%s]" e u) in
-      let multiplied e u = changed words (Some e) (fun e -> Printf.sprintf "%s * 1[%s]" e u) in
-      let right = Option.value subject ~default:other in
-      let quantity, plain, unit_ =
-        if Units.equal wanted Units.one then (right, other, given) else (other, right, wanted)
-      in
-      let unit_ = Show.measure words unit_ in
-      hint
-        (Printf.sprintf "divide by the unit, `%s`, or multiply the plain number by it: `%s`"
-           (divided quantity unit_) (multiplied plain unit_))
-        d
-  | _ -> d
-
-(* Is it the signal of a `delay`? Then its initial value is the likely mistake. *)
-let is_delayed (expected : Expected.t) =
-  match expected.because with Parameter { callee = Some "delay"; _ } -> true | _ -> false
-
-(* One of the units is 1, and the expression is not a literal. *)
-let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
-  if
-    Units.equal given Units.one
-    && (not (is_operand expected || is_delayed expected))
-    && subject <> None
-  then
-    let unit_ = Show.measure words wanted in
-    hint
-      (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`" unit_
-         (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_)))
-      diagnostic
-  else operands words ~subject ~expected (wanted, given) diagnostic
-
-let rec is_of_time (e : Resolve.Ir.expr option) =
-  match e with
-  | Some { desc = Global { name = "time"; _ }; _ } -> true
-  | Some { desc = Apply { head; argument; _ }; _ } ->
-      is_of_time (Some head) || is_of_time (Some argument)
-  | Some _ | None -> false
-
-(* Suggests how to convert one quantity to the other. *)
-let conversion words ~subject ~expected (wanted, given) diagnostic =
-  let factor = Show.measure words (Units.divide wanted given) in
-  let with_e format = changed words subject (Printf.sprintf format) in
-  let written =
-    match subject with
-    | Some { desc = Number n; span } -> Some (n.digits, span)
-    | Some _ | None -> None
-  in
-  let plain = written = None && numbers_without_units words subject <> [] in
-  if Units.is_open wanted || Units.is_open given then diagnostic
-  else if
-    List.mem
-      (Show.measure words wanted, Show.measure words given)
-      [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
-  then
-    hint
-      (Printf.sprintf "to convert between a rate and a time, write `%s`" (with_e "1 / %s"))
-      diagnostic
-  else if Units.equal given Units.one && plain then
-    let digits = List.hd (numbers_without_units words subject) in
-    let unit_ = Show.measure words wanted in
-    hint (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_) diagnostic
-  else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
-    hint
-      (Printf.sprintf "multiply the plain number by a unit or a gain in `1/s`, as in `%s`"
-         (with_e "1[1/s] * %s"))
-      diagnostic
-  else if
-    Units.equal wanted Units.one && diagnostic.hints = [] && written = None
-    && not (is_operand expected)
-  then
-    let unit_ = Show.measure words given in
-    hint
-      (Printf.sprintf "to get a plain number, divide by the unit: `%s`"
-         (changed words subject (fun e -> Printf.sprintf "%s / 1[%s]" e unit_)))
-      diagnostic
-  else if Units.equal given Units.one || Units.equal wanted Units.one then
-    if diagnostic.hints = [] && written = None then
-      with_a_unit words ~subject ~expected (wanted, given) diagnostic
-    else diagnostic
-  else if written <> None then
-    let digits, at = Option.get written in
-    let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
-    hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic |> write at text
-  else if Units.equal (Units.multiply given given) wanted && is_operand expected then
-    let text = with_e "%s ^ 2" in
-    hint (Printf.sprintf "write `%s`, which has that unit" text) diagnostic
-    |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
-           fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
-  else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
-    let text = with_e "sqrt %s" in
-    hint (Printf.sprintf "write `%s`, which has that unit" text) diagnostic
-    |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
-           fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
-  else if String.equal factor "1/s" || String.equal factor "Hz" then
-    hint
-      (Printf.sprintf "multiply by a gain, as in `%s`, or, for the rate of change, write `%s`"
-         (with_e "0.5[1/s] * %s") (with_e "derivative %s"))
-      diagnostic
-  else if String.equal factor "s" then
-    hint
-      (Printf.sprintf "multiply by a time, as in `%s`, or, for the sum over time, write `%s`"
-         (with_e (if is_of_time subject then "time () * %s" else "1[s] * %s"))
-         (with_e "integral %s"))
-      diagnostic
-  else
-    match Lacking_unit_mistake.of_operands words ~subject ~expected (wanted, given) with
-    | Some complete when diagnostic.hints = [] -> complete diagnostic
-    | Some _ | None -> diagnostic
 
 (* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =
@@ -419,7 +270,10 @@ let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, gi
   | (Signature _ | Output (Signature _)), Some e
     when d.hints = []
          && runs words (match expected.because with Signature _ -> subject | _ -> None) = None
-         && is_of_functions words e
+         && (is_of_functions words e
+            || Formula.is_product words e
+               && (not (Formula_mistake.is_of_square words ~subject (wanted, given)))
+               && Formula_mistake.power words ~subject ~expected (wanted, given) = None)
          && not (Units.is_open wanted || Units.is_open given) ->
       let d = if is_whole given then hint_for_signature words ~expected ~found d else d in
       Some (root words ~subject (wanted, given) d)
@@ -429,8 +283,9 @@ let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, gi
 let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   match subject with
   | Some (e : Resolve.Ir.expr)
-    when diagnostic.hints = [] && is_per_second words wanted
-         && not (is_operand expected || Units.is_open given) ->
+    when diagnostic.hints = []
+         && Unit_conversion.is_per_second words wanted
+         && not (Unit_conversion.is_operand expected || Units.is_open given) ->
       let text = Option.value (Show.quote words e.span) ~default:"e" in
       hint
         (Printf.sprintf "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
@@ -451,6 +306,33 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
       |> write at digits
   | _ -> d
 
+let first_of rules = List.find_map (fun rule -> rule ()) rules
+
+(* The rules that make all other hints unnecessary. [is_first]: there is no hint yet. *)
+let certain words ~subject ~expected ~is_first units =
+  let operand = Unit_conversion.is_operand expected in
+  first_of
+    [
+      (fun () -> Function_unit_mistake.complete words ~subject ~expected units);
+      (fun () -> if operand then Formula_mistake.root words ~subject ~expected units else None);
+      (fun () ->
+        if is_first then Lacking_unit_mistake.complete words ~subject ~expected units else None);
+      (fun () -> Lacking_unit_mistake.of_a_difference words ~subject units);
+      (fun () -> Formula_mistake.rate words ~subject ~expected units);
+      (fun () -> if operand then None else Lacking_unit_mistake.of_the_inverse words ~subject units);
+    ]
+
+(* The rules that come before the hint for the signature. *)
+let likely words ~subject ~expected units =
+  first_of
+    [
+      (fun () ->
+        if Unit_conversion.is_operand expected then None
+        else Formula_mistake.root words ~subject ~expected units);
+      (fun () -> Formula_mistake.power words ~subject ~expected units);
+      (fun () -> Lacking_unit_mistake.of_a_literal words ~likely:true ~subject ~expected units);
+    ]
+
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
@@ -469,25 +351,10 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
   let is_of_numbers = is_number expected.ty && is_number found in
-  let of_a_literal likely =
-    Lacking_unit_mistake.of_a_literal words ~likely ~subject ~expected (wanted, given)
-  in
-  let advice = of_a_literal true in
   let certain =
-    List.find_map
-      (fun rule -> rule ())
-      [
-        (fun () -> Function_unit_mistake.complete words ~subject ~expected (wanted, given));
-        (fun () ->
-          if diagnostic.hints = [] then
-            Lacking_unit_mistake.complete words ~subject ~expected (wanted, given)
-          else None);
-        (fun () -> Lacking_unit_mistake.of_a_difference words ~subject (wanted, given));
-        (fun () ->
-          if is_operand expected then None
-          else Lacking_unit_mistake.of_the_inverse words ~subject (wanted, given));
-      ]
+    certain words ~subject ~expected ~is_first:(diagnostic.hints = []) (wanted, given)
   in
+  let advice = likely words ~subject ~expected (wanted, given) in
   if is_of_numbers && certain <> None then
     (Option.get certain) { diagnostic with hints = []; fixes = [] }
   else if is_of_numbers && diagnostic.hints = [] && advice <> None then
@@ -497,12 +364,21 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     let first = against_signature words ~subject ~expected ~found (wanted, given) diagnostic in
     let is_signature = first <> None in
     let diagnostic = Option.value first ~default:diagnostic in
-    conversion words ~subject ~expected (wanted, given)
+    Unit_conversion.suggest words ~subject ~expected (wanted, given)
       (if is_signature then { diagnostic with hints = [] } else diagnostic)
-    |> (fun d -> if is_signature then { d with hints = diagnostic.hints @ d.hints } else d)
+    |> (fun d ->
+    match expected.because with
+    | _ when not is_signature -> d
+    | Output _ when String.equal (Show.measure words (Units.divide wanted given)) "s" ->
+        { d with hints = d.hints @ diagnostic.hints }
+    | _ -> { d with hints = diagnostic.hints @ d.hints })
     |> by_time ~expected
     |> (fun d ->
-    match of_a_literal false with Some complete when d.hints = [] -> complete d | _ -> d)
+    match
+      Lacking_unit_mistake.of_a_literal words ~likely:false ~subject ~expected (wanted, given)
+    with
+    | Some complete when d.hints = [] -> complete d
+    | _ -> d)
     |> factor_without_unit words ~subject (wanted, given)
     |> (if is_signature then Fun.id
         else signature_of_this words ~subject ~expected ~found (wanted, given))
@@ -515,6 +391,12 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
         match Lacking_unit_mistake.of_an_argument words ~subject (wanted, given) with
         | Some complete -> complete diagnostic
         | None -> without_brackets words (wanted, given) diagnostic))
+    |> (fun d ->
+    match expected.because with
+    | (Signature _ | Output (Signature _))
+      when d.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
+        hint_for_signature words ~expected ~found d
+    | _ -> d)
     |> note
          (Printf.sprintf "expected %s, found %s"
             (Show.described words expected.ty)

@@ -27,7 +27,12 @@ type reason =
   | Statement of Span.t option
   | Last_statement of reason
   | Uses of { name : string; at : Span.t }
-  | Field of { name : string; at : Span.t; units : string option }
+  | Field of {
+      name : string;
+      at : Span.t;
+      units : string option;
+      whole : (string * (Span.t * string) list) option Lazy.t;
+    }
   | Output of reason
 
 type t = { ty : Type.t; because : reason }
@@ -102,8 +107,12 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
         diagnostic
       |> decided words decided_by
   | Output reason -> explain_reason words reason expected diagnostic
-  | Field { name; at; units } ->
-      Option.fold units ~none:Fun.id ~some:note diagnostic
+  | Field { name; at; units; whole } ->
+      (match if String.equal diagnostic.code "E0320" then Lazy.force whole else None with
+      | Some (text, edits) ->
+          hint text { diagnostic with hints = []; fixes = [] }
+          |> fix "give the numbers their units" edits
+      | None -> Option.fold units ~none:Fun.id ~some:note diagnostic)
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
 
 (* If there is no better place to point at, labels the place where the variable is bound. *)

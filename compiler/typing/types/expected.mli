@@ -44,6 +44,8 @@ type reason =
       name : string;
       at : Span.t;
       units : string option;  (** how the units of the record's fields are related *)
+      whole : (string * (Span.t * string) list) option Lazy.t;
+          (** the hint that writes the units of all the fields, and its edits *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

@@ -111,6 +111,8 @@ type place = {
   inputs : (string * Type.t) list;
   needs_class : Type.t -> bool;
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
+  local : Resolve.Ir.Local.t -> Type.t option;
+  unit_ : Resolve.Ir.unit_ -> Units.t option;
   fields : Type.t -> (string * string list) option;
   field_of : Type.t -> of_:Type.t -> string option;
   choices : Type.t -> string list;
@@ -125,6 +127,8 @@ let nowhere =
     inputs = [];
     needs_class = (fun _ -> false);
     definition = (fun _ -> None);
+    local = (fun _ -> None);
+    unit_ = (fun _ -> None);
     fields = (fun _ -> None);
     field_of = (fun _ ~of_:_ -> None);
     choices = (fun _ -> []);
@@ -153,6 +157,8 @@ let quote words (at : Span.t) =
 
 let needs_class words t = words.place.needs_class t
 let definition words x = words.place.definition x
+let local words x = words.place.local x
+let unit_written words u = words.place.unit_ u
 let binding words g = words.place.binding g
 let declared_type words g = words.place.declared g
 let inputs words = words.place.inputs

@@ -27,6 +27,8 @@ type place = {
   needs_class : Type.t -> bool;  (** does some use require a class for this type? *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
       (** the value of a local variable without parameters *)
+  local : Resolve.Ir.Local.t -> Type.t option;  (** the type of a local variable *)
+  unit_ : Resolve.Ir.unit_ -> Units.t option;  (** a written unit without variables *)
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   field_of : Type.t -> of_:Type.t -> string option;
@@ -47,6 +49,8 @@ val quote : words -> Span.t -> string option
 
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
+val local : words -> Resolve.Ir.Local.t -> Type.t option
+val unit_written : words -> Resolve.Ir.unit_ -> Units.t option
 val binding : words -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
 val declared_type : words -> Resolve.Ir.Global.t -> Type.t option
 

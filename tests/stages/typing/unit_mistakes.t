@@ -140,7 +140,7 @@ or for a related one.
   5 | square x = x * x
     |            ^^^^^ this is `Float[u^2]`
     |
-    = hint: write `sqrt (x * x)`, which has that unit
+    = hint: for the square root, write `sqrt (x * x)`
     = hint: if this is the right result, write the signature as `square :: Float[u] -> Float[u^2]`
   
   2 errors

@@ -6,8 +6,26 @@ let of_a_number fact =
       Option.map (hinted fact) (Representation_mistake.makes name (grouped fact "x"))
   | _ -> None
 
+let is_operator fact =
+  match fact.expected.because with
+  | Parameter { callee = Some name; _ } -> (
+      match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> false | _ -> true)
+  | _ -> false
+
 let of_a_text fact =
   match (fact.wanted, fact.given) with
+  | Number (_, u), String
+    when (not (Units.is_open u))
+         &&
+         match fact.expected.because with
+         | Signature _ | Output _ | Branch _ | Parameter _ | Field _ -> not (is_operator fact)
+         | _ -> false ->
+      let zero =
+        match Show.measure fact.words u with "1" -> "0" | unit_ -> Printf.sprintf "0[%s]" unit_
+      in
+      Some
+        (hinted fact
+           (Printf.sprintf "a text is only a label: write a number, such as `%s`, in its place" zero))
   | Number _, String ->
       Some (hinted fact "a text is only a label: you cannot compute with it or join two texts")
   | _ -> None

@@ -80,6 +80,51 @@ let taken_apart fact given =
       hint (Printf.sprintf "write the pattern as `(%s)`" names)
   | _ -> Fun.id
 
+let ordinal n =
+  match List.nth_opt [ "first"; "second"; "third"; "fourth"; "fifth"; "sixth" ] n with
+  | Some text -> text
+  | None -> string_of_int (n + 1) ^ "th"
+
+let without i list = List.filteri (fun j _ -> i <> j) list
+
+(* Names the only part of the longer list that the shorter one lacks, by the types of the parts. *)
+let odd_part fact wanted given =
+  let text t =
+    match Type.expand t with
+    | Type.Number (_, u) -> "number of " ^ Show.measure fact.words u
+    | t -> Show.type_ fact.words t
+  in
+  let odd longer shorter =
+    let fits i _ = List.for_all2 (fun a b -> text a = text b) (without i longer) shorter in
+    let places =
+      List.mapi (fun i t -> (i, t, fits i t)) longer |> List.filter (fun (_, _, fits) -> fits)
+    in
+    match places with
+    | [ (i, t, _) ] ->
+        Some (Some i, Printf.sprintf "the %s part, %s," (ordinal i) (Show.described fact.words t))
+    | (_, t, _) :: _ ->
+        Some
+          ( None,
+            if Show.is_any_number t then "a number"
+            else Printf.sprintf "a part of type %s" (Show.described fact.words t) )
+    | [] -> None
+  in
+  match List.compare_lengths wanted given with
+  | 1 when List.compare_length_with given (List.length wanted - 1) = 0 ->
+      Option.map (fun (_, part) -> hint (Printf.sprintf "%s is missing" part)) (odd wanted given)
+  | -1 when List.compare_length_with wanted (List.length given - 1) = 0 ->
+      Option.map
+        (fun (i, part) ->
+          match (i, fact.subject, all (elements fact)) with
+          | Some i, Some { desc = Tuple _; span }, Some texts ->
+              let text = "(" ^ String.concat ", " (without i texts) ^ ")" in
+              fun d ->
+                hint (Printf.sprintf "%s is one too many: write `%s`" part text) d
+                |> write span text
+          | _ -> hint (part ^ " is one too many"))
+        (odd given wanted)
+  | _ -> None
+
 let of_another_length fact =
   match (fact.wanted, fact.given) with
   | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given) when List.compare_lengths wanted given <> 0 ->
@@ -88,7 +133,12 @@ let of_another_length fact =
       |> (match fact.subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (found_text fact)))
-      |> taken_apart fact given |> Option.some
+      |> (fun d ->
+      match (taken_apart fact given d, fact.subject) with
+      | d, Some { desc = Tuple _; _ } when d.hints = [] ->
+          Option.value (odd_part fact wanted given) ~default:Fun.id d
+      | d, _ -> d)
+      |> Option.some
   | _ -> None
 
 let written_as_an_array fact =

@@ -7,6 +7,7 @@ type t = {
   at : Span.t;
   name : string option;
   signature : Span.t option;
+  of_record : bool;
 }
 
 (* The definition of a name without parameters, and its signature. Constants of other files are left
@@ -39,18 +40,54 @@ let rec number (e : Resolve.Ir.expr) =
 let literal words (e : Resolve.Ir.expr) =
   match number e with
   | Some (digits, negative, unit_, at) ->
-      Some { digits; negative; unit_; at; name = None; signature = None }
+      Some { digits; negative; unit_; at; name = None; signature = None; of_record = false }
   | None -> (
       match definition words e with
       | Some (name, value, signature) ->
           Option.map
             (fun (digits, negative, unit_, at) ->
-              { digits; negative; unit_; at; name = Some name; signature })
+              { digits; negative; unit_; at; name = Some name; signature; of_record = false })
             (number value)
       | None -> None)
 
+(* The literal that is the field of a constant record, as in `gains.kp`. *)
+let field words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Field { record; field; _ } -> (
+      match definition words record with
+      | Some (_, { desc = Record { fields; _ }; _ }, _) ->
+          let is_it ((name : Syntax.Ir.name), _) = String.equal name.text field.text in
+          Option.bind (List.find_opt is_it fields) (fun (_, value) -> number value)
+          |> Option.map (fun (digits, negative, unit_, at) ->
+                 {
+                   digits;
+                   negative;
+                   unit_;
+                   at;
+                   name = Some field.text;
+                   signature = None;
+                   of_record = true;
+                 })
+      | Some _ | None -> None)
+  | _ -> None
+
 (* Maximum length of a chain of names. *)
 let deepest = 6
+
+(* A function or signal function whose result has the unit of its last argument, while no other
+   argument has that unit. *)
+let keeps_the_unit (head : Resolve.Ir.expr) =
+  match head.desc with
+  | Global { name = "abs" | "previous"; _ } -> true
+  | Apply
+      {
+        head =
+          { desc = Global { name = "lowPass" | "highPass" | "delayBy" | "movingAverage"; _ }; _ };
+        style = Juxtaposed;
+        _;
+      } ->
+      true
+  | _ -> false
 
 (* The factors that [select] accepts, each with its exponent: in a product only the first one, in a
    sum one for each operand. *)
@@ -76,6 +113,8 @@ let factors words ~select e =
             | left, right -> left @ right)
         | _ -> [])
     | None, Negate e -> of_expr depth power e
+    | None, Apply { head; argument; style = Juxtaposed } when keeps_the_unit head ->
+        of_expr depth power argument
     | None, (Local _ | Global _) when depth < deepest -> (
         match definition words e with
         | Some (_, value, None) -> of_expr (depth + 1) power value
@@ -86,9 +125,11 @@ let factors words ~select e =
 
 let factor words e =
   let select words e =
-    match literal words e with
-    | Some ({ unit_ = None; name = Some _; _ } as found) -> Some found
-    | Some _ | None -> None
+    match (literal words e, field words e) with
+    | Some ({ unit_ = None; name = Some _; _ } as found), _
+    | None, Some ({ unit_ = None; _ } as found) ->
+        Some found
+    | _ -> None
   in
   factors words ~select e
 
@@ -103,7 +144,7 @@ let written_factor words e =
 let value words e =
   match definition words e with Some (_, value, None) -> value | Some _ | None -> e
 
-let give words { digits; negative; at; name; signature; _ } unit_ d =
+let give words { digits; negative; at; name; signature; of_record; _ } unit_ d =
   let literal = Printf.sprintf "%s[%s]" digits unit_ in
   let text = if negative then "-" ^ literal else literal in
   let float = Printf.sprintf "Float[%s]" unit_ in
@@ -111,6 +152,13 @@ let give words { digits; negative; at; name; signature; _ } unit_ d =
   | None ->
       Diagnostic.hint (Printf.sprintf "write `%s` if that is its unit" text) d
       |> Diagnostic.write at literal
+  | Some name when of_record ->
+      Diagnostic.label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "give the field `%s` its unit: `%s = %s`, and `%s :: %s` in the declaration of the \
+               record"
+              name name text name float)
   | Some name ->
       (* a `param` has its signature and its value on one line *)
       let cure, edits =

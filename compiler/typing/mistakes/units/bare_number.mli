@@ -9,6 +9,7 @@ type t = {
   at : Span.t;  (** the literal *)
   name : string option;  (** the constant or local name that is defined as the literal *)
   signature : Span.t option;  (** the signature of the constant *)
+  of_record : bool;  (** [name] is a field, whose declaration has the unit too *)
 }
 
 val literal : Show.words -> Resolve.Ir.expr -> t option
@@ -17,7 +18,8 @@ val literal : Show.words -> Resolve.Ir.expr -> t option
 val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The named constants without a unit that scale this expression, each with its exponent, 1 or -1.
     In a product, only the first one counts; in a sum, one for each operand. Empty if some operand
-    of the sum has none. Looks through the definitions of names. *)
+    of the sum has none. Looks through the definitions of names and the fields of constant records.
+*)
 
 val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The same for number literals that are written in the expression itself, with or without a unit.

@@ -106,13 +106,14 @@ let whole_numbers words ~(expected : Expected.t) ~found =
                (Printf.sprintf
                   "`div` is for whole numbers: write `%s / %s`, or `floor (%s / %s)` for an `Int`" x
                   y x y))
-      | "mod", Some x, _ when is_angle found || has_an_angle b ->
+      | "mod", Some x, Some y when is_angle found || has_an_angle b ->
           Some
             (hint
                (Printf.sprintf
                   "`mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle \
-                   %s`, with `import Geometry`"
-                  x))
+                   %s`, with `import Geometry`; for one from 0 on, `%s - %s * floorFloat (%s / \
+                   %s)`"
+                  x x y x y))
       | "mod", Some x, Some y ->
           Some
             (hint

@@ -85,44 +85,49 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
   if Units.is_open wanted || Units.is_open given then None
   else List.find_map cure (sides ~subject ~expected (wanted, given))
 
-(* `x - delay 0 x` in place of a rate. *)
-let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
-  let text (e : Resolve.Ir.expr) = Show.quote words e.span in
-  match Option.map (Bare_number.value words) subject with
-  | Some
-      {
-        desc =
-          Apply
-            {
-              head =
-                {
-                  desc = Apply { head = { desc = Global { name = "-"; _ }; _ }; argument = x; _ };
-                  _;
-                };
-              argument = before;
-              _;
-            };
-        _;
-      }
-    when List.mem (Show.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] -> (
-      match ((Bare_number.value words before).desc, text x) with
-      | ( Apply
-            {
-              head = { desc = Apply { head = { desc = Global { name = "delay"; _ }; _ }; _ }; _ };
-              argument;
-              _;
-            },
-          Some x )
-        when text argument = Some x ->
-          let cure = "derivative " ^ Source.grouped x in
-          Some
-            (hint
-               (Printf.sprintf
-                  "for the rate of change, write `%s`, which divides the difference by the length \
-                   of the step"
-                  cure))
+(* The signal [x] of a difference [x - delay 0 x] or [x - previous x]. *)
+let difference words (e : Resolve.Ir.expr) =
+  match Formula.binary (Bare_number.value words e) with
+  | Some ("-", x, before) -> (
+      match (Bare_number.value words before).desc with
+      | Apply { head; argument; style = Juxtaposed } -> (
+          match head.desc with
+          | Global { name = "previous"; _ }
+          | Apply { head = { desc = Global { name = "delay"; _ }; _ }; _ }
+            when Formula.text words argument <> None
+                 && Formula.text words argument = Formula.text words x ->
+              Formula.grouped words x
+          | _ -> None)
       | _ -> None)
   | _ -> None
+
+(* `x - delay 0 x` in place of a rate, also divided by a number for the length of the step. *)
+let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  let signal e =
+    let e = Bare_number.value words e in
+    match (difference words e, Formula.binary e) with
+    | Some x, _ -> Some x
+    | None, Some (("/" | "*"), a, b) when Bare_number.literal words b <> None -> difference words a
+    | None, Some ("*", a, b) when Bare_number.literal words a <> None -> difference words b
+    | None, _ -> None
+  in
+  match subject with
+  | Some e when List.mem (Show.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] ->
+      let cure x =
+        let cure = "derivative " ^ x in
+        fun d ->
+          hint
+            (Printf.sprintf
+               "for the rate of change, write `%s`, which divides the difference by the length of \
+                the step"
+               cure)
+            d
+          |> fix
+               (Printf.sprintf "write `%s`" cure)
+               [ ((Bare_number.value words e).span, "(" ^ cure ^ ")") ]
+      in
+      Option.map cure (signal e)
+  | Some _ | None -> None
 
 (* `v + t`, where the product of the operands is a plain quantity. *)
 let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
@@ -198,49 +203,42 @@ let rec literals words (e : Resolve.Ir.expr) =
       | _ -> literals words argument)
   | _ -> []
 
-let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
-  match Option.map (literals words) subject with
-  | Some [ ({ unit_ = None; name = None; _ } as number) ]
-    when is_one given && not (Units.is_open wanted) ->
-      Some (Bare_number.give words number (Show.measure words wanted))
-  | Some _ | None -> None
+(* The named constants without a unit that scale one of the arguments of an application. *)
+let rec scaled words (e : Resolve.Ir.expr) =
+  match Bare_number.factor words e with
+  | [] -> (
+      match (Bare_number.value words e).desc with
+      | Apply { head; argument; style = Juxtaposed } -> (
+          match scaled words argument with
+          | [] -> ( match head.desc with Apply _ -> scaled words head | _ -> [])
+          | found -> found)
+      | _ -> [])
+  | found -> found
 
-(* `v * r` in place of `v / r`, for an input [r]. *)
+let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  let constants =
+    if Units.is_open wanted || Units.is_open given then []
+    else Option.fold subject ~none:[] ~some:(scaled words)
+  in
+  if constants <> [] then Some (fun d -> List.fold_left (give words (wanted, given)) d constants)
+  else
+    match Option.map (literals words) subject with
+    | Some [ ({ unit_ = None; name = None; _ } as number) ]
+      when is_one given && not (Units.is_open wanted) ->
+        Some (Bare_number.give words number (Show.measure words wanted))
+    | Some _ | None -> None
+
+(* `v * r` in place of `v / r`, for an input or a parameter [r]. *)
 let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
-  match subject with
-  | Some
-      {
-        desc =
-          Apply
-            {
-              head =
-                {
-                  desc =
-                    Apply
-                      {
-                        head = { desc = Global { name = ("*" | "/") as operator; _ }; _ };
-                        argument = a;
-                        _;
-                      };
-                  _;
-                };
-              argument = { desc = Local b; _ };
-              style = Operator _;
-            };
-        _;
-      } -> (
-      let unit_ =
-        match Option.map Type.expand (List.assoc_opt b.name (Show.inputs words)) with
-        | Some (Number (_, u)) when not (is_one u) -> Some u
-        | Some _ | None -> None
-      in
+  match Option.bind subject Formula.binary with
+  | Some ((("*" | "/") as operator), a, ({ desc = Local b; _ } as divisor)) -> (
       let squared u = Units.multiply u u in
       let inverse u =
         if String.equal operator "*" then Units.divide given (squared u)
         else Units.multiply given (squared u)
       in
-      match (unit_, Show.quote words a.span) with
-      | Some u, Some a when Units.equal (inverse u) wanted ->
+      match (Formula.unit_of words divisor, Formula.text words a) with
+      | Some u, Some a when (not (is_one u)) && Units.equal (inverse u) wanted ->
           let text =
             Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b.name
           in

@@ -2,6 +2,14 @@
 
 open Basis
 
+val sides :
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Resolve.Ir.expr * (Units.t * Units.t)) list
+(** The expression, and the other operand of a sum or a comparison, each with the unit that it
+    should have and the one that it has. *)
+
 val complete :
   Show.words ->
   subject:Resolve.Ir.expr option ->
@@ -43,6 +51,10 @@ val of_fields :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A record whose numbers lack their unit, such as [Vec2 { x = 1, y = 2 }]. *)
+
+val scaled : Show.words -> Resolve.Ir.expr -> (Bare_number.t * int) list
+(** The named constants without a unit that scale the expression, or an argument in it, as in
+    [tag e (kp * err)]. *)
 
 val of_an_argument :
   Show.words ->

@@ -196,7 +196,65 @@ let is_a_time words ~callee { number; current; _ } =
   String.equal callee "delay" && number.unit_ <> None
   && String.equal (Show.measure words current) "s"
 
-let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted, given) =
+(* The argument [e] contains a constant without a unit, whose unit would correct the argument; the
+   numbers with units among the other arguments are right. *)
+let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : Resolve.Ir.expr)
+    ~current unit_ constants =
+  let text = Show.measure words in
+  let error format = error ~code:"E0320" ~at:e.span format in
+  let d =
+    if Units.equal current Units.one then error "expected the unit `%s`, found none" (text unit_)
+    else error "expected the unit `%s`, found `%s`" (text unit_) (text current)
+  in
+  let give d (number, power) =
+    let needed = Units.power (Units.divide unit_ current) (Rational.of_int power) in
+    Bare_number.give words number (text needed) d
+  in
+  d
+  |> here (Printf.sprintf "argument %d of `%s`" place callee)
+  |> label ~at:subject.span
+       (Printf.sprintf "because this is %s, and `%s` needs matching units"
+          (Show.described words found) callee)
+  |> fun d -> List.fold_left give d constants
+
+(* The product of a constant without a unit, as an argument before a number that has its unit:
+   `min (kp * d) 0.4[m/s]`. *)
+let of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subject ~found units =
+  let constants i (e : Resolve.Ir.expr) =
+    let decider =
+      List.find_opt (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided
+    in
+    match
+      ( Option.bind decider (fun (d : Expected.decider) -> unit_of d.decides),
+        Bare_number.literal words e )
+    with
+    | Some current, None when not (Units.is_open current) -> (
+        match
+          (Bare_number.factor words e, unit_for words head ~place:i ~position ~current units)
+        with
+        | (_ :: _ as constants), Some unit_ ->
+            Some
+              (of_a_constant words ~callee ~subject ~found ~place:(i + 1) e ~current unit_ constants)
+        | _ -> None)
+    | _ -> None
+  in
+  List.mapi constants given |> List.find_map Fun.id
+
+(* Is the argument itself the mistake, although earlier numbers have another unit? *)
+let is_to_blame words ~(subject : Resolve.Ir.expr) (wanted, given) =
+  Formula_mistake.is_of_square words ~subject:(Some subject) (wanted, given)
+  || (not (String.equal (Show.measure words (Units.divide wanted given)) "s"))
+     && (Lacking_unit_mistake.scaled words subject <> []
+        ||
+        match Bare_number.written_factor words subject with
+        | [ ({ unit_ = None; digits; _ }, _) ] ->
+            Bare_number.literal words subject = None && String.contains digits '.'
+        | _ -> false)
+
+let is_number_with_unit words (e : Resolve.Ir.expr) =
+  match Bare_number.literal words e with Some { unit_ = Some _; _ } -> true | _ -> false
+
+let of_a_number words ~(expected : Expected.t) ~found ~subject (wanted, given) =
   match (expected.because, subject) with
   | ( Parameter { callee = Some callee; head; given = arguments; position; decided_by; _ },
       Some (subject : Resolve.Ir.expr) )
@@ -210,6 +268,7 @@ let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted,
       let itself = Bare_number.literal words subject in
       match ((if bare <> [] then bare else all), itself) with
       | [], _ -> None
+      | _ when bare = [] && is_to_blame words ~subject (wanted, given) -> None
       (* two numbers with units: either may be wrong *)
       | _, Some { unit_ = None; _ } -> None
       | _, Some _ when bare = [] && not (agrees_with_a_later words ~given:arguments ~position given)
@@ -224,3 +283,17 @@ let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject (wanted,
           in
           Some (report words ~callee ~subject ~found ~at (first, rest)))
   | _ -> None
+
+let of_an_earlier_number words ~(expected : Expected.t) ~found ~subject units =
+  let constant =
+    match (expected.because, subject) with
+    | ( Parameter { callee = Some callee; head; given; position; decided_by = decided; _ },
+        Some subject )
+      when is_number_with_unit words subject
+           && not (Units.is_open (fst units) || Units.is_open (snd units)) ->
+        of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subject ~found units
+    | _ -> None
+  in
+  match constant with
+  | Some diagnostic -> Some diagnostic
+  | None -> of_a_number words ~expected ~found ~subject units

@@ -348,7 +348,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   6 |     d = pow 2 3
     |         ^^^
     |
-    = hint: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
+    = hint: write `2 ^ 3`
   
   error[E0205]: unknown name `stop`
    --> names.frob:7:9

@@ -113,8 +113,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
-    = hint: write `0.1[1/s]` if that is its unit
+    = hint: give all its numbers their units: for a `Pid[m, m/s]`, for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
   
   1 error
   # 011_pid_gain_of_wrong_unit.frob
@@ -254,7 +253,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 | main = proc p -> p.x ^ 2 + p.y ^ 2
     |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: write `sqrt (p.x ^ 2 + p.y ^ 2)`, which has that unit
+    = hint: for the square root, write `sqrt (p.x ^ 2 + p.y ^ 2)`
     = hint: if this is the right result, write the signature as `main :: SF Point2 Float[m^2]`
   
   1 error

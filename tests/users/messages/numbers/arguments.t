@@ -73,6 +73,8 @@ A minus with spaces on both sides, or on neither, is a subtraction.
     |     - ^^^^^^^^^
     |     |
     |     argument 1 of `f` is `(Float, Float)`
+    |
+    = hint: a number is one too many
   
   error[E0301]: expected a tuple of 3, found one of 2
     --> tuple.frob:11:17

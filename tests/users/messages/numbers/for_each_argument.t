@@ -93,7 +93,8 @@ A number that is not an Int is not replaced by a 0:
   3 | warm = 21[C]
     |           - and here
     |
-    = hint: use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`; use `A s` for a coulomb
+    = hint: use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`
+    = hint: for a coulomb, write `A s`
   
   1 error
   [1]

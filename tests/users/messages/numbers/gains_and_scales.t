@@ -51,7 +51,8 @@ Units that require a gain, a power, or a declaration.
     |                  |
     |                  this is `Float[m^2]`
     |
-    = hint: write `y ^ 2`, which has that unit
+    = hint: for the square root, write `sqrt (x^2)`
+    = hint: to use the square, write `y ^ 2`
   
   1 error
   [1]
@@ -75,6 +76,8 @@ Units that require a gain, a power, or a declaration.
     |            --- and here
   4 | c = a + 5[mph]
     |           --- and here
+    |
+    = hint: write `1.34112[m/s]`, or declare the unit on a line of its own: `unit mph = 0.44704 m/s`
   
   1 error
   [1]

@@ -354,7 +354,7 @@ The remainder of an angle, and of a distance:
     |               |
     |               argument 1 of `mod` is `Int`
     |
-    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`
+    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`; for one from 0 on, `a - (2 * pi) * floorFloat (a / (2 * pi))`
   
   1 error
   [1]

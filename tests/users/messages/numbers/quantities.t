@@ -119,7 +119,7 @@ Conversions from one quantity to another:
   4 | main = proc p -> p.x ^ 2 + p.y ^ 2
     |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: write `sqrt (p.x ^ 2 + p.y ^ 2)`, which has that unit
+    = hint: for the square root, write `sqrt (p.x ^ 2 + p.y ^ 2)`
     = hint: if this is the right result, write the signature as `main :: SF Point2 Float[m^2]`
   
   1 error
@@ -185,8 +185,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = note: in a `Pid`, the units depend on each other: `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
-    = hint: write `0.1[1/s]` if that is its unit
+    = hint: give all its numbers their units: for a `Pid[m, m/s]`, for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
   
   1 error
   [1]

@@ -70,7 +70,7 @@ Values of events, and functions of them.
     |         |
     |         argument 1 of `sampleEvery` is `Time` (s)
     |
-    = hint: to convert between a rate and a time, write `1 / rate`
+    = hint: to convert between a rate and a time, write `(1 / rate)`
   
   1 error
   [1]

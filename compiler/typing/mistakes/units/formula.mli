@@ -1,0 +1,31 @@
+(** Formulas in the source, for suggestions of another formula: their parts, their units and their
+    text. *)
+
+open Basis
+
+val binary : Resolve.Ir.expr -> (string * Resolve.Ir.expr * Resolve.Ir.expr) option
+(** The operator and the operands of [a + b]. *)
+
+val unit_of : Show.words -> Resolve.Ir.expr -> Units.t option
+(** The unit of the value, if it follows from written units, declared types and the types of local
+    variables. *)
+
+val factors : Resolve.Ir.expr -> (Resolve.Ir.expr * int) list
+(** The factors of a product, each with its exponent, 1 or -1. *)
+
+val is_square : Show.words -> Resolve.Ir.expr -> bool
+(** Is the value a square, a sum or a difference of squares, or the multiple of one by a number? *)
+
+val is_product : Show.words -> Resolve.Ir.expr -> bool
+(** Is it a product or a quotient of variables and applications alone, without a number? *)
+
+val text : Show.words -> Resolve.Ir.expr -> string option
+
+val grouped : Show.words -> Resolve.Ir.expr -> string option
+(** The text with parentheses if it needs them as an argument. *)
+
+val as_factor : Show.words -> Resolve.Ir.expr -> string option
+(** The text with parentheses if it needs them as a factor of a product. *)
+
+val with_part : Show.words -> Resolve.Ir.expr -> part:Span.t -> string -> string option
+(** The text of the expression with another text in place of one part. *)

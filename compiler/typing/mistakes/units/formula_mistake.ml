@@ -1,0 +1,180 @@
+open Basis
+open Diagnostic
+
+let closed (wanted, given) = not (Units.is_open wanted || Units.is_open given)
+
+let is_of_square words ~subject (wanted, given) =
+  closed (wanted, given)
+  && Units.equal (Units.multiply wanted wanted) given
+  && (not (Units.equal given Units.one))
+  && Option.fold subject ~none:false ~some:(Formula.is_square words)
+
+(* Writes the expression [e] as [text], in parentheses. *)
+let replace (e : Resolve.Ir.expr) text =
+  fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ]
+
+let sqrt_of words (e : Resolve.Ir.expr) d =
+  match Formula.grouped words e with
+  | Some text ->
+      let cure = "sqrt " ^ text in
+      hint (Printf.sprintf "for the square root, write `%s`" cure) d |> replace e cure
+  | None -> hint "for the square root, write `sqrt (…)` around it" d
+
+(* The exponent that turns the second unit into the first one, from 2 to 4. *)
+let exponent u v =
+  let is_it k =
+    match Units.power v (Rational.of_int k) with
+    | power -> Units.equal u power
+    | exception Rational.Out_of_range -> false
+  in
+  List.find_opt is_it [ 2; 3; 4 ]
+
+let compared words ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.expr) k d =
+  let raised =
+    match Formula.grouped words lower with
+    | Some text ->
+        let cure = Printf.sprintf "%s ^ %d" text k in
+        fun d ->
+          hint
+            (Printf.sprintf "to use the %s, write `%s`"
+               (match k with 2 -> "square" | 3 -> "cube" | _ -> "fourth power")
+               cure)
+            d
+          |> replace lower cure
+    | None -> Fun.id
+  in
+  (if k = 2 then sqrt_of words higher d else d) |> raised
+
+(* A power with this exponent, also as a product of equal factors, or a sum of such powers. *)
+let rec is_power words k (e : Resolve.Ir.expr) =
+  let e = Bare_number.value words e in
+  match (e.desc, Formula.binary e) with
+  | Power { exponent; _ }, _ -> exponent = k
+  | _, Some (("+" | "-"), a, b) -> is_power words k a && is_power words k b
+  | _, Some ("*", _, _) -> (
+      match List.map (fun (e, power) -> (Formula.text words e, power)) (Formula.factors e) with
+      | ((Some _, 1) as first) :: rest ->
+          List.compare_length_with rest (k - 1) = 0 && List.for_all (( = ) first) rest
+      | _ -> false)
+  | _ -> false
+
+let root words ~subject ~(expected : Expected.t) (wanted, given) =
+  let is_one u = Units.equal u Units.one in
+  if (not (closed (wanted, given))) || is_one wanted || is_one given then None
+  else
+    let fits k e = if k = 2 then Formula.is_square words e else is_power words k e in
+    match (expected.because, subject) with
+    | Operand { other; operator = "+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/="; _ }, Some e
+      -> (
+        match (exponent wanted given, exponent given wanted) with
+        | Some k, _ when fits k other -> Some (compared words ~higher:other ~lower:e k)
+        | _, Some k when fits k e -> Some (compared words ~higher:e ~lower:other k)
+        | _ -> None)
+    | Operand _, _ -> None
+    | _, Some e when is_of_square words ~subject (wanted, given) -> Some (sqrt_of words e)
+    | _ -> None
+
+(* {1 A missing factor} *)
+
+let is_rate words u = List.mem (Show.measure words u) [ "s"; "1/s"; "Hz" ]
+
+let power words ~subject ~expected units =
+  let of_side ((e : Resolve.Ir.expr), (wanted, given)) =
+    let formula = Bare_number.value words e in
+    let missing = Units.divide wanted given in
+    let inverse = Units.divide given wanted in
+    let named = function
+      | ( (({ desc = Local _ | Global _ | Apply { style = Juxtaposed; _ }; _ } : Resolve.Ir.expr) as
+           e),
+          n )
+        when Bare_number.literal words e = None ->
+          Some (e, n)
+      | _ -> None
+    in
+    let variables = List.filter_map named (Formula.factors formula) in
+    let lacks (e, n) =
+      match Formula.unit_of words e with
+      | Some u -> Units.equal u (if n > 0 then missing else inverse)
+      | None -> false
+    in
+    let is_alone = match variables with [ _ ] -> true | _ -> false in
+    let is_formula =
+      match formula.desc with Apply { style = Operator _; _ } -> true | _ -> false
+    in
+    let is_one u = Units.equal u Units.one in
+    if
+      is_one missing || is_one wanted || is_one given || (not is_formula)
+      || (is_alone && is_rate words missing)
+    then None
+    else
+      match List.filter lacks variables with
+      | (x, _) :: _ -> (
+          match (Formula.text words x, Formula.grouped words x) with
+          | Some name, Some grouped ->
+              Option.map
+                (fun text d ->
+                  hint
+                    (Printf.sprintf
+                       "the missing factor `%s` is the unit of `%s`: write `%s` if its square is \
+                        meant"
+                       (Show.measure words missing) name text)
+                    d
+                  |> write x.span (grouped ^ " ^ 2"))
+                (Formula.with_part words formula ~part:x.span (grouped ^ " ^ 2"))
+          | _ -> None)
+      | [] -> None
+  in
+  if not (closed units) then None
+  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected units)
+
+(* {1 A quantity and its rate} *)
+
+let rate words ~subject ~(expected : Expected.t) (wanted, given) =
+  let per_second u v = List.mem (Show.measure words (Units.divide u v)) [ "s" ] in
+  let is_bare (e : Resolve.Ir.expr) =
+    Bare_number.literal words e <> None || Bare_number.written_factor words e <> []
+  in
+  match (expected.because, subject) with
+  | Operand { operator = ("+" | "-") as operator; other; _ }, Some e
+    when closed (wanted, given) && not (is_bare other || is_bare e) -> (
+      let rate_is_second = per_second wanted given in
+      let quantity, rate = if rate_is_second then (wanted, e) else (given, other) in
+      let is_it = rate_is_second || per_second given wanted in
+      let duration = String.equal (Show.measure words quantity) "s" in
+      let time =
+        let is_time (_, t) =
+          match Type.expand t with
+          | Type.Number (_, u) -> String.equal (Show.measure words u) "s"
+          | _ -> false
+        in
+        match List.find_opt is_time (Show.inputs words) with
+        | Some (name, _) -> name
+        | None -> "0.5[s]"
+      in
+      match (Formula.as_factor words rate, Formula.grouped words rate) with
+      | Some factor, Some argument when is_it && not duration ->
+          let sum change =
+            match (Formula.text words other, Formula.text words e) with
+            | Some a, Some _ when rate_is_second -> Printf.sprintf "%s %s %s" a operator change
+            | _, Some b -> Printf.sprintf "%s %s %s" change operator b
+            | _ -> change
+          in
+          let times = Printf.sprintf "%s * %s" factor time in
+          let integral = "integral " ^ argument in
+          let in_a_proc = Show.inputs words <> [] in
+          Some
+            (fun d ->
+              hint
+                (Printf.sprintf "`%s` is a rate of change: multiply it by a time, as in `%s`%s"
+                   (Option.value (Formula.text words rate) ~default:"it")
+                   (sum times)
+                   (if in_a_proc then
+                      Printf.sprintf ", or, for its sum over time, write `%s`" (sum integral)
+                    else ""))
+                d
+              |> fix (Printf.sprintf "write `%s`" times) [ (rate.span, times) ]
+              |>
+              if in_a_proc then fix (Printf.sprintf "write `%s`" integral) [ (rate.span, integral) ]
+              else Fun.id)
+      | _ -> None)
+  | _ -> None

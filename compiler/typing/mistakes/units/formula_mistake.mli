@@ -1,0 +1,32 @@
+(** Formulas whose unit shows that an operation was forgotten, such as a square root or a sum over
+    time. The units are the one that was expected and the one that was found. *)
+
+open Basis
+
+val root :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A square, or a sum of squares, where its root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
+
+val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
+(** Is the expression such a square, and its root has the expected unit? *)
+
+val power :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A product that lacks a factor with the unit of one of its variables: [v / (2 * a)] for
+    [v ^ 2 / (2 * a)]. *)
+
+val rate :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The sum of a quantity and its rate of change: [heading + turnRate i]. *)
