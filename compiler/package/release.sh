@@ -33,7 +33,7 @@ one_pass() { # NUMBER
         mkdir _build
         cp -RL "$build/install" _build/install
     else
-        dune build --root . -p frobc @install 2>"$pass/build.log" || { tail "$pass/build.log" >&2; exit 1; }
+        dune build -p frobc @install 2>"$pass/build.log" || { tail "$pass/build.log" >&2; exit 1; }
     fi
     # Both passes use the same tools from PyPI.
     ln -s "$build/wheel-tools" _build/wheel-tools
