@@ -65,22 +65,22 @@ calls, reads them through the pointer to the input.
   $ frobc compile pointer.frob
   $ grep -A 3 '^static.*_step(' pointer.c
   static double pointer_inner_step(struct pointer_inner_state *self,
-          const struct pointer_input *in)
+          const struct pointer_input *in, double t1, double t2, double t3)
   {
       const double p = in->f1;
   --
   static double pointer_work_step(struct pointer_work_state *self, const struct pointer_input *in,
-          double k)
+          double k, double t1, double t2, double t3, double t4)
   {
       const double p = in->f1;
   --
-  static double pointer_other_step(struct pointer_other_state *self, double p, double q, double r)
+  static double pointer_other_step(struct pointer_other_state *self, double p, double q, double r,
+          double t1, double t2, double t3, double t4)
   {
-      const double s = self->delay + frob_exp(self->r_prev) * p + q * r
-              + frob_exp(p) * frob_exp(q) + self->delay_2 * frob_sin(frob_cos(q)); /* line 7 */
+      const double s = self->delay + frob_exp(self->r_prev) * p + q * r + t2 * t3
   $ grep '= pointer_.*_step(' pointer.c
-      const double t1 = pointer_inner_step(&self->inner, in); /* line 11 */
-      const double t1 = pointer_work_step(&self->work, in, 1.0); /* line 3 */
-      const double t2 = pointer_work_step(&self->work_2, in, 2.0);
-      const double t3 = pointer_other_step(&self->other, c, b, a);
-      const double t4 = pointer_other_step(&self->other_2, a, b, c);
+      const double t5 = pointer_inner_step(&self->inner, in, t1, t3, t4); /* line 11 */
+      const double t5 = pointer_work_step(&self->work, in, 1.0, t1, t2, t3, t4); /* line 3 */
+      const double t6 = pointer_work_step(&self->work_2, in, 2.0, t1, t2, t3, t4);
+      const double t8 = pointer_other_step(&self->other, c, b, a, frob_sin(c), t2, t4, t7); /* line 3 */
+      const double t9 = pointer_other_step(&self->other_2, a, b, c, t1, t3, t4, t7);
