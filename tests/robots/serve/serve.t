@@ -22,7 +22,7 @@ It also simulates a Scout and a Create.
 Errors in the command line are reported.
 
   $ frobc serve --robot pionier
-  error: there is no robot `pionier`; the robots are pioneer, scout, create; for your own robot, give the file of its module
+  error: there is no robot `pionier`; the robots are pioneer, scout, create, ros; for your own robot, give the file of its module
   [2]
   $ frobc serve --model p9
   error: there is no model `p9`; use p3dx-sh, p3dx or p2dx

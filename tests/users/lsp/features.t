@@ -284,7 +284,7 @@ selections.
   >     show("select", place(s["range"])); s = s.get("parent")
   > client.end()
   > END
-  11:0-11:0 frob.report 248 bytes of state, at most 640 operations in a step
+  11:0-11:0 frob.report 248 bytes of state, at most 638 operations in a step
   11:0-11:0 frob.run run in the simulator
   3  :: Stop
   8  :: Float[m]
