@@ -24,7 +24,7 @@ Arguments for ROS 2 follow --ros-args, up to a `--`.
   $ run_node 0.1s "" --ros-args -r odom:=base/odom -r __node:=follower
   $ head -1 summary
   robot: node /follower, odometry from /base/odom, velocity to /cmd_vel
-  $ frobc run --ros2 drive.frob --ros-args -r odom:=base/odom -r cmd_vel:=base/cmd_vel -- --for 0.1s | head -1
+  $ steady frobc run --ros2 drive.frob --ros-args -r odom:=base/odom -r cmd_vel:=base/cmd_vel -- --for 0.1s | head -1
   robot: node /drive, odometry from /base/odom, velocity to /base/cmd_vel
   $ frobc run --ros2 drive.frob --for 1s --ros-args -r odom
   error: wrong argument after --ros-args: Couldn't parse remap rule
@@ -39,7 +39,7 @@ A parameter of the program:
   > main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))
   > END
   $ rm velocities
-  $ frobc run --ros2 paced.frob $patient --for 0.3s --ros-args -p pace:=0.1 -p use_sim_time:=true -p other:=1 >summary
+  $ steady frobc run --ros2 paced.frob $patient --for 0.3s --ros-args -p pace:=0.1 -p use_sim_time:=true -p other:=1 >summary
   warning: use_sim_time is not supported: the steps of paced follow the clock of this machine, not /clock
   warning: paced has no parameter `other`; --help lists its parameters
   $ cat velocities
@@ -97,7 +97,7 @@ when messages are good again.
 A program reads the lidar and the inertial measurement unit, and drives to half
 a metre before the wall: 0.3 m, as distances count from the robot's front.
 
-  $ FAKE_ROS= timeout 20 frobc run --ros2 approach.frob $patient --for 3s --record log.csv >summary
+  $ steady env FAKE_ROS= timeout 60 frobc run --ros2 approach.frob $patient --for 3s --record log.csv >summary
   $ tail -1 log.csv | cut -d, -f2 | awk '{ print ($1 > 0.25 && $1 < 0.31) }'
   1
   $ head -1 log.csv | cut -d, -f8-
@@ -106,7 +106,7 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
   1
   $ grep -c 'Imu {rate = Vec3 {x = 0, y = 0, z = 0.25}' log.csv | awk '{ print ($1 > 10) }'
   1
-  $ FAKE_ROS=no_angle=0.3 timeout 20 frobc run --ros2 approach.frob $patient --for 1s >summary
+  $ steady env FAKE_ROS=no_angle=0.3 timeout 60 frobc run --ros2 approach.frob $patient --for 1s >summary
   warning: a message on /scan does not count: its angles are not numbers, or angle_increment is 0
 
 Without a robot, the program waits; it names the topic.
@@ -129,7 +129,7 @@ Conflicts with other nodes are reported:
 The process of the node crashes. Another one is started, and stops the robot
 before the program continues.
 
-  $ run_node 1.5s crash=0.5; cat messages; head -4 velocities
+  $ run_node 4s crash=0.5; cat messages; head -4 velocities
   0.000 0.000
   0.200 0.000
   0.000 0.000
