@@ -1,8 +1,9 @@
 #!/bin/sh
 # release.sh BUILD: collects the files of a release in BUILD/release, from the committed sources:
 # the wheel, the Debian packages frobc and frobc-doc, the documentation as a website, the changes of
-# this version, and the checksums of these files. Builds everything twice, in separate folders, and
-# compares the results byte for byte. Publishes nothing. Run it in the top folder of the project,
+# this version, and the checksums of these files. Builds everything twice from nothing, and
+# compares the results byte for byte. Both passes use the same folder, because the debugging
+# information, and with it the build ID of a program, contains its path. Publishes nothing. Run it in the top folder of the project,
 # after `make`, which installs the packages that the build needs. With SHORT=1, both passes use the
 # program in BUILD/install, so only the packaging is repeated.
 set -eu
@@ -25,7 +26,8 @@ umask 022
 
 rm -rf "$build/release-1" "$build/release-2" "$release"
 one_pass() { # NUMBER
-    pass=$build/release-$1
+    pass=$build/release-pass
+    rm -rf "$pass"
     mkdir -p "$pass/out" "$pass/sources"
     git archive HEAD | tar -x -C "$pass/sources"
     cd "$pass/sources"
@@ -50,6 +52,9 @@ one_pass() { # NUMBER
     cd "$pass/out"
     sha256sum -- * >SHA256SUMS
     cd "$top"
+    mkdir "$build/release-$1"
+    mv "$pass/out" "$build/release-$1/out"
+    rm -rf "$pass"
 }
 
 [ -x "$build/wheel-tools/bin/auditwheel" ] || { echo "release.sh: run make wheel first" >&2; exit 1; }
