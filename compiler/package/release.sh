@@ -3,9 +3,9 @@
 # the wheel, the Debian packages frobc and frobc-doc, the documentation as a website, the changes of
 # this version, and the checksums of these files. Builds everything twice from nothing, and
 # compares the results byte for byte. Both passes use the same folder, because the debugging
-# information, and with it the build ID of a program, contains its path. Publishes nothing. Run it in the top folder of the project,
-# after `make`, which installs the packages that the build needs. With SHORT=1, both passes use the
-# program in BUILD/install, so only the packaging is repeated.
+# information, and with it the build ID of a program, contains its path. Publishes nothing. Run it
+# in the top folder of the project, after `make`, which installs the packages that the build needs.
+# With SHORT=1, both passes use the program in BUILD/install, so only the packaging is repeated.
 set -eu
 top=$PWD
 build=$(cd "$1" && pwd)
