@@ -112,3 +112,6 @@ let names_before found word =
   let start = found.token.start.pos_bol in
   let line = String.sub found.text start (found.token.start.pos_cnum - start) in
   List.mem word (String.split_on_char ' ' line)
+
+let span (t : Layout.token) = Build.span (t.start, t.stop)
+let opener_span ({ by; _ } : Layout.origin) = Build.span (by.start, by.stop)

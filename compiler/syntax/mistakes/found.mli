@@ -77,3 +77,10 @@ val first_line_of_definition : t -> string
 
 val lines_between : t -> int -> int -> int
 (** The number of newlines between the two offsets. *)
+
+(** {1 Places} *)
+
+val span : Layout.token -> Basis.Span.t
+
+val opener_span : Layout.origin -> Basis.Span.t
+(** The place of an opening bracket, or of the word that opened a block. *)
