@@ -14,7 +14,7 @@ let archive file =
 
 (* Works around two bugs of tcc 0.9.27. When a function returns a struct in registers, the caller
    writes whole registers. If the size of the struct is not a multiple of the size of a register,
-   this overwrites the variable after the struct. So all structs are padded to a multiple. Also, tcc
+   this overwrites the variable after the struct. So we pad all structs to such a multiple. Also, tcc
    does not recognize a sum that contains NaN or infinity as a constant, so local tables become
    variables. *)
 let adapted text =

@@ -22,7 +22,7 @@ type structs = {
   program : M.program;
   units : Units.t;
   own : Interface.types;
-  shared : Interface.types;  (** those of robots and foreign code *)
+  shared : Interface.types;  (** the types of robots and foreign code *)
 }
 
 type t = {

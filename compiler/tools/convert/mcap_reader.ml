@@ -124,7 +124,7 @@ let is_ours path =
         fst (string header at)
       with
       | library -> library = "frobc"
-      (* [iter] reports what is wrong with the file. *)
+      (* [iter] will report the fault of the file. *)
       | exception (End_of_file | Invalid_argument _) -> true)
 
 let iter path run =

@@ -28,7 +28,7 @@ val runs : Ir.expr -> Ir.Global.t -> bool
 (** Does this expression run the global, possibly applied to arguments? *)
 
 val name : Ir.expr -> string
-(** The signal function that is run, as it is named in messages. *)
+(** The name, in messages, of the signal function that the expression runs. *)
 
 val report :
   Diagnostic.sink ->

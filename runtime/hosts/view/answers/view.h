@@ -62,7 +62,7 @@ struct source {
 };
 
 struct view_files {
-    const char *recording; /* of a live run: the file it is recorded in, or NULL */
+    const char *recording; /* the file in which a live run is recorded, or NULL */
     const char *other;     /* a recording to compare with; NULL: none */
     const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
@@ -116,8 +116,8 @@ enum view_work view_work(struct view *view, double seconds);
 /* Returns whether there is news for the pages. Returns true only once for each news. */
 bool view_has_news(struct view *view);
 
-/* Appends the news: of a recording, how far the program has been run over it; of a live run, its
- * newest instant. */
+/* Appends the news. For a recording, this is the instant up to which the program has been run over
+ * it; for a live run, the newest instant. */
 void view_news(struct view *view, struct buffer *message);
 
 /* Reads more of the recording, and runs the program over it, for about this many seconds. Returns
