@@ -149,8 +149,14 @@ let export =
 
 let report =
   let states =
-    let doc = "Print the switches and tasks as a state diagram for Graphviz instead." in
-    Arg.(value & flag & info [ "states" ] ~doc)
+    let dot =
+      Arg.info [ "states" ]
+        ~doc:"Print the switches and tasks as a state diagram for Graphviz instead."
+    and svg = Arg.info [ "svg" ] ~doc:"Print the state diagram of $(b,--states) as SVG." in
+    let choose states svg =
+      if svg then Some Commands.Svg else if states then Some Commands.Dot else None
+    in
+    Term.(const choose $ Arg.(value & flag dot) $ Arg.(value & flag svg))
   in
   command "report" ~doc:"show the memory, operations and stack that a step needs"
     Term.(

@@ -6,4 +6,4 @@
     time, that is, occur in the first instant of the state it leaves. Transitions caused by an event
     from outside start at [any]. A dotted line connects a state to a machine that runs inside it. *)
 
-val print : Format.formatter -> Flow.Ir.program -> unit
+val print : Format.formatter -> name:string -> Machines.t list -> unit

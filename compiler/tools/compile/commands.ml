@@ -87,25 +87,32 @@ let wire_of (program : Step.Ir.program) : Report.Wire.t option =
       in
       Some { robot = robot.name; steps = List.map step robot.steps }
 
+type diagram = Dot | Svg
+
 let report general ~entry ~states file =
   let* resources = Resources.find () in
-  if states then
+  let draw print =
     Compiled.accepted Queries.flow general resources ~entry file (fun _ program ->
-        Format.printf "%a@?" Report.Diagram.print program;
+        Format.printf "%t@?" (fun ppf ->
+            print ppf ~name:program.Flow.Ir.name (Report.Machines.of_program program));
         Exit_status.ok)
-  else
-    Compiled.accepted Queries.watched general resources ~entry file (fun _ (program, watched) ->
-        (if general.dump = None then
-           let bounds = Report.Bounds.of_program program in
-           let judged program =
-             Report.Judged.of_programs ~plain:bounds ~watched:(Report.Bounds.of_program program)
-           in
-           let judged = Option.map judged watched in
-           let wire = wire_of program in
-           match general.format with
-           | Text -> print_string (Printable.text (Report.Text.to_string ?judged ?wire bounds))
-           | Json -> print_endline (Report.For_tools.to_string ?judged ?wire bounds));
-        Exit_status.ok)
+  in
+  match states with
+  | Some Dot -> draw Report.Diagram.print
+  | Some Svg -> draw Report.Drawing.print
+  | None ->
+      Compiled.accepted Queries.watched general resources ~entry file (fun _ (program, watched) ->
+          (if general.dump = None then
+             let bounds = Report.Bounds.of_program program in
+             let judged program =
+               Report.Judged.of_programs ~plain:bounds ~watched:(Report.Bounds.of_program program)
+             in
+             let judged = Option.map judged watched in
+             let wire = wire_of program in
+             match general.format with
+             | Text -> print_string (Printable.text (Report.Text.to_string ?judged ?wire bounds))
+             | Json -> print_endline (Report.For_tools.to_string ?judged ?wire bounds));
+          Exit_status.ok)
 
 let header robot =
   let* resources = Resources.find () in

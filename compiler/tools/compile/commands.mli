@@ -4,9 +4,11 @@
 val check : Common_options.t -> string list -> int
 val compile : Common_options.t -> string -> batch:bool -> standalone:bool -> string -> string -> int
 
-val report : Common_options.t -> entry:string -> states:bool -> string -> int
-(** Prints the costs of the program, in the format chosen for diagnostics; if [states] is true,
-    prints its state diagram for Graphviz instead. *)
+type diagram = Dot  (** for Graphviz *) | Svg
+
+val report : Common_options.t -> entry:string -> states:diagram option -> string -> int
+(** Prints the costs of the program, in the format chosen for diagnostics; with [states], prints its
+    state diagram instead. *)
 
 val header : string -> int
 (** Prints the C header with a robot's types. *)

@@ -47,3 +47,4 @@ The state diagram:
 
   $ block frob 2 >patrol.frob
   $ block dot 1 >shown && frobc report patrol.frob --states | diff shown -
+  $ frobc report patrol.frob --svg | diff ../../../docs/patrol.svg -
