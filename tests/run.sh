@@ -21,7 +21,9 @@ golden=$(find tests compiler -name 'dune*' -exec cat {} + | grep -c '(diff ')
 awk -v files=$((cram + golden)) -v status="$status" '
     /^ok /   { passed++ }
     /^FAIL / { failed++; bad[++bads] = $0 }
-    /\[FAIL\] |^Error: |^Fatal error: |^File "[^"]*dune", line / { bad[++bads] = $0 }
+    /\[FAIL\] |^Error: |^Fatal error: |^File "[^"]*dune[^"]*", line / { bad[++bads] = $0 }
+    # Where dune may say why a command failed; shown only if nothing else tells the reason.
+    /^File "|^Command (exited|got)|^Alert|^make|signal [A-Z]|[Tt]imeout|rror:/ { clue[++clues] = $0 }
     # "Test Successful in 0.002s. 14 tests run." or "2 failures! in 0.004s. 14 tests run."
     / tests? run\.$/ {
         run = $(NF - 2)
@@ -29,9 +31,10 @@ awk -v files=$((cram + golden)) -v status="$status" '
         passed += run - wrong
         failed += wrong
     }
-    # A golden or cram file differs.
-    /^File "[^"]*", line 1, characters 0-0:$/ {
-        if (!($2 in differs)) { differs[$2] = 1; broken++; bad[++bads] = $2 " differs" }
+    # A golden or cram file differs. A test that prints half a line may have begun the line.
+    /File "[^"]*", line 1, characters 0-0:$/ {
+        file = $(NF - 4)
+        if (!(file in differs)) { differs[file] = 1; broken++; bad[++bads] = file " differs" }
     }
     END {
         passed += files - broken
@@ -44,6 +47,7 @@ awk -v files=$((cram + golden)) -v status="$status" '
         if (status != 0 && failed == 0) {
             failed = 1
             bad[++bads] = "dune exited with " status " and named no test"
+            for (i = clues > 20 ? clues - 19 : 1; i <= clues; i++) bad[++bads] = "perhaps: " clue[i]
         }
         for (i = 1; i <= bads && failed > 0; i++)
             if (!(bad[i] in told)) { told[bad[i]] = 1; print "failed: " bad[i] }

@@ -82,9 +82,10 @@ If the stack must not grow, the message has a place and says what to do:
   1 error
   [1]
 
-Programs that frobc starts have the stack limit with which frobc was started:
+Programs that frobc starts have the stack limit with which frobc was started. The cache is empty, so
+frobc starts the C compiler:
 
-  $ (ulimit -S -s 4096; frobc run --help > help.txt; cat > cc <<'END'
+  $ (export XDG_CACHE_HOME="$PWD/cache"; ulimit -S -s 4096; frobc run --help > help.txt; cat > cc <<'END'
   > #!/bin/sh
   > ulimit -s >> stack
   > exec gcc "$@"
