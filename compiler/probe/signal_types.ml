@@ -39,51 +39,13 @@ let of_program (program : Ir.program) =
 
 (* {1 Parts} *)
 
-let product factors : Ir.unit_ =
-  let add sum (key, power) =
-    let before = Option.value (List.assoc_opt key sum) ~default:Typing.Rational.zero in
-    (key, Typing.Rational.add before power) :: List.remove_assoc key sum
-  in
-  let all select =
-    List.concat_map select factors |> List.fold_left add []
-    |> List.filter (fun (_, power) -> not (Typing.Rational.is_zero power))
-    |> List.sort compare
-  in
-  { base = all (fun (u : Ir.unit_) -> u.base); variables = all (fun u -> u.variables) }
-
-let power (u : Ir.unit_) exponent : Ir.unit_ =
-  let raise_ (x, p) = (x, Typing.Rational.multiply p exponent) in
-  { base = List.map raise_ u.base; variables = List.map raise_ u.variables }
-
-let in_unit units (u : Ir.unit_) =
-  let variable ((v : Ir.variable), exponent) =
-    match List.assoc_opt v.id units with
-    | Some unit_ -> power unit_ exponent
-    | None -> { base = []; variables = [ (v, exponent) ] }
-  in
-  product ({ u with variables = [] } :: List.map variable u.variables)
-
-let rec instantiated ~units ~types (ty : Ir.ty) : Ir.ty =
-  let go = instantiated ~units ~types in
-  match ty with
-  | Variable v -> Option.value (List.assoc_opt v.id types) ~default:ty
-  | Number (representation, unit_) -> Number (representation, in_unit units unit_)
-  | Bool | String | Size _ -> ty
-  | Tuple parts -> Tuple (List.map go parts)
-  | Function (a, b) -> Function (go a, go b)
-  | Signal_function (a, b) -> Signal_function (go a, go b)
-  | Data d ->
-      Data { d with units = List.map (in_unit units) d.units; arguments = List.map go d.arguments }
-
 let fields t (ty : Ir.ty) =
   match ty with
   | Data { tycon; units; arguments } -> (
       match Hashtbl.find_opt t.data tycon with
       | Some { constructors = [ only ]; unit_parameters; type_parameters; _ } ->
-          let ids = List.map (fun (v : Ir.variable) -> v.id) in
-          let units = List.combine (ids unit_parameters) units in
-          let types = List.combine (ids type_parameters) arguments in
-          List.map (fun (name, ty) -> (name, instantiated ~units ~types ty)) only.fields
+          let values = Substitution.data ~unit_parameters units ~type_parameters arguments in
+          List.map (fun (name, ty) -> (name, Substitution.apply values ty)) only.fields
       | Some _ | None -> [])
   | Tuple parts -> List.map (fun ty -> ("", ty)) parts
   | _ -> []
@@ -128,7 +90,7 @@ let times_seconds k (ty : Ir.ty) : Ir.ty =
   | Number (representation, unit_) ->
       let second : Ir.Global.t = { module_ = "Prelude"; name = "s" } in
       let seconds : Ir.unit_ = { base = [ (second, Typing.Rational.of_int k) ]; variables = [] } in
-      Number (representation, product [ unit_; seconds ])
+      Number (representation, Substitution.product [ unit_; seconds ])
   | ty -> ty
 
 (* Derived units that the library defines. Hz is omitted on purpose: 1/s may also be an angular

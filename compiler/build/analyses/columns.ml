@@ -88,8 +88,8 @@ let instance (p : Probe.Catalogue.probe) =
     String.sub p.name 0 (String.length p.name - String.length own)
   else String.concat "." p.whole
 
-let probe written program (p : Probe.Catalogue.probe) =
-  let ty = Probe.Signal_types.type_of written p in
+let probe types program (p : Probe.Catalogue.probe) =
+  let ty = Probe.Instance_types.type_of types p in
   {
     name = "probe." ^ p.name;
     unit_ = Option.value (Option.bind ty Probe.Signal_types.unit_) ~default:"";
@@ -105,8 +105,8 @@ let probe written program (p : Probe.Catalogue.probe) =
   }
 
 let of_program typed entry program probes =
-  let written = Probe.Signal_types.of_program typed in
-  sides typed entry program @ List.map (probe written program) probes
+  let types = Probe.Instance_types.of_program typed program in
+  sides typed entry program @ List.map (probe types program) probes
 
 (* {1 The table} *)
 

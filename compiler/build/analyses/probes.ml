@@ -86,10 +86,10 @@ let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
   | _ -> Some ()
 
 let list typed (flow : Flow.Ir.program) probes =
-  let written = Probe.Signal_types.of_program typed in
+  let types = Probe.Instance_types.of_program typed flow in
   let shown = List.filter (fun (p : Probe.Catalogue.probe) -> not p.handed_down) probes in
   let type_ (p : Probe.Catalogue.probe) =
-    match (Probe.Signal_types.type_of written p, p.own) with
+    match (Probe.Instance_types.type_of types p, p.own) with
     | Some ty, _ -> Typing.Show.ty ty
     | None, Signal s -> Flow.Print.ty flow.sums s.ty
     | None, Running_mode -> String.concat " | " (Probe.Catalogue.modes_of flow p)

@@ -97,6 +97,23 @@ Other names are errors, and so is a name that matches nothing.
   error: the input is missing: give a recording with `--input IN.csv`
   [2]
 
+The signals inside a function for any unit have the unit of each use, also if another definition
+names the use, or if the function is an argument.
+
+  $ cat > units.frob << 'FROB'
+  > import Control
+  > smooth :: SF Float[u] Float[u]
+  > smooth = lowPass 1[s]
+  > main :: SF (Distance, Velocity) (Distance, Velocity)
+  > main = proc (x, v) -> (smooth x, smoothTwice v)
+  > smoothTwice :: SF Velocity Velocity
+  > smoothTwice = smooth >>> rateLimit 1[m/s^2]
+  > FROB
+  $ frobc trace units.frob --probe list | awk '/lowPass.y |rateLimit.y / { print $1, $3 }'
+  main.lowPass.y Float[m]
+  rateLimit.y Float[m/s]
+  >>>.lowPass.y Float[m/s]
+
 The program's outputs do not change, and a recording with probes can be
 replayed.
 

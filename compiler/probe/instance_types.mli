@@ -1,0 +1,13 @@
+(** The types of signals in the instances of a program.
+
+    A polymorphic signal function, such as [lowPass :: Float[s] -> SF Float[u] Float[u]], has the
+    variables of its type in {!Signal_types}. Here, its variables have the values that the use of
+    the function determines: [u] is [m] in [lowPass 1[s] (frontSonar i)]. *)
+
+type t
+
+val of_program : Typing.Ir.program -> Flow.Ir.program -> t
+
+val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
+(** As {!Signal_types.type_of}. Variables that the program does not determine, or for which this
+    module does not find the use, stay variables. *)

@@ -1,0 +1,30 @@
+(** Values of the variables of a polymorphic type. *)
+
+module Ir = Typing.Ir
+
+type t
+
+val empty : t
+
+val matching : Ir.ty -> Ir.ty -> t
+(** [matching general specific]: the values of variables for which [general] becomes [specific].
+    Variables that cannot be determined have no value. *)
+
+val apply : t -> Ir.ty -> Ir.ty
+(** Replaces the variables that have values. *)
+
+val without : Ir.variable list -> t -> t
+(** Forgets the values of these variables. *)
+
+val union : t -> t -> t
+(** The values of both. The first one takes precedence. *)
+
+val data :
+  unit_parameters:Ir.variable list ->
+  Ir.unit_ list ->
+  type_parameters:Ir.variable list ->
+  Ir.ty list ->
+  t
+(** The arguments of a type, for the parameters of its declaration. *)
+
+val product : Ir.unit_ list -> Ir.unit_
