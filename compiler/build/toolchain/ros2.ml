@@ -8,12 +8,16 @@ let tried = [ ("9.2.", "Jazzy"); ("10.1.", "Kilted") ]
 let needed =
   [
     ("rcl", [ "rcl" ]);
+    ("rcl_yaml_param_parser", [ "rcl_yaml_param_parser" ]);
     ("rmw", [ "rmw" ]);
     ("rcutils", [ "rcutils" ]);
     ("rosidl_runtime_c", [ "rosidl_runtime_c" ]);
     ("geometry_msgs", [ "geometry_msgs__rosidl_typesupport_c"; "geometry_msgs__rosidl_generator_c" ]);
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
     ("sensor_msgs", [ "sensor_msgs__rosidl_typesupport_c"; "sensor_msgs__rosidl_generator_c" ]);
+    ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);
+    ( "rcl_interfaces",
+      [ "rcl_interfaces__rosidl_typesupport_c"; "rcl_interfaces__rosidl_generator_c" ] );
   ]
 
 (* Packages whose headers are included by the headers of the needed packages. Some distributions
@@ -21,7 +25,6 @@ let needed =
 let included =
   [
     "builtin_interfaces";
-    "rcl_yaml_param_parser";
     "rosidl_dynamic_typesupport";
     "rosidl_typesupport_interface";
     "service_msgs";

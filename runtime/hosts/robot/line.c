@@ -14,13 +14,15 @@ void line_init(struct line *line, const char *device, uint32_t rate)
 }
 
 void line_init_opening(struct line *line, const struct line_opening *opening,
-                       const char *const *arguments, size_t argument_count, const double *settings)
+                       const char *const *arguments, size_t argument_count, const double *settings,
+                       const struct params *params)
 {
     line_init(line, NULL, 0);
     line->opening = opening;
     line->arguments = arguments;
     line->argument_count = argument_count;
     line->settings = settings;
+    line->params = params;
 }
 
 enum frob_status line_open(struct line *line, char *message, size_t room)

@@ -13,6 +13,7 @@
 #include "hal/posix/serial.h"
 
 struct line;
+struct params;
 
 /* How to open a line that is not a serial line. It has its own arguments on the command line. */
 struct line_opening {
@@ -28,6 +29,10 @@ struct line_opening {
      * is the monotonic clock. NULL: there are none. */
     void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
+    /* Returns the time that the program's instants follow; `now_ns` is the monotonic clock. It never
+     * goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
+    int64_t (*time_ns)(const void *device, int64_t now_ns);
+
     /* Waits until the process at the other end has ended. The port is closed. */
     void (*close)(struct line *line);
 };
@@ -37,7 +42,8 @@ struct line {
     const char *const *arguments;
     size_t argument_count;
     const double *settings;
-    pid_t process; /* at the other end; 0: none */
+    const struct params *params; /* of the program */
+    pid_t process;               /* at the other end; 0: none */
 
     const char *device; /* as the user named it */
     char lasting[512];  /* the adapter's persistent name; "" if none */
@@ -49,9 +55,11 @@ struct line {
 /* Initializes a serial line without opening it. */
 void line_init(struct line *line, const char *device, uint32_t rate);
 
-/* Initializes another line without opening it. The arguments and settings must stay valid. */
+/* Initializes another line without opening it. The arguments, settings and parameters must stay
+ * valid. */
 void line_init_opening(struct line *line, const struct line_opening *opening,
-                       const char *const *arguments, size_t argument_count, const double *settings);
+                       const char *const *arguments, size_t argument_count, const double *settings,
+                       const struct params *params);
 
 /* Opens the line. The message uses the device name that the user gave. */
 enum frob_status line_open(struct line *line, char *message, size_t room);

@@ -60,9 +60,13 @@ struct supervisor {
     bool tells;
 
     void *input, *output;
-    int64_t first_ns;   /* time of the first instant; 0: none yet */
-    int64_t instant_ns; /* last instant */
-    int64_t due_ns;     /* next instant; 0: as soon as the robot is ready */
+    /* The program's time is that of the monotonic clock, or of a simulator (line.h). */
+    bool started;       /* the first instant has begun */
+    int64_t first_ns;   /* the program's time in the first instant */
+    int64_t instant_ns; /* last instant, from the first one on */
+    int64_t due_ns;     /* the program's time in the next instant, if `scheduled` */
+    bool scheduled;     /* false: the next instant begins as soon as the robot is ready */
+    int64_t asked_ns;   /* when the last step was requested */
     bool stepping;      /* a step was requested and has not been answered */
     bool late;          /* this step has exceeded the patience */
     int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
@@ -82,6 +86,18 @@ struct supervisor {
 static int64_t now_ns(void)
 {
     return frob_now_ns(&frob_posix_clock);
+}
+
+/* The program's time, or INT64_MIN if it is not known yet. */
+static int64_t program_ns(const struct supervisor *s, int64_t now)
+{
+    const struct line_opening *opening = s->line.opening;
+    return opening != NULL && opening->time_ns != NULL ? opening->time_ns(s->device, now) : now;
+}
+
+static bool follows_our_clock(const struct supervisor *s, int64_t now)
+{
+    return program_ns(s, now) == now;
 }
 
 static void tell(const struct supervisor *s, const char *format, ...)
@@ -127,14 +143,14 @@ static void begin_session(struct supervisor *s)
     frob_robot_start(&s->robot, s->driver, s->device, s->options->settings, &serial,
                      &frob_posix_clock, s->patience_ns);
     guards_start(&s->guards, &s->robot, s->patience_ns, s->controller.socket);
-    s->due_ns = 0;
+    s->scheduled = false;
 }
 
 static void leave_line(struct supervisor *s)
 {
     guards_end(&s->guards);
     line_close(&s->line);
-    s->due_ns = 0;
+    s->scheduled = false;
     if (s->lost_ns == 0)
         s->lost_ns = now_ns();
 }
@@ -223,7 +239,7 @@ static void be_late(struct supervisor *s)
 /* Handles the end of a step: records it, and commands its output if it ended in time. */
 static void answered(struct supervisor *s)
 {
-    int64_t took_ns = now_ns() - (s->first_ns + s->instant_ns);
+    int64_t took_ns = now_ns() - s->asked_ns;
     s->stepping = false;
     s->steps++;
     if (took_ns > s->longest_ns)
@@ -249,7 +265,7 @@ static void answered(struct supervisor *s)
 
 static void look_after_controller(struct supervisor *s)
 {
-    int64_t now = now_ns(), asked_ns = s->first_ns + s->instant_ns;
+    int64_t now = now_ns(), asked_ns = s->asked_ns;
     const char *fate;
     switch (controller_take(&s->controller, s->output)) {
     case CONTROLLER_ANSWERED: answered(s); return;
@@ -276,27 +292,33 @@ static void look_after_controller(struct supervisor *s)
  * counted as overruns. */
 static void next_instant(struct supervisor *s)
 {
-    int64_t now = now_ns(), missed, before;
+    int64_t now = now_ns(), time = program_ns(s, now), missed, before;
     if (!is_ready(s) || s->over) {
-        s->due_ns = 0;
+        s->scheduled = false;
         return;
     }
-    if (s->due_ns == 0)
-        s->due_ns = now;
-    if (now < s->due_ns || s->stepping)
+    if (time == INT64_MIN || s->stepping)
         return;
-    missed = (now - s->due_ns) / s->period_ns;
+    if (!s->scheduled) {
+        s->scheduled = true;
+        s->due_ns = time;
+    }
+    if (time < s->due_ns)
+        return;
+    missed = (time - s->due_ns) / s->period_ns;
     s->overruns += (uint64_t)missed;
     s->due_ns += (missed + 1) * s->period_ns;
-    if (s->first_ns == 0)
-        s->first_ns = now;
+    if (!s->started)
+        s->first_ns = time;
+    s->started = true;
     before = s->instant_ns;
-    s->instant_ns = now - s->first_ns;
+    s->instant_ns = time - s->first_ns;
+    s->asked_ns = now;
     frob_robot_sense(&s->robot, s->input);
     frob_console_clear(s->program, s->input);
     if (s->line.opening != NULL && s->line.opening->give != NULL)
         s->line.opening->give(s->device, s->program, s->input, now);
-    cameras_look(&s->cameras, s->input, s->first_ns, s->instant_ns);
+    cameras_look(&s->cameras, s->input, now - s->instant_ns, s->instant_ns);
     touches_take(&s->touches, &s->console, &s->publisher.ring);
     touches_apply(&s->touches, s->input);
     s->stepping = true;
@@ -320,10 +342,11 @@ static void wait_for_something(struct supervisor *s)
     struct timespec patience;
     if (line_is_open(&s->line))
         until = earlier(until, frob_robot_due_ns(&s->robot));
-    if (is_ready(s) && !s->stepping)
-        until = earlier(until, s->due_ns);
+    /* A simulator's time changes when a message arrives. */
+    if (is_ready(s) && !s->stepping && follows_our_clock(s, now))
+        until = earlier(until, s->scheduled ? s->due_ns : now);
     if (s->stepping && !s->late)
-        until = earlier(until, s->first_ns + s->instant_ns + s->patience_ns + 1);
+        until = earlier(until, s->asked_ns + s->patience_ns + 1);
     left = until > now ? until - now : 0;
     patience.tv_sec = (time_t)(left / 1000000000);
     patience.tv_nsec = (long)(left % 1000000000);
@@ -350,8 +373,8 @@ static void run(struct supervisor *s)
             look_after_robot(s);
         next_instant(s);
         cameras_hear(&s->cameras);
-        if (s->options->duration_s > 0.0 && s->first_ns != 0 &&
-            (double)(now_ns() - s->first_ns) >= s->options->duration_s * 1e9 && !s->stepping)
+        if (s->options->duration_s > 0.0 && s->started && !s->stepping &&
+            (double)(program_ns(s, now_ns()) - s->first_ns) >= s->options->duration_s * 1e9)
             end(s, DONE, "%s", "");
         if (ended_by != 0)
             end(s, FAULT, "the run was ended by %s",
@@ -492,7 +515,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     s.record.file.file = -1;
     if (options->opening != NULL)
         line_init_opening(&s.line, options->opening, options->arguments, options->argument_count,
-                          options->settings);
+                          options->settings, params);
     else
         line_init(&s.line, options->device, driver->rate);
     /* Start the viewer before signals are changed and the robot's line is opened. */

@@ -1,5 +1,6 @@
 #include "device.h"
 
+#include <frob/console.h>
 #include <frob/ros.h>
 
 #include <math.h>
@@ -24,6 +25,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "lidar_x", 0.0, -10.0, 10.0, "position of the lidar ahead of the robot's centre, m" },
     { "lidar_y", 0.0, -10.0, 10.0, "position of the lidar to the left, m" },
     { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
+    { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),
@@ -41,10 +43,13 @@ static void start(void *device, const double *values, const struct frob_serial *
 {
     struct ros_device *d = (struct ros_device *)device;
     const struct ros_motion motion = d->motion;
-    const bool drove = d->drove;
+    const struct sim_clock sim_clock = d->sim_clock;
+    const bool drove = d->drove, gave = d->gave;
     memset(d, 0, sizeof *d);
     d->motion = motion;
+    d->sim_clock = sim_clock;
     d->drove = drove;
+    d->gave = gave;
     d->settings = values;
     d->serial = *serial;
     d->clock = *clock;
@@ -98,6 +103,11 @@ static void tell_silence(const struct ros_device *d, struct ros_topic *topic, co
     fprintf(stderr, "warning: no message on %s for %.0f s%s\n", topic->name, s(SILENCE_NS), effect);
 }
 
+static bool has_sim_time(const struct ros_device *d)
+{
+    return d->settings[ROS_SIM_TIME] > 0.0;
+}
+
 /* Decides whether a message is accepted. `bad`: the reason why its content is invalid, or NULL.
  * `taken_ns` receives the time at which it was sent, on our clock. */
 static bool counts(struct ros_device *d, struct ros_topic *topic, const char *bad, int64_t stamp_ns,
@@ -105,7 +115,7 @@ static bool counts(struct ros_device *d, struct ros_topic *topic, const char *ba
 {
     const int64_t late_ns = (int64_t)(d->settings[ROS_LATE] * 1e9);
     enum stamps_verdict verdict;
-    int64_t by_ns;
+    int64_t by_ns, clock_ns = arrived_ns;
     topic->received_ns = frob_now_ns(&d->clock);
     topic->told_silence = false;
     if (bad != NULL) {
@@ -114,7 +124,12 @@ static bool counts(struct ros_device *d, struct ros_topic *topic, const char *ba
         topic->told_bad = bad;
         return false;
     }
-    verdict = stamps_judge(&topic->stamps, stamp_ns, arrived_ns, late_ns, &by_ns);
+    /* A simulator's time may be slower than ours, and stand still. */
+    if (has_sim_time(d) && !d->sim_clock.started)
+        return false;
+    if (has_sim_time(d))
+        clock_ns = d->sim_clock.time_ns;
+    verdict = stamps_judge(&topic->stamps, stamp_ns, clock_ns, late_ns, &by_ns);
     tell_stamp(topic, verdict, by_ns);
     if (verdict != STAMPS_GOOD && verdict != STAMPS_RESET)
         return false;
@@ -203,9 +218,100 @@ static void give(const struct ros_sensor *sensor, const struct frob_control *con
     }
 }
 
+/* ---- Time */
+
+static void take_clock(struct ros_device *d, const struct ros_clock *clock)
+{
+    const int64_t jump_ns = sim_clock_take(&d->sim_clock, clock->time_ns);
+    if (jump_ns != 0) {
+        fprintf(stderr,
+                "warning: the time of /clock jumped %s by %.3f s; the program continues at its own "
+                "time\n",
+                jump_ns < 0 ? "back" : "ahead", s(jump_ns < 0 ? -jump_ns : jump_ns));
+        /* The stamps of messages jump too. */
+        memset(&d->odometry.stamps, 0, sizeof d->odometry.stamps);
+        for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
+            memset(&d->sensors[i].topic.stamps, 0, sizeof d->sensors[i].topic.stamps);
+    }
+}
+
+int64_t ros_device_time_ns(const void *device, int64_t now_ns)
+{
+    const struct ros_device *d = (const struct ros_device *)device;
+    if (!has_sim_time(d))
+        return now_ns;
+    return d->sim_clock.started ? sim_clock_now_ns(&d->sim_clock) : INT64_MIN;
+}
+
+/* ---- The console */
+
+/* A parameter of the node was set. After a restart of the node, the program's values count. */
+static void take_touch(struct ros_device *d, const struct ros_touch *touch)
+{
+    struct ros_dial *dial;
+    if (touch->control >= ROS_CONTROLS_MOST || (touch->is_initial && d->gave))
+        return;
+    dial = &d->dials[touch->control];
+    dial->value = touch->value;
+    dial->is_set = dial->is_known = true;
+}
+
+static double dial_value(const struct frob_control *control, const void *input)
+{
+    const char *at = (const char *)input + control->value->offset;
+    double number;
+    float single;
+    bool truth;
+    if (control->kind == FROB_TOGGLE) {
+        memcpy(&truth, at, sizeof truth);
+        return truth ? 1.0 : 0.0;
+    }
+    if (control->value->kind == FROB_SINGLE) {
+        memcpy(&single, at, sizeof single);
+        return (double)single;
+    }
+    memcpy(&number, at, sizeof number);
+    return number;
+}
+
+static void tell_node(const struct ros_device *d, size_t control, double value)
+{
+    struct ros_touch touch;
+    memset(&touch, 0, sizeof touch);
+    touch.head.size = (uint32_t)sizeof touch;
+    touch.head.kind = ROS_TOUCH;
+    touch.control = (uint32_t)control;
+    touch.value = value;
+    /* If the line is lost, poll finds out. */
+    d->serial.operations->write(d->serial.port, (const uint8_t *)&touch, sizeof touch);
+}
+
+/* Sets the knobs and toggles that other nodes have set, and tells the node about those that were
+ * set here. */
+static void give_dials(struct ros_device *d, const struct frob_program *program, void *input)
+{
+    for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {
+        const struct frob_control *control = &program->console[i];
+        struct ros_dial *dial = &d->dials[i];
+        double value;
+        if (control->kind != FROB_KNOB && control->kind != FROB_TOGGLE)
+            continue;
+        if (dial->is_set)
+            frob_console_touch(program, input, i, dial->value, 0.0);
+        value = dial_value(control, input);
+        if (!dial->is_set && (!dial->is_known || value < dial->value || value > dial->value))
+            tell_node(d, i, value);
+        dial->is_set = false;
+        dial->is_known = true;
+        dial->value = value;
+    }
+    d->gave = true;
+}
+
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns)
 {
     struct ros_device *d = (struct ros_device *)device;
+    give_dials(d, program, input);
     for (size_t i = 0; i < program->control_count; i++) {
         struct ros_sensor *sensor = NULL;
         char name[ROS_NAME];
@@ -233,6 +339,8 @@ static void take(struct ros_device *d)
     case ROS_ODOMETRY: take_odometry(d, &d->message.odometry); break;
     case ROS_SCAN: take_scan(d, &d->message.scan); break;
     case ROS_IMU: take_imu(d, &d->message.imu); break;
+    case ROS_CLOCK: take_clock(d, &d->message.clock); break;
+    case ROS_TOUCH: take_touch(d, &d->message.touch); break;
     default: break;
     }
 }

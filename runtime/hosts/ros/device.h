@@ -10,6 +10,7 @@
 #include "messages.h"
 #include "odometry.h"
 #include "sensors.h"
+#include "sim_clock.h"
 #include "stamps.h"
 
 /* The driver's settings, in the order of its table. */
@@ -21,10 +22,14 @@ enum ros_setting {
     ROS_LIDAR_X,
     ROS_LIDAR_Y,
     ROS_LIDAR_HEADING,
+    ROS_SIM_TIME,
     ROS_SETTINGS
 };
 
 enum { ROS_VERDICTS = STAMPS_RESET + 1 };
+
+/* Maximum number of controls that are parameters of the node. */
+enum { ROS_CONTROLS_MOST = 64 };
 
 /* The state of one topic: whether messages arrive, and which faults were reported. */
 struct ros_topic {
@@ -50,6 +55,13 @@ struct ros_sensor {
     struct ros_measurements sums;
 };
 
+/* A control of the console whose value other nodes may set. */
+struct ros_dial {
+    bool is_known; /* the node knows the value */
+    bool is_set;   /* another node has set it, and the program has not read it yet */
+    double value;  /* the newest one */
+};
+
 struct ros_device {
     const double *settings;
     struct frob_serial serial;
@@ -61,6 +73,8 @@ struct ros_device {
         struct ros_odometry odometry;
         struct ros_scan scan;
         struct ros_imu imu;
+        struct ros_clock clock;
+        struct ros_touch touch;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the one that is being received, and */
     size_t have; /* its number of bytes so far */
@@ -69,6 +83,9 @@ struct ros_device {
     struct ros_motion motion;
     int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
+    struct sim_clock sim_clock;
+    struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
+    bool gave;                                /* the program has had an instant in any session */
     bool commanded; /* a velocity was commanded, which the driver repeats */
     bool drove;     /* a velocity was commanded since the first session */
     struct ros_velocity velocity;
@@ -79,5 +96,9 @@ extern const struct frob_driver frob_ros_driver;
 
 /* Sets the events of the program's lidars and inertial measurement units for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
+
+/* Returns the time that the program's instants follow: that of /clock with use_sim_time, otherwise
+ * `now_ns`, that of this machine; INT64_MIN if it is not known yet. */
+int64_t ros_device_time_ns(const void *device, int64_t now_ns);
 
 #endif

@@ -9,24 +9,33 @@
 
 #include "sensors.h"
 
-bool inputs_of(struct inputs *inputs, const struct frob_program *program)
+static void add(struct inputs *inputs, enum ros_kind kind, const char *name)
+{
+    struct input *input = &inputs->each[inputs->count++];
+    input->kind = kind;
+    snprintf(input->name, sizeof input->name, "%s", name);
+}
+
+bool inputs_is_sensor(const struct input *input)
+{
+    return input->kind == ROS_SCAN || input->kind == ROS_IMU;
+}
+
+bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time)
 {
     memset(inputs, 0, sizeof *inputs);
-    inputs->count = 1;
-    inputs->each[0].kind = ROS_ODOMETRY;
-    snprintf(inputs->each[0].name, sizeof inputs->each[0].name, "odom");
+    add(inputs, ROS_ODOMETRY, "odom");
+    if (use_sim_time)
+        add(inputs, ROS_CLOCK, "/clock");
     for (size_t i = 0; i < program->control_count; i++) {
-        struct input *input = &inputs->each[inputs->count];
         char name[ROS_NAME];
         if (!ros_topic_of(&program->console[i], name, sizeof name) ||
             ros_first_user(program, i) < i)
             continue;
         if (inputs->count == INPUTS_MOST)
             return false;
-        input->kind = program->console[i].kind == FROB_IMU ? ROS_IMU : ROS_SCAN;
-        input->control = (uint32_t)i;
-        snprintf(input->name, sizeof input->name, "%s", name);
-        inputs->count++;
+        inputs->each[inputs->count].control = (uint32_t)i;
+        add(inputs, program->console[i].kind == FROB_IMU ? ROS_IMU : ROS_SCAN, name);
     }
     return true;
 }
@@ -43,6 +52,11 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
         input->topic.type = "sensor_msgs/msg/Imu";
         return sensor_msgs__msg__Imu__init(&input->message.imu)
                    ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, Imu)
+                   : NULL;
+    case ROS_CLOCK:
+        input->topic.type = "rosgraph_msgs/msg/Clock";
+        return rosgraph_msgs__msg__Clock__init(&input->message.clock)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock)
                    : NULL;
     default:
         input->topic.type = "nav_msgs/msg/Odometry";
@@ -69,9 +83,14 @@ const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node)
     return NULL;
 }
 
+static int64_t to_ns(const builtin_interfaces__msg__Time *time)
+{
+    return (int64_t)time->sec * 1000000000 + (int64_t)time->nanosec;
+}
+
 static int64_t stamp_of(const std_msgs__msg__Header *header)
 {
-    return (int64_t)header->stamp.sec * 1000000000 + (int64_t)header->stamp.nanosec;
+    return to_ns(&header->stamp);
 }
 
 static void send_message(int socket, const struct ros_head *message)
@@ -155,6 +174,16 @@ static void send_imu(const struct input *input, int socket)
     send_message(socket, &imu.head);
 }
 
+static void send_clock(struct inputs *inputs, const struct input *input, int socket)
+{
+    struct ros_clock clock;
+    memset(&clock, 0, sizeof clock);
+    clock.head = head(ROS_CLOCK, sizeof clock);
+    clock.time_ns = to_ns(&input->message.clock.clock);
+    __atomic_store_n(&inputs->clock_ns, clock.time_ns, __ATOMIC_SEQ_CST);
+    send_message(socket, &clock.head);
+}
+
 void inputs_take(struct inputs *inputs, struct input *input, int socket)
 {
     while (rcl_take(&input->subscription, &input->message, NULL, NULL) == RCL_RET_OK) {
@@ -162,6 +191,7 @@ void inputs_take(struct inputs *inputs, struct input *input, int socket)
         switch (input->kind) {
         case ROS_SCAN: send_scan(inputs, input, socket); break;
         case ROS_IMU: send_imu(input, socket); break;
+        case ROS_CLOCK: send_clock(inputs, input, socket); break;
         default: send_odometry(&input->message.odometry, socket); break;
         }
     }

@@ -6,14 +6,15 @@
 
 #include <nav_msgs/msg/odometry.h>
 #include <rcl/rcl.h>
+#include <rosgraph_msgs/msg/clock.h>
 #include <sensor_msgs/msg/imu.h>
 #include <sensor_msgs/msg/laser_scan.h>
 
 #include "messages.h"
 #include "parts.h"
 
-/* The odometry, and as many sensors as a program may use. */
-enum { INPUTS_MOST = 1 + ROS_SENSORS_MOST };
+/* The odometry, the clock, and as many sensors as a program may use. */
+enum { INPUTS_MOST = 2 + ROS_SENSORS_MOST };
 
 struct input {
     enum ros_kind kind;
@@ -26,6 +27,7 @@ struct input {
         nav_msgs__msg__Odometry odometry;
         sensor_msgs__msg__LaserScan scan;
         sensor_msgs__msg__Imu imu;
+        rosgraph_msgs__msg__Clock clock;
     } message;
 };
 
@@ -33,10 +35,14 @@ struct inputs {
     struct input each[INPUTS_MOST];
     size_t count;
     struct ros_scan scan; /* the message that is sent next */
+    int64_t clock_ns;     /* newest time of /clock; accessed atomically */
 };
 
 /* Determines the inputs of a program. Returns false if it has too many sensors. */
-bool inputs_of(struct inputs *inputs, const struct frob_program *program);
+bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time);
+
+/* Returns whether the input is a sensor of the program. */
+bool inputs_is_sensor(const struct input *input);
 
 /* Subscribes to all topics. Returns NULL, or the name of the topic that failed. */
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node);

@@ -8,8 +8,6 @@
 #include "opening.h"
 #include "overrides.h"
 
-#include <stdio.h>
-
 enum { WRONG_USE = 2 };
 
 /* The compiled program. */
@@ -22,9 +20,7 @@ int main(int argc, char **argv)
     if (ros_is_node(argc, argv, &frob_program, &status))
         return status;
     overrides = overrides_of(argc, argv, &frob_program);
-    if (overrides.argv == NULL) {
-        fprintf(stderr, "error: not enough memory\n");
+    if (overrides.argv == NULL)
         return WRONG_USE;
-    }
     return host_run(overrides.argc, overrides.argv, &frob_program, &frob_ros_driver, &ros_opening);
 }

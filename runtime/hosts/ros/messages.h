@@ -16,8 +16,11 @@ enum ros_kind {
     ROS_ODOMETRY,
     ROS_SCAN,
     ROS_IMU,
+    ROS_CLOCK, /* the simulator's time; the rest is a struct ros_clock */
     /* To the node. */
-    ROS_VELOCITY
+    ROS_VELOCITY,
+    /* In both directions: a control of the console has a new value; a struct ros_touch. */
+    ROS_TOUCH
 };
 
 struct ros_head {
@@ -82,6 +85,20 @@ struct ros_imu {
     double rate_radps[3], acceleration_mps2[3];
     double rotation[4]; /* quaternion: x, y, z, w */
     bool has_rotation;
+};
+
+/* A rosgraph_msgs/msg/Clock. */
+struct ros_clock {
+    struct ros_head head;
+    int64_t time_ns;
+};
+
+/* A knob or toggle of the program's console, which is a parameter of the node. */
+struct ros_touch {
+    struct ros_head head;
+    uint32_t control; /* index in the program's console */
+    bool is_initial;  /* from the arguments for ROS */
+    double value;     /* in base units; 0 or 1 for a toggle */
 };
 
 /* Publish this velocity. */

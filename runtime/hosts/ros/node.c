@@ -19,7 +19,9 @@
 
 #include "inputs.h"
 #include "messages.h"
+#include "overrides.h"
 #include "parts.h"
+#include "services.h"
 
 #define WAIT_NS INT64_C(500000000)
 
@@ -33,6 +35,7 @@ struct node {
     rcl_context_t context;
     rcl_node_t node;
     struct inputs inputs;
+    struct services services;
     rcl_publisher_t velocity;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
@@ -40,6 +43,18 @@ struct node {
     geometry_msgs__msg__TwistStamped stamped;
     struct graph graph;
 };
+
+/* The only node of this process. */
+static struct node the_node;
+
+int64_t node_stamp_ns(void)
+{
+    struct timespec now;
+    if (the_node.options->use_sim_time)
+        return __atomic_load_n(&the_node.inputs.clock_ns, __ATOMIC_SEQ_CST);
+    clock_gettime(CLOCK_REALTIME, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
 
 int64_t node_now_ns(void)
 {
@@ -100,7 +115,7 @@ static bool join(struct node *n)
 static bool subscribe(struct node *n)
 {
     const char *failed;
-    if (!inputs_of(&n->inputs, n->options->program)) {
+    if (!inputs_of(&n->inputs, n->options->program, n->options->use_sim_time)) {
         refuse_because(n, "cannot subscribe", "the program uses more than eight sensors");
         return false;
     }
@@ -108,6 +123,23 @@ static bool subscribe(struct node *n)
     if (failed != NULL) {
         char what[ROS_NAME + 32];
         snprintf(what, sizeof what, "cannot subscribe to %s", failed);
+        refuse(n, what);
+    }
+    return failed == NULL;
+}
+
+static bool serve(struct node *n)
+{
+    const struct node_options *o = n->options;
+    const char *failed;
+    if (!parameters_of(&n->services.parameters, o->program, o->params, o->use_sim_time)) {
+        refuse_because(n, "cannot offer parameters", "not enough memory");
+        return false;
+    }
+    failed = services_start(&n->services, &n->node, o->socket);
+    if (failed != NULL) {
+        char what[ROS_NAME + 32];
+        snprintf(what, sizeof what, "cannot offer %s", failed);
         refuse(n, what);
     }
     return failed == NULL;
@@ -152,13 +184,21 @@ static bool report(struct node *n)
     snprintf(started.node, sizeof started.node, "%s", rcl_node_get_fully_qualified_name(&n->node));
     snprintf(started.odometry, sizeof started.odometry, "%s", n->inputs.each[0].topic.name);
     snprintf(started.velocity, sizeof started.velocity, "%s", n->graph.velocity.name);
-    for (size_t i = 1; i < n->inputs.count; i++) {
-        started.sensors[i - 1].control = n->inputs.each[i].control;
-        snprintf(started.sensors[i - 1].topic, sizeof started.sensors[i - 1].topic, "%s",
-                 n->inputs.each[i].topic.name);
+    for (size_t i = 0; i < n->inputs.count; i++) {
+        const struct input *input = &n->inputs.each[i];
+        const size_t k = started.sensor_count;
+        if (!inputs_is_sensor(input))
+            continue;
+        started.sensors[k].control = input->control;
+        snprintf(started.sensors[k].topic, sizeof started.sensors[k].topic, "%s",
+                 input->topic.name);
+        started.sensor_count++;
     }
-    started.sensor_count = (uint32_t)(n->inputs.count - 1);
-    return send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) >= 0;
+    if (send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) < 0)
+        return false;
+    overrides_of_controls(n->options->argc, n->options->argv, n->options->program->name,
+                          &n->services.parameters, services_set_initial, &n->services);
+    return true;
 }
 
 /* ---- Velocities */
@@ -169,10 +209,9 @@ static void publish(struct node *n, double speed_m_s, double turn_rad_s)
     n->twist.linear.x = speed_m_s;
     n->twist.angular.z = turn_rad_s;
     if (n->options->stamped) {
-        struct timespec now;
-        clock_gettime(CLOCK_REALTIME, &now);
-        n->stamped.header.stamp.sec = (int32_t)now.tv_sec;
-        n->stamped.header.stamp.nanosec = (uint32_t)now.tv_nsec;
+        const int64_t now_ns = node_stamp_ns();
+        n->stamped.header.stamp.sec = (int32_t)(now_ns / 1000000000);
+        n->stamped.header.stamp.nanosec = (uint32_t)(now_ns % 1000000000);
         n->stamped.twist = n->twist;
         message = &n->stamped;
     }
@@ -187,13 +226,20 @@ static void *publish_all(void *of)
 {
     struct node *n = (struct node *)of;
     for (;;) {
-        struct ros_velocity velocity;
-        ssize_t got = recv(n->options->socket, &velocity, sizeof velocity, 0);
+        union {
+            struct ros_head head;
+            struct ros_velocity velocity;
+            struct ros_touch touch;
+        } message;
+        ssize_t got = recv(n->options->socket, &message, sizeof message, 0);
         if (got < 0 && errno == EINTR)
             continue;
-        if (got != (ssize_t)sizeof velocity)
+        if (got < (ssize_t)sizeof message.head || got != (ssize_t)message.head.size)
             break;
-        publish(n, velocity.speed_m_s, velocity.turn_rad_s);
+        if (message.head.kind == ROS_VELOCITY)
+            publish(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
+        else if (message.head.kind == ROS_TOUCH)
+            services_note(&n->services, message.touch.control, message.touch.value);
     }
     publish(n, 0.0, 0.0);
     if (rcl_publisher_wait_for_all_acked(&n->velocity, ACKNOWLEDGED_NS) != RCL_RET_OK)
@@ -212,13 +258,15 @@ static bool prepare(struct node *n, rcl_wait_set_t *set)
     for (size_t i = 0; i < n->inputs.count; i++)
         ok = ok && rcl_wait_set_add_subscription(set, &n->inputs.each[i].subscription, NULL) ==
                        RCL_RET_OK;
+    for (size_t i = 0; i < SERVICES; i++)
+        ok = ok && rcl_wait_set_add_service(set, &n->services.each[i], NULL) == RCL_RET_OK;
     return ok && rcl_wait_set_add_guard_condition(set, &n->over, NULL) == RCL_RET_OK;
 }
 
 static int listen_until_over(struct node *n)
 {
     rcl_wait_set_t set = rcl_get_zero_initialized_wait_set();
-    if (rcl_wait_set_init(&set, n->inputs.count, 1, 0, 0, 0, 0, &n->context,
+    if (rcl_wait_set_init(&set, n->inputs.count, 1, 0, 0, SERVICES, 0, &n->context,
                           rcl_get_default_allocator()) != RCL_RET_OK) {
         fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
         return FAULT;
@@ -236,6 +284,9 @@ static int listen_until_over(struct node *n)
         for (size_t i = 0; result == RCL_RET_OK && i < n->inputs.count; i++)
             if (set.subscriptions[i] != NULL)
                 inputs_take(&n->inputs, &n->inputs.each[i], n->options->socket);
+        for (size_t i = 0; result == RCL_RET_OK && i < SERVICES; i++)
+            if (set.services[i] != NULL)
+                services_take(&n->services, i);
         graph_look(&n->graph, &n->node);
     }
     if (rcl_wait_set_fini(&set) != RCL_RET_OK)
@@ -265,6 +316,7 @@ static void leave(struct node *n)
     for (size_t i = 0; i < n->inputs.count; i++)
         ok = rcl_subscription_fini(&n->inputs.each[i].subscription, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
+    ok = services_end(&n->services, &n->node) && ok;
     ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
     ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;
     ok = rcl_shutdown(&n->context) == RCL_RET_OK && ok;
@@ -275,19 +327,19 @@ static void leave(struct node *n)
 
 int node_run(const struct node_options *options)
 {
-    static struct node n;
+    struct node *n = &the_node;
     pthread_t publisher;
     int status;
-    n.options = options;
+    n->options = options;
     leave_session();
-    if (!join(&n) || !subscribe(&n) || !advertise(&n) || !report(&n))
+    if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !report(n))
         return FAULT;
-    if (pthread_create(&publisher, NULL, publish_all, &n) != 0) {
+    if (pthread_create(&publisher, NULL, publish_all, n) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");
         return FAULT;
     }
-    status = listen_until_over(&n);
+    status = listen_until_over(n);
     if (status == DONE && pthread_join(publisher, NULL) == 0)
-        leave(&n);
+        leave(n);
     return status;
 }

@@ -19,7 +19,9 @@ struct node_options {
     const struct frob_program *program; /* its name is that of the node, unless it is remapped */
     int socket;                         /* leads to the supervisor */
     bool stamped;                       /* publish TwistStamped */
-    int argc; /* the arguments for rcl, which begin with the name of the program */
+    bool use_sim_time;
+    const void *params; /* the program's parameter struct */
+    int argc;           /* the arguments for rcl, which begin with the name of the program */
     char **argv;
 };
 

@@ -11,6 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "hosts/common/params.h"
+
 #include "device.h"
 #include "messages.h"
 #include "node.h"
@@ -20,21 +22,45 @@ enum { START_MS = 20000, END_MS = 1000 };
 
 /* ---- The supervisor's side */
 
-/* Replaces this process with the node: `PROGRAM --ros-node SOCKET STAMPED --ros-args ARGUMENT…`. */
+/* The options of the node's process, between the socket and the arguments for ROS. */
+static const char stamped_option[] = "stamped", sim_time_option[] = "sim_time";
+
+/* Returns the text NAME=VALUE of a parameter. */
+static char *setting_of(const struct frob_param *param, const void *values)
+{
+    const size_t length = strlen(param->name) + 1, room = length + strlen(param->unit) + 400;
+    char *setting = (char *)malloc(room);
+    struct frob_text text;
+    if (setting == NULL)
+        _exit(1);
+    snprintf(setting, room, "%s=", param->name);
+    text = frob_text_in(setting + length, room - length);
+    params_write(&text, param, values);
+    return setting;
+}
+
+/* Replaces this process with the node:
+ * `PROGRAM --ros-node SOCKET [OPTION]... [NAME=VALUE]... -- --ros-args ARGUMENT...`. */
 static void become_node(const struct line *line, const double *settings, int own)
 {
-    char number[16], stamped[2] = "0";
-    char **argv = (char **)calloc(line->argument_count + 6, sizeof *argv);
+    const struct frob_program *program = line->params->program;
+    char number[16];
+    char **argv = (char **)calloc(line->argument_count + program->param_count + 8, sizeof *argv);
     size_t count = 0;
     const int fd = dup(own); /* without close-on-exec */
     if (argv == NULL || fd < 0)
         _exit(1);
     snprintf(number, sizeof number, "%d", fd);
-    stamped[0] = settings[ROS_STAMPED] != 0.0 ? '1' : '0';
     argv[count++] = program_invocation_name;
     argv[count++] = (char *)(uintptr_t)ROS_NODE_OPTION;
     argv[count++] = number;
-    argv[count++] = stamped;
+    if (settings[ROS_STAMPED] > 0.0)
+        argv[count++] = (char *)(uintptr_t)stamped_option;
+    if (settings[ROS_SIM_TIME] > 0.0)
+        argv[count++] = (char *)(uintptr_t)sim_time_option;
+    for (size_t i = 0; i < program->param_count; i++)
+        argv[count++] = setting_of(&program->params[i], line->params->values);
+    argv[count++] = (char *)(uintptr_t)"--";
     if (line->argument_count > 0)
         argv[count++] = (char *)(uintptr_t)ros_opening.option;
     for (size_t i = 0; i < line->argument_count; i++)
@@ -125,6 +151,7 @@ const struct line_opening ros_opening = {
     .open = open_node,
     .close = close_node,
     .give = ros_device_give,
+    .time_ns = ros_device_time_ns,
 };
 
 /* ---- The node's side */
@@ -132,13 +159,29 @@ const struct line_opening ros_opening = {
 bool ros_is_node(int argc, char **argv, const struct frob_program *program, int *status)
 {
     struct node_options options;
+    struct params params;
+    const char *const *settings;
+    size_t count = 0;
+    int i = 3;
     if (argc < 4 || strcmp(argv[1], ROS_NODE_OPTION) != 0)
         return false;
+    memset(&options, 0, sizeof options);
     options.program = program;
     options.socket = (int)strtol(argv[2], NULL, 10);
-    options.stamped = argv[3][0] == '1';
-    options.argc = argc - 3;
-    options.argv = argv + 3;
-    *status = node_run(&options);
+    for (; i < argc && strcmp(argv[i], stamped_option) == 0; i++)
+        options.stamped = true;
+    for (; i < argc && strcmp(argv[i], sim_time_option) == 0; i++)
+        options.use_sim_time = true;
+    settings = (const char *const *)argv + i;
+    for (; i < argc && strcmp(argv[i], "--") != 0; i++)
+        count++;
+    options.argc = argc - i;
+    options.argv = argv + i;
+    *status = 2;
+    if (params_open(&params, program, settings, count)) {
+        options.params = params.values;
+        *status = node_run(&options);
+    }
+    params_close(&params);
     return true;
 }

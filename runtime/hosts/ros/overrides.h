@@ -4,15 +4,24 @@
 
 #include <frob/program.h>
 
+#include "parameters.h"
+
 /* A command line with the program's own options. */
 struct overrides {
     int argc;
-    char **argv; /* NULL if memory ran out */
+    char **argv; /* NULL if memory ran out or a value is wrong */
 };
 
 /* Returns the command line, with an option `--param NAME=VALUE` for each value of a parameter of the
- * program in the arguments for ROS. Reports names that the program does not have, and use_sim_time,
- * which this host does not support. The result is never freed. */
+ * program in the arguments for ROS, and a setting of the driver for use_sim_time. Reports names that
+ * the program does not have, and wrong values. The result is never freed. */
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program);
+
+/* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: its
+ * name. */
+void overrides_of_controls(int argc, char **argv, const char *program,
+                           const struct parameters *parameters,
+                           void (*set)(void *context, struct parameter *parameter, double value),
+                           void *context);
 
 #endif

@@ -28,6 +28,9 @@ struct graph {
 /* The monotonic clock. */
 int64_t node_now_ns(void);
 
+/* The time for stamps: that of /clock with use_sim_time, otherwise that of this machine. */
+int64_t node_stamp_ns(void);
+
 /* Checks the other nodes once a second, and reports topics without a publisher, messages of another
  * type, and a second node with the same name, each once. */
 void graph_look(struct graph *graph, const rcl_node_t *node);

@@ -2,6 +2,7 @@ Programs run as ROS 2 nodes: here with a fake ROS 2, whose robot publishes
 odometry and drives as the node's velocities say (fake/fake_ros.c).
 
   $ . ./ros.sh
+  $ speeds="0 0.2 0"
 
 The program drives 0.3 m. The recording has the odometry and the commands.
 The first velocity is zero.
@@ -24,7 +25,7 @@ Arguments for ROS 2 follow --ros-args, up to a `--`.
   $ run_node 0.1s "" --ros-args -r odom:=base/odom -r __node:=follower
   $ head -1 summary
   robot: node /follower, odometry from /base/odom, velocity to /cmd_vel
-  $ steady frobc run --ros2 drive.frob --ros-args -r odom:=base/odom -r cmd_vel:=base/cmd_vel -- --for 0.1s | head -1
+  $ run_ros drive.frob --ros-args -r odom:=base/odom -r cmd_vel:=base/cmd_vel -- --for 0.1s; head -1 summary
   robot: node /drive, odometry from /base/odom, velocity to /base/cmd_vel
   $ frobc run --ros2 drive.frob --for 1s --ros-args -r odom
   error: wrong argument after --ros-args: Couldn't parse remap rule
@@ -38,9 +39,8 @@ A parameter of the program:
   > main :: DiffDrive o => Program i o
   > main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))
   > END
-  $ rm velocities
-  $ steady frobc run --ros2 paced.frob $patient --for 0.3s --ros-args -p pace:=0.1 -p use_sim_time:=true -p other:=1 >summary
-  warning: use_sim_time is not supported: the steps of paced follow the clock of this machine, not /clock
+  $ speeds="0 0.1 0"
+  $ run_ros paced.frob --for 0.3s --ros-args -p pace:=0.1 -p other:=1 --; cat messages
   warning: paced has no parameter `other`; --help lists its parameters
   $ cat velocities
   0.000 0.000
@@ -50,8 +50,76 @@ A parameter of the program:
   error: the parameter `pace` is a number of m/s, not `fast`
   [2]
 
+Other nodes cannot change it during the run. Knobs and toggles of the console
+are parameters too, which they can change.
+
+  $ FAKE_ROS_SET=pace=0.3 faults=set=0.2; export FAKE_ROS_SET
+  $ run_ros paced.frob --for 0.6s --ros-args -p pace:=0.1 --; cat messages velocities
+  0.000 0.000
+  0.100 0.000
+  set_parameters: `pace` is fixed during a run: restart the node with `--ros-args -p pace:=VALUE`, or make it a knob of the program's console
+  0.000 0.000
+  $ cat >tuned.frob <<END
+  > import Robot
+  > main :: (HasConsole i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR (knob "pace" 0 0.5[m/s] 0.1[m/s] i) 0))
+  > END
+  $ speeds="0 0.1 0.3 0"
+  $ run_ros tuned.frob --for 0.8s --record log.csv; cat messages velocities
+  0.000 0.000
+  0.100 0.000
+  set_parameters: successful
+  0.300 0.000
+  0.000 0.000
+  $ frobc trace tuned.frob --robot ros --input log.csv | tail -1 | cut -d, -f2
+  0.29999999999999999
+  $ speeds="0 0.2 0"; FAKE_ROS_SET=pace=0.6
+  $ run_ros tuned.frob --for 0.6s --ros-args -p pace:=0.2 --; cat messages velocities
+  0.000 0.000
+  0.200 0.000
+  set_parameters: `pace` is a number from 0 to 0.5 m/s, not 0.6
+  0.000 0.000
+  $ speeds="0 0.4 0"
+  $ for node in /tuned '/**' '/*' tuned '**/tuned'; do
+  >   echo "$node pace 0.4" >values.yaml
+  >   run_ros tuned.frob --for 0.1s --ros-args --params-file values.yaml --; speeds_are "$speeds" && echo ok
+  > done
+  ok
+  ok
+  ok
+  ok
+  ok
+  $ echo "/robot1/tuned pace 0.4" >values.yaml; run_ros tuned.frob --for 0.1s --ros-args --params-file values.yaml -r __ns:=/robot1 --; speeds_are "$speeds" && echo ok
+  ok
+  $ speeds="0 0.1 0"; run_ros tuned.frob --for 0.1s --ros-args --params-file values.yaml --; speeds_are "$speeds" && echo ok
+  ok
+  $ frobc run --ros2 tuned.frob --for 0.3s --ros-args -p pace:=2
+  error: `pace` is a number from 0 to 0.5 m/s, not 2
+  [2]
+  $ faults=
+
+The instants follow the time of a simulator on /clock, which here has half the
+speed of real time. If the simulator is restarted, the program's time continues.
+
+  $ speeds="0 0.1 0"
+  $ run_ros paced.frob --for 0.5s --record log.csv --ros-args -p pace:=0.1 -p use_sim_time:=true --; cat messages velocities
+  0.000 0.000
+  0.100 0.000
+  0.000 0.000
+  $ tail -1 log.csv | awk -F, '{ print ($1 > 0.45 && $1 < 0.6), ($2 > 0.08) }'
+  1 1
+  $ faults=clock_back=0.6
+  $ run_ros paced.frob --for 0.5s --record log.csv --ros-args -p pace:=0.1 -p use_sim_time:=true --; grep clock messages | sed 's/by [0-9.]* s/by N s/'
+  warning: the time of /clock jumped back by N s; the program continues at its own time
+  $ awk -F, '$1 + 0 < before { print "back" } { before = $1 + 0 }' log.csv
+  $ faults=
+  $ frobc run --ros2 paced.frob --for 0.3s --ros-args -p use_sim_time:=maybe
+  error: the parameter `use_sim_time` is true or false, not `maybe`
+  [2]
+
 Messages of type TwistStamped:
 
+  $ speeds="0 0.2 0"
   $ run_node 0.3s "" --set stamped=1; cat messages velocities
   0.000 0.000 stamped
   0.200 0.000 stamped
@@ -59,6 +127,7 @@ Messages of type TwistStamped:
 
 Speeds are limited:
 
+  $ speeds="0 0.15 0"
   $ run_node 0.3s "" --set fastest=0.15; cat messages velocities
   0.000 0.000
   0.150 0.000
@@ -67,7 +136,7 @@ Speeds are limited:
 No odometry, or odometry that is not usable, stops the robot. It continues
 when messages are good again.
 
-  $ patient="--patience 500ms"
+  $ speeds="0 0.2 0" patient="--patience 500ms"
   $ run_node 1.8s silent=0.5; cat messages velocities
   warning: no message on /odom for 1 s; the robot stands until one arrives
   0.000 0.000
@@ -78,6 +147,7 @@ when messages are good again.
   0.000 0.000
   0.200 0.000
   0.000 0.000
+  $ speeds="0 0.2 0 0.2 0"
   $ run_node 2s back=0.5; sed "s/by [0-9.]* s/by N s/" messages; cat velocities
   warning: the stamp of a message on /odom jumped back by N s; messages do not count until stamps have been regular for a second
   warning: the clock of the messages on /odom was set; they count again
@@ -86,6 +156,7 @@ when messages are good again.
   0.000 0.000
   0.200 0.000
   0.000 0.000
+  $ speeds="0 0.2 0"
   $ run_node 2.2s old=1.2; grep late messages | sed "s/[0-9.]* s late/N s late/"; cat velocities
   warning: a message on /odom arrived N s late; late messages do not count
   0.000 0.000
@@ -97,7 +168,11 @@ when messages are good again.
 A program reads the lidar and the inertial measurement unit, and drives to half
 a metre before the wall: 0.3 m, as distances count from the robot's front.
 
-  $ steady env FAKE_ROS= timeout 60 frobc run --ros2 approach.frob $patient --for 3s --record log.csv >summary
+  $ run_approach () {
+  >   wants='[ "$(tail -1 log.csv | cut -d, -f2 | awk "{ print (\$1 > 0.25) }")" = 1 ]'
+  >   in_time run_once approach.frob $patient --for 3s --record log.csv; wants=
+  > }
+  $ faults= ; run_approach; cat messages
   $ tail -1 log.csv | cut -d, -f2 | awk '{ print ($1 > 0.25 && $1 < 0.31) }'
   1
   $ head -1 log.csv | cut -d, -f8-
@@ -106,21 +181,25 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
   1
   $ grep -c 'Imu {rate = Vec3 {x = 0, y = 0, z = 0.25}' log.csv | awk '{ print ($1 > 10) }'
   1
-  $ steady env FAKE_ROS=no_angle=0.3 timeout 60 frobc run --ros2 approach.frob $patient --for 1s >summary
+  $ faults=no_angle=0.3; wants='grep -q warning messages'
+  $ in_time run_once approach.frob $patient --for 1s; wants=; cat messages
   warning: a message on /scan does not count: its angles are not numbers, or angle_increment is 0
 
 Without a robot, the program waits; it names the topic.
 
-  $ FAKE_ROS="silent=0 alone=0" timeout -s INT 3 frobc run --ros2 drive.frob >summary
+  $ FAKE_ROS="silent=0 alone=0" frobc run --ros2 drive.frob >summary 2>messages & run=$!
+  $ until_true 'grep -q warning messages'; kill -INT $run; wait $run
+  [4]
+  $ cat messages
   warning: no node publishes /odom (nav_msgs/msg/Odometry), which the program needs. Start the robot's nodes, or remap the topic with `--ros-args -r odom:=NAME`
   interrupted at 0.000 s: the summary covers the run until then; run the same command to start again
   error: the run was ended by an interrupt; sent a stop command to the robot
-  [124]
   $ grep '^steps' summary
   steps: 0
 
 Conflicts with other nodes are reported:
 
+  $ speeds="0 0.2 0"
   $ run_node 1.5s "other_type=0 wants_stamped=0 same_name=0"; cat messages
   warning: /odom has two types, so no message gets through: the node base publishes geometry_msgs/msg/PoseStamped, and this program needs nav_msgs/msg/Odometry
   warning: /cmd_vel has two types, so no message gets through: the node base subscribes to geometry_msgs/msg/TwistStamped, and this program needs geometry_msgs/msg/Twist; add `--set stamped=1`
@@ -129,7 +208,8 @@ Conflicts with other nodes are reported:
 The process of the node crashes. Another one is started, and stops the robot
 before the program continues.
 
-  $ run_node 4s crash=0.5; cat messages; head -4 velocities
+  $ speeds="0 0.2 0 0.2 0"
+  $ run_node 2s crash=0.5; cat messages; head -4 velocities
   0.000 0.000
   0.200 0.000
   0.000 0.000
@@ -141,17 +221,17 @@ The robot is stopped when any part of a run ends or is suspended.
   $ FAKE_ROS=crash=0.5 ./drive --reconnect 0 >summary
   error: lost the connection to the robot: the process of the ROS 2 node has ended; the robot could not be reached to stop it
   [4]
-  $ start_node ""; kill -INT $run; wait $run; until_stopped
+  $ start_node; kill -INT $run; wait $run; until_stopped
   last velocity: 0.000 0.000
-  $ start_node ""; kill -KILL $controller; wait $run; until_stopped
+  $ start_node; kill -KILL $controller; wait $run; until_stopped
   last velocity: 0.000 0.000
   $ tail -1 messages
   error: the controller was killed by signal 9 (Killed); sent a stop command to the robot
-  $ start_node ""; kill -KILL $run; until_stopped
+  $ start_node; kill -KILL $run; until_stopped
   last velocity: 0.000 0.000
-  $ start_node ""; kill -KILL -$run; until_stopped
+  $ start_node; kill -KILL -$run; until_stopped
   last velocity: 0.000 0.000
-  $ start_node ""; kill -STOP $run; until_stopped
+  $ start_node; kill -STOP $run; until_stopped
   last velocity: 0.000 0.000
   $ kill -KILL $run
 
@@ -165,11 +245,12 @@ Mistakes on the command line:
   error: there is no ROS 2 in this shell: install it, and source its setup script, as in `source …`, which sets AMENT_PREFIX_PATH
   $ rm prefix/share/ament_index/resource_index/packages/*_msgs
   $ ROS_DISTRO=jazzy frobc run --ros2 drive.frob
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs and sensor_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs`
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-rosgraph-msgs`
   [2]
   $ rm prefix/share/ament_index/resource_index/packages/rcl
   $ sh fake/build.sh fake "$PWD/prefix"
   $ sed -i 's/9.2.8/5.3.1/' prefix/share/rcl/package.xml
+  $ speeds="0 0.2 0"
   $ run_node 0.1s ""; cat messages
   warning: frobc is tested with ROS 2 Jazzy and Kilted, not with the one in this shell, whose rcl has version 5.3.1
   $ frobc run --ros2 --robot scout drive.frob

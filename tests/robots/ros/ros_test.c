@@ -6,10 +6,13 @@
 #include "hal/fake/fake.h"
 #include "hosts/ros/device.h"
 #include "hosts/ros/odometry.h"
+#include "hosts/ros/parameters.h"
+#include "hosts/ros/sim_clock.h"
 #include "hosts/ros/stamps.h"
 
 #include <frob/ros.h>
 
+#include <stdlib.h>
 #include <string.h>
 
 #define MS INT64_C(1000000)
@@ -220,6 +223,109 @@ static void test_imu(void)
     check(ros_imu_check(&m) != NULL, "a rate of NaN is rejected");
 }
 
+/* ---- Parameters */
+
+static struct parameters node_parameters(void)
+{
+    static const struct frob_value number = { .kind = FROB_FLOAT, .offset = 0 };
+    static const struct frob_value whole = { .kind = FROB_INT, .offset = sizeof(double) };
+    static const struct frob_param params[] = { { "kTurn", "1/m", &number },
+                                                { "count", "1", &whole } };
+    static const struct frob_control controls[] = {
+        { .kind = FROB_BUTTON, .label = "go" },
+        { .kind = FROB_KNOB, .label = "pace", .unit = "m/s", .least = 0, .most = 1, .first = 0.5 },
+        { .kind = FROB_TOGGLE, .label = "lamp", .unit = "", .most = 1 },
+        { .kind = FROB_KNOB, .label = "kTurn", .unit = "1", .least = 0, .most = 1, .first = 0.5 },
+    };
+    static const struct {
+        double number;
+        int32_t whole;
+    } values = { 4.0, 7 };
+    static const struct frob_program program = {
+        .console = controls, .control_count = 4, .params = params, .param_count = 2
+    };
+    struct parameters result;
+    check(parameters_of(&result, &program, &values, true), "there is memory for parameters");
+    return result;
+}
+
+/* Whether the parameter accepts the request, and otherwise gives this reason. */
+static bool answers(const struct parameters *parameters, const char *name,
+                    struct parameter_request request, const char *reason)
+{
+    char why[1000] = "";
+    double value = -1.0;
+    bool ok = parameters_convert(parameters, parameters_find(parameters, name), name, &request,
+                                 &value, why, sizeof why);
+    if (reason == NULL)
+        return ok && value == (request.type == PARAMETER_BOOL      ? (double)request.truth
+                               : request.type == PARAMETER_INTEGER ? (double)request.integer
+                                                                   : request.number);
+    if (ok || strcmp(why, reason) != 0)
+        printf("     found \"%s\"\n", why);
+    return !ok && strcmp(why, reason) == 0;
+}
+
+static void test_parameters(void)
+{
+    const struct parameters p = node_parameters();
+    const struct parameter_request half = { PARAMETER_DOUBLE, false, 0, 0.25 };
+    const struct parameter_request one = { PARAMETER_INTEGER, false, 1, 0.0 };
+    const struct parameter_request large = { PARAMETER_DOUBLE, false, 0, 3.0 };
+    const struct parameter_request nan = { PARAMETER_DOUBLE, false, 0, NAN };
+    const struct parameter_request yes = { PARAMETER_BOOL, true, 0, 0.0 };
+    const struct parameter_request text = { 4, false, 0, 0.0 };
+    char reason[1000], description[100];
+    double value;
+    check(p.count == 5, "buttons are not parameters, and a parameter hides a knob");
+    check(parameters_find(&p, "kTurn")->value == 4.0 && parameters_find(&p, "count")->value == 7.0,
+          "they have the values of the run");
+    check(parameters_find(&p, "pace")->value == 0.5 && !parameters_find(&p, "lamp")->is_fixed,
+          "knobs and toggles have their initial values");
+    check(parameters_find(&p, "use_sim_time")->value == 1.0, "use_sim_time");
+    check(answers(&p, "pace", half, NULL), "a knob can be set");
+    check(answers(&p, "pace", one, NULL), "also to a whole number");
+    check(answers(&p, "lamp", yes, NULL), "a toggle can be set");
+    check(answers(&p, "pace", large, "`pace` is a number from 0 to 1 m/s, not 3"),
+          "a value out of range is refused");
+    check(answers(&p, "pace", nan, "`pace` is a number from 0 to 1 m/s, not nan"), "and so is NaN");
+    check(answers(&p, "pace", yes, "`pace` has the type double, but the value has the type bool"),
+          "a value of another type is refused");
+    check(answers(&p, "lamp", text, "`lamp` has the type bool, but the value has the type string"),
+          "and so is a text");
+    check(answers(&p, "kTurn", half,
+                  "`kTurn` is fixed during a run: restart the node with `--ros-args -p "
+                  "kTurn:=VALUE`, or make it a knob of the program's console"),
+          "a parameter of the program is fixed");
+    check(answers(&p, "speed", half,
+                  "the node has no parameter `speed`; its parameters are `kTurn`, `count`, `pace`, "
+                  "`lamp`, `use_sim_time`"),
+          "an unknown parameter is refused");
+    check(parameters_read(&p, parameters_find(&p, "pace"), "0.75", &value, reason, sizeof reason) &&
+              value == 0.75,
+          "an argument sets a knob");
+    check(!parameters_read(&p, parameters_find(&p, "pace"), "fast", &value, reason, sizeof reason),
+          "unless it is not a number");
+    parameters_describe(parameters_find(&p, "pace"), description, sizeof description);
+    check(strcmp(description, "m/s; knob of the program's console") == 0, "the unit is described");
+    free(p.each);
+}
+
+/* ---- The time of a simulator */
+
+static void test_sim_clock(void)
+{
+    struct sim_clock c;
+    memset(&c, 0, sizeof c);
+    check(sim_clock_take(&c, 100 * S) == 0 && sim_clock_now_ns(&c) == 100 * S, "the first time");
+    check(sim_clock_take(&c, 101 * S) == 0 && sim_clock_now_ns(&c) == 101 * S, "the next one");
+    check(sim_clock_take(&c, 5 * S) == -96 * S && sim_clock_now_ns(&c) == 101 * S,
+          "after a restart of the simulator, the program's time does not go back");
+    check(sim_clock_take(&c, 6 * S) == 0 && sim_clock_now_ns(&c) == 102 * S, "it continues");
+    check(sim_clock_take(&c, 60 * S) == 54 * S && sim_clock_now_ns(&c) == 102 * S,
+          "it does not jump far ahead");
+}
+
 /* ---- The driver, with the core that stops the robot */
 
 struct bench {
@@ -326,12 +432,47 @@ static void test_driver(void)
     }
 }
 
+static void send_clock(struct bench *b, int64_t time_ns)
+{
+    const struct ros_clock clock = { { sizeof clock, ROS_CLOCK }, time_ns };
+    frob_fake_send(&b->line, (const uint8_t *)&clock, sizeof clock, 0);
+}
+
+/* A simulator at a tenth of real time, whose messages have stamps in its time. */
+static void test_driver_in_simulation(void)
+{
+    static struct bench b;
+    const int64_t first_ns = 5 * S;
+    start(&b);
+    b.settings[ROS_SIM_TIME] = 1.0;
+    check(ros_device_time_ns(&b.device, b.time.now_ns) == INT64_MIN, "no time before /clock");
+    run(&b, 0.1, true, true);
+    check(b.robot.state == FROB_ROBOT_CONNECTING, "nor do messages count");
+    for (int i = 0; i < 200; i++) {
+        struct ros_odometry o = facing(0.5);
+        send_clock(&b, 1000 * S + (b.time.now_ns - first_ns) / 10);
+        o.stamp_ns = 1000 * S + (b.time.now_ns - first_ns) / 10;
+        o.arrived_ns = b.time.now_ns;
+        frob_fake_send(&b.line, (const uint8_t *)&o, sizeof o, 0);
+        run(&b, 0.02, false, true);
+        check_failures += i > 1 && b.robot.state != FROB_ROBOT_READY ? 1 : 0;
+    }
+    check(check_failures == 0, "messages of a slow simulator count");
+    check(ros_device_time_ns(&b.device, b.time.now_ns) < 1001 * S, "time is that of /clock");
+    run(&b, 1.0, false, true);
+    check(b.robot.state == FROB_ROBOT_STALE && b.v == 0.0,
+          "a simulator that stops stops the robot");
+}
+
 int main(void)
 {
     test_stamps();
     test_odometry();
     test_scan();
     test_imu();
+    test_parameters();
+    test_sim_clock();
     test_driver();
+    test_driver_in_simulation();
     return check_status();
 }

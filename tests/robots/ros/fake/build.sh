@@ -11,20 +11,36 @@ header() { # header PACKAGE PATH
 header rcl rcl/rcl.h
 header rcl rcl/error_handling.h
 header rcl rcl/graph.h
+header rcl_yaml_param_parser rcl_yaml_param_parser/parser.h
+header rcutils rcutils/allocator.h
+header rcutils rcutils/error_handling.h
 header rmw rmw/qos_profiles.h
 header rosidl_runtime_c rosidl_runtime_c/string_functions.h
 header geometry_msgs geometry_msgs/msg/twist.h
 header geometry_msgs geometry_msgs/msg/twist_stamped.h
+for message in floating_point_range integer_range parameter parameter_descriptor parameter_event \
+    parameter_value set_parameters_result; do
+    header rcl_interfaces rcl_interfaces/msg/$message.h
+done
+for service in set_parameters set_parameters_atomically get_parameters get_parameter_types \
+    describe_parameters list_parameters; do
+    header rcl_interfaces rcl_interfaces/srv/$service.h
+done
+header rosgraph_msgs rosgraph_msgs/msg/clock.h
+header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
 header nav_msgs nav_msgs/msg/odometry.h
 header sensor_msgs sensor_msgs/msg/laser_scan.h
 header sensor_msgs sensor_msgs/msg/imu.h
 cp "$sources/fake_ros.h" "$prefix/include/rcl/"
 gcc -shared -fPIC -O1 -o "$prefix/lib/librcl.so" "$sources/fake_ros.c" -lm
-for library in rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
+for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
     geometry_msgs__rosidl_generator_c nav_msgs__rosidl_typesupport_c nav_msgs__rosidl_generator_c \
-    sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c; do
+    sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c \
+    rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
+    rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
-for package in rcl rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs; do
+for package in rcl rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
+    rcl_interfaces; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

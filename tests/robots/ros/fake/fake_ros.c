@@ -53,22 +53,32 @@ static struct {
     double x, heading, v, turn;
     int64_t next_ns;
     bool stamped;
+    bool simulated; /* there is a simulator's clock */
 } robot;
+
+/* Writes a line into the file that FAKE_ROS_LOG names. */
+static void write_log(const char *line)
+{
+    const char *name = getenv("FAKE_ROS_LOG");
+    FILE *log = name != NULL ? fopen(name, "a") : NULL;
+    if (log == NULL)
+        return;
+    fprintf(log, "%s\n", line);
+    fclose(log);
+}
 
 /* Writes each velocity that differs from the previous one into the file that FAKE_ROS_LOG names. */
 static void drive(double v, double turn)
 {
     static bool wrote = false;
-    const char *name = getenv("FAKE_ROS_LOG");
-    FILE *log =
-        name != NULL && (!wrote || v != robot.v || turn != robot.turn) ? fopen(name, "a") : NULL;
+    char line[80];
+    const bool changes = !wrote || v != robot.v || turn != robot.turn;
     robot.v = v;
     robot.turn = turn;
-    if (log == NULL)
-        return;
     wrote = true;
-    fprintf(log, "%.3f %.3f%s\n", v, turn, robot.stamped ? " stamped" : "");
-    fclose(log);
+    snprintf(line, sizeof line, "%.3f %.3f%s", v, turn, robot.stamped ? " stamped" : "");
+    if (changes)
+        write_log(line);
 }
 
 rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation)
@@ -77,10 +87,24 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
         (const geometry_msgs__msg__TwistStamped *)message;
     const geometry_msgs__msg__Twist *twist =
         robot.stamped ? &stamped->twist : (const geometry_msgs__msg__Twist *)message;
-    (void)publisher;
     (void)allocation;
+    if (strcmp(publisher->topic, "/cmd_vel") != 0 && strcmp(publisher->topic, "/base/cmd_vel") != 0)
+        return RCL_RET_OK;
     drive(twist->linear.x, twist->angular.z);
     return RCL_RET_OK;
+}
+
+/* The simulator's clock runs at half the speed of ours. */
+static int64_t simulated_ns(void)
+{
+    const double time_s = 1000.0 + passed_s() / 2 - (has("clock_back") ? 500.0 : 0.0);
+    return (int64_t)(time_s * 1e9);
+}
+
+static void clock_message(rosgraph_msgs__msg__Clock *m)
+{
+    m->clock.sec = (int32_t)(simulated_ns() / 1000000000);
+    m->clock.nanosec = (uint32_t)(simulated_ns() % 1000000000);
 }
 
 /* Fills in an odometry. Returns false if the robot is silent. */
@@ -94,6 +118,8 @@ static bool odometry(nav_msgs__msg__Odometry *m, int64_t stamp_ns)
     if (has("crash"))
         abort();
     memset(m, 0, sizeof *m);
+    if (robot.simulated)
+        stamp_ns = simulated_ns();
     if (has("back"))
         stamp_ns -= 30 * INT64_C(1000000000);
     if (has("old"))
@@ -141,7 +167,9 @@ static void imu(sensor_msgs__msg__Imu *m)
 /* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
-    static int64_t scan_ns = 0, imu_ns = 0;
+    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0;
+    if (subscription->type == &fake_rosgraph_msgs_Clock)
+        return &clock_ns;
     if (subscription->type == &fake_sensor_msgs_LaserScan)
         return &scan_ns;
     return subscription->type == &fake_sensor_msgs_Imu ? &imu_ns : &robot.next_ns;
@@ -161,7 +189,10 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return odometry((nav_msgs__msg__Odometry *)into, stamp_ns) ? RCL_RET_OK : RCL_RET_ERROR;
     }
     *next_ns = now_ns() + 5 * PERIOD_NS;
-    if (subscription->type == &fake_sensor_msgs_LaserScan)
+    if (subscription->type == &fake_rosgraph_msgs_Clock) {
+        *next_ns = now_ns() + PERIOD_NS / 2;
+        clock_message((rosgraph_msgs__msg__Clock *)into);
+    } else if (subscription->type == &fake_sensor_msgs_LaserScan)
         scan((sensor_msgs__msg__LaserScan *)into);
     else
         imu((sensor_msgs__msg__Imu *)into);
@@ -172,6 +203,9 @@ rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns)
 {
     struct pollfd guard = { set->guard_conditions[0]->ends[0], POLLIN, 0 };
     int64_t left_ns = robot.next_ns - now_ns();
+    for (size_t i = 0; i < set->count; i++)
+        if (*next_of(set->subscriptions[i]) - now_ns() < left_ns)
+            left_ns = *next_of(set->subscriptions[i]) - now_ns();
     if (left_ns > timeout_ns)
         left_ns = timeout_ns;
     poll(&guard, 1, left_ns > 0 ? (int)((left_ns + 999999) / 1000000) : 0);
@@ -203,6 +237,8 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
         return RCL_RET_OK;
     if (strstr(topic, "scan") != NULL)
         return one(array, "sensor_msgs/msg/LaserScan");
+    if (strcmp(topic, "/clock") == 0)
+        return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "imu") != NULL)
         return one(array, "sensor_msgs/msg/Imu");
     return one(array,
@@ -304,7 +340,9 @@ rcl_ret_t rcl_subscription_init(rcl_subscription_t *subscription, const rcl_node
     (void)node;
     (void)options;
     subscription->type = type;
-    snprintf(subscription->topic, sizeof subscription->topic, "/%s", name_of(topic));
+    robot.simulated = robot.simulated || type == &fake_rosgraph_msgs_Clock;
+    snprintf(subscription->topic, sizeof subscription->topic, "%s%s", topic[0] == '/' ? "" : "/",
+             name_of(topic));
     return RCL_RET_OK;
 }
 
@@ -314,8 +352,10 @@ rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
 {
     (void)node;
     (void)options;
-    robot.stamped = type == &fake_geometry_msgs_TwistStamped;
-    snprintf(publisher->topic, sizeof publisher->topic, "/%s", name_of(topic));
+    if (type == &fake_geometry_msgs_TwistStamped)
+        robot.stamped = true;
+    snprintf(publisher->topic, sizeof publisher->topic, "%s%s", topic[0] == '/' ? "" : "/",
+             name_of(topic));
     return RCL_RET_OK;
 }
 
@@ -334,7 +374,7 @@ rcl_ret_t rcl_trigger_guard_condition(rcl_guard_condition_t *condition)
 
 rcl_ret_t rcl_wait_set_clear(rcl_wait_set_t *set)
 {
-    set->count = 0;
+    set->count = set->service_count = 0;
     return RCL_RET_OK;
 }
 
@@ -343,6 +383,13 @@ rcl_ret_t rcl_wait_set_add_subscription(rcl_wait_set_t *set, const rcl_subscript
 {
     (void)index;
     set->subscriptions[set->count++] = subscription;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_wait_set_add_service(rcl_wait_set_t *set, const rcl_service_t *service, size_t *index)
+{
+    (void)index;
+    set->services[set->service_count++] = service;
     return RCL_RET_OK;
 }
 
@@ -394,6 +441,136 @@ bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const ch
     return true;
 }
 
+/* ---- Parameters: another node sets one, as FAKE_ROS_SET says ("pace=0.3"), after the time of the
+ * fault "set" */
+
+rcl_ret_t rcl_service_init(rcl_service_t *service, const rcl_node_t *node,
+                           const rosidl_service_type_support_t *type, const char *name,
+                           const rcl_service_options_t *options)
+{
+    (void)node;
+    (void)type;
+    (void)options;
+    snprintf(service->name, sizeof service->name, "%s", name);
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_take_request(const rcl_service_t *service, rmw_request_id_t *id, void *request)
+{
+    static bool sent = false;
+    static rcl_interfaces__msg__Parameter parameter;
+    rcl_interfaces__msg__Parameter__Sequence *parameters =
+        &((rcl_interfaces__srv__SetParameters_Request *)request)->parameters;
+    const char *text = getenv("FAKE_ROS_SET"), *value = text != NULL ? strchr(text, '=') : NULL;
+    (void)id;
+    if (sent || value == NULL || !has("set") || strcmp(service->name, "~/set_parameters") != 0)
+        return RCL_RET_ERROR;
+    sent = true;
+    snprintf(parameter.name.data, sizeof parameter.name.data, "%.*s", (int)(value - text), text);
+    parameter.value.type = strcmp(value + 1, "true") == 0 ? 1 : 3;
+    parameter.value.bool_value = parameter.value.type == 1;
+    parameter.value.double_value = strtod(value + 1, NULL);
+    parameters->data = &parameter;
+    parameters->size = 1;
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_send_response(const rcl_service_t *service, rmw_request_id_t *id, void *response)
+{
+    const rcl_interfaces__srv__SetParameters_Response *r =
+        (const rcl_interfaces__srv__SetParameters_Response *)response;
+    char line[400];
+    (void)service;
+    (void)id;
+    snprintf(line, sizeof line, "set_parameters: %s",
+             r->results.data[0].successful ? "successful" : r->results.data[0].reason.data);
+    write_log(line);
+    return RCL_RET_OK;
+}
+
+/* A parameter file has one line, NODE NAME VALUE, instead of YAML; the value is a number. */
+rcl_params_t *rcl_yaml_node_struct_init(rcutils_allocator_t allocator)
+{
+    static rcl_params_t params;
+    (void)allocator;
+    return &params;
+}
+
+bool rcl_parse_yaml_file(const char *file, rcl_params_t *params)
+{
+    static char node[100], name[100], *nodes[] = { node }, *names[] = { name };
+    static double number;
+    static rcl_variant_t value = { NULL, NULL, &number, NULL };
+    static rcl_node_params_t of_node = { names, &value, 1 };
+    FILE *stream = fopen(file, "r");
+    bool ok = stream != NULL && fscanf(stream, "%99s %99s %lf", node, name, &number) == 3;
+    params->node_names = nodes;
+    params->params = &of_node;
+    params->num_nodes = 1;
+    if (stream != NULL)
+        fclose(stream);
+    return ok;
+}
+
+void rcl_yaml_node_struct_fini(rcl_params_t *params)
+{
+    (void)params;
+}
+
+#define SEQUENCE_INIT(type)                                              \
+    bool type##__Sequence__init(type##__Sequence *sequence, size_t size) \
+    {                                                                    \
+        sequence->data = (type *)calloc(size + 1, sizeof(type));         \
+        sequence->size = size;                                           \
+        return sequence->data != NULL;                                   \
+    }
+
+SEQUENCE_INIT(rosidl_runtime_c__uint8)
+SEQUENCE_INIT(rosidl_runtime_c__String)
+SEQUENCE_INIT(rcl_interfaces__msg__ParameterValue)
+SEQUENCE_INIT(rcl_interfaces__msg__Parameter)
+SEQUENCE_INIT(rcl_interfaces__msg__SetParametersResult)
+SEQUENCE_INIT(rcl_interfaces__msg__FloatingPointRange)
+SEQUENCE_INIT(rcl_interfaces__msg__IntegerRange)
+SEQUENCE_INIT(rcl_interfaces__msg__ParameterDescriptor)
+
+#define SERVICE_FUNCTIONS(Name)                                      \
+    bool rcl_interfaces__srv__##Name##_Request__init(void *message)  \
+    {                                                                \
+        return message != NULL;                                      \
+    }                                                                \
+    bool rcl_interfaces__srv__##Name##_Response__init(void *message) \
+    {                                                                \
+        return message != NULL;                                      \
+    }                                                                \
+    void rcl_interfaces__srv__##Name##_Request__fini(void *message)  \
+    {                                                                \
+        (void)message;                                               \
+    }                                                                \
+    void rcl_interfaces__srv__##Name##_Response__fini(void *message) \
+    {                                                                \
+        (void)message;                                               \
+    }                                                                \
+    const rosidl_service_type_support_t fake_rcl_interfaces_srv_##Name = { #Name };
+
+SERVICE_FUNCTIONS(SetParameters)
+SERVICE_FUNCTIONS(SetParametersAtomically)
+SERVICE_FUNCTIONS(GetParameters)
+SERVICE_FUNCTIONS(GetParameterTypes)
+SERVICE_FUNCTIONS(DescribeParameters)
+SERVICE_FUNCTIONS(ListParameters)
+
+bool rcl_interfaces__msg__ParameterEvent__init(rcl_interfaces__msg__ParameterEvent *event)
+{
+    memset(event, 0, sizeof *event);
+    return true;
+}
+
+void rcl_interfaces__msg__ParameterEvent__fini(rcl_interfaces__msg__ParameterEvent *event)
+{
+    free(event->changed_parameters.data);
+}
+
 /* ---- Functions that do nothing */
 
 #define ZERO(type, name)               \
@@ -414,6 +591,8 @@ ZERO(rcl_subscription_t, rcl_get_zero_initialized_subscription)
 ZERO(rcl_subscription_options_t, rcl_subscription_get_default_options)
 ZERO(rcl_publisher_t, rcl_get_zero_initialized_publisher)
 ZERO(rcl_publisher_options_t, rcl_publisher_get_default_options)
+ZERO(rcl_service_t, rcl_get_zero_initialized_service)
+ZERO(rcl_service_options_t, rcl_service_get_default_options)
 ZERO(rcl_guard_condition_t, rcl_get_zero_initialized_guard_condition)
 ZERO(rcl_guard_condition_options_t, rcl_guard_condition_get_default_options)
 ZERO(rcl_wait_set_t, rcl_get_zero_initialized_wait_set)
@@ -433,6 +612,7 @@ SUCCEEDS(rcl_context_fini, rcl_context_t *c)
 SUCCEEDS(rcl_node_fini, rcl_node_t *n)
 SUCCEEDS(rcl_subscription_fini, rcl_subscription_t *s, rcl_node_t *n)
 SUCCEEDS(rcl_publisher_fini, rcl_publisher_t *p, rcl_node_t *n)
+SUCCEEDS(rcl_service_fini, rcl_service_t *s, rcl_node_t *n)
 SUCCEEDS(rcl_publisher_wait_for_all_acked, const rcl_publisher_t *p, int64_t ns)
 SUCCEEDS(rcl_guard_condition_fini, rcl_guard_condition_t *g)
 SUCCEEDS(rcl_wait_set_init, rcl_wait_set_t *s, size_t a, size_t b, size_t c, size_t d, size_t e,
@@ -449,6 +629,12 @@ bool geometry_msgs__msg__Twist__init(geometry_msgs__msg__Twist *m)
 }
 
 bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool rosgraph_msgs__msg__Clock__init(rosgraph_msgs__msg__Clock *m)
 {
     memset(m, 0, sizeof *m);
     return true;
@@ -479,3 +665,7 @@ const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped = {
 const rosidl_message_type_support_t fake_nav_msgs_Odometry = { "nav_msgs/msg/Odometry" };
 const rosidl_message_type_support_t fake_sensor_msgs_LaserScan = { "sensor_msgs/msg/LaserScan" };
 const rosidl_message_type_support_t fake_sensor_msgs_Imu = { "sensor_msgs/msg/Imu" };
+const rosidl_message_type_support_t fake_rosgraph_msgs_Clock = { "rosgraph_msgs/msg/Clock" };
+const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent = {
+    "rcl_interfaces/msg/ParameterEvent"
+};

@@ -66,8 +66,22 @@ typedef struct {
 } rcl_publisher_options_t;
 
 typedef struct {
-    size_t count;
+    char name[128];
+} rcl_service_t;
+typedef struct {
+    rmw_qos_profile_t qos;
+} rcl_service_options_t;
+typedef struct {
+    int number;
+} rmw_request_id_t;
+typedef struct {
+    const char *name;
+} rosidl_service_type_support_t;
+
+typedef struct {
+    size_t count, service_count;
     const rcl_subscription_t *subscriptions[4];
+    const rcl_service_t *services[6];
     const rcl_guard_condition_t *guard_conditions[1];
 } rcl_wait_set_t;
 
@@ -87,6 +101,8 @@ typedef struct {
 } rcutils_string_array_t;
 
 static const rmw_qos_profile_t rmw_qos_profile_sensor_data = { 5 };
+static const rmw_qos_profile_t rmw_qos_profile_parameters = { 1000 };
+static const rmw_qos_profile_t rmw_qos_profile_parameter_events = { 1000 };
 
 rcl_allocator_t rcl_get_default_allocator(void);
 rcutils_allocator_t rcutils_get_default_allocator(void);
@@ -132,6 +148,15 @@ const char *rcl_publisher_get_topic_name(const rcl_publisher_t *publisher);
 rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation);
 rcl_ret_t rcl_publisher_wait_for_all_acked(const rcl_publisher_t *publisher, int64_t timeout_ns);
 
+rcl_service_t rcl_get_zero_initialized_service(void);
+rcl_service_options_t rcl_service_get_default_options(void);
+rcl_ret_t rcl_service_init(rcl_service_t *service, const rcl_node_t *node,
+                           const rosidl_service_type_support_t *type, const char *name,
+                           const rcl_service_options_t *options);
+rcl_ret_t rcl_service_fini(rcl_service_t *service, rcl_node_t *node);
+rcl_ret_t rcl_take_request(const rcl_service_t *service, rmw_request_id_t *id, void *request);
+rcl_ret_t rcl_send_response(const rcl_service_t *service, rmw_request_id_t *id, void *response);
+
 rcl_guard_condition_t rcl_get_zero_initialized_guard_condition(void);
 rcl_guard_condition_options_t rcl_guard_condition_get_default_options(void);
 rcl_ret_t rcl_guard_condition_init(rcl_guard_condition_t *condition, rcl_context_t *context,
@@ -149,6 +174,8 @@ rcl_ret_t rcl_wait_set_add_subscription(rcl_wait_set_t *set, const rcl_subscript
                                         size_t *index);
 rcl_ret_t rcl_wait_set_add_guard_condition(rcl_wait_set_t *set,
                                            const rcl_guard_condition_t *condition, size_t *index);
+rcl_ret_t rcl_wait_set_add_service(rcl_wait_set_t *set, const rcl_service_t *service,
+                                   size_t *index);
 rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns);
 
 rcl_topic_endpoint_info_array_t rcl_get_zero_initialized_topic_endpoint_info_array(void);
@@ -166,10 +193,30 @@ rcl_ret_t rcutils_string_array_fini(rcutils_string_array_t *array);
 rcl_ret_t rcl_get_node_names(const rcl_node_t *node, rcl_allocator_t allocator,
                              rcutils_string_array_t *names, rcutils_string_array_t *spaces);
 
+typedef struct {
+    bool *bool_value;
+    int64_t *integer_value;
+    double *double_value;
+    char *string_value;
+} rcl_variant_t;
+typedef struct {
+    char **parameter_names;
+    rcl_variant_t *parameter_values;
+    size_t num_params;
+} rcl_node_params_t;
+typedef struct {
+    char **node_names;
+    rcl_node_params_t *params;
+    size_t num_nodes;
+} rcl_params_t;
+rcl_params_t *rcl_yaml_node_struct_init(rcutils_allocator_t allocator);
+bool rcl_parse_yaml_file(const char *file, rcl_params_t *params);
+void rcl_yaml_node_struct_fini(rcl_params_t *params);
+
 /* ---- Messages */
 
 typedef struct {
-    char data[64];
+    char data[256];
 } rosidl_runtime_c__String;
 bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const char *text);
 
@@ -190,10 +237,14 @@ typedef struct {
     geometry_msgs__msg__Quaternion orientation;
 } geometry_msgs__msg__Pose;
 typedef struct {
-    struct {
-        int32_t sec;
-        uint32_t nanosec;
-    } stamp;
+    int32_t sec;
+    uint32_t nanosec;
+} builtin_interfaces__msg__Time;
+typedef struct {
+    builtin_interfaces__msg__Time clock;
+} rosgraph_msgs__msg__Clock;
+typedef struct {
+    builtin_interfaces__msg__Time stamp;
     rosidl_runtime_c__String frame_id;
 } std_msgs__msg__Header;
 typedef struct {
@@ -226,6 +277,92 @@ typedef struct {
     geometry_msgs__msg__Vector3 angular_velocity, linear_acceleration;
 } sensor_msgs__msg__Imu;
 
+/* ---- Parameters */
+
+#define SEQUENCE(type)  \
+    typedef struct {    \
+        type *data;     \
+        size_t size;    \
+    } type##__Sequence; \
+    bool type##__Sequence__init(type##__Sequence *sequence, size_t size)
+
+typedef uint8_t rosidl_runtime_c__uint8;
+SEQUENCE(rosidl_runtime_c__uint8);
+SEQUENCE(rosidl_runtime_c__String);
+
+typedef struct {
+    uint8_t type;
+    bool bool_value;
+    int64_t integer_value;
+    double double_value;
+} rcl_interfaces__msg__ParameterValue;
+SEQUENCE(rcl_interfaces__msg__ParameterValue);
+typedef struct {
+    rosidl_runtime_c__String name;
+    rcl_interfaces__msg__ParameterValue value;
+} rcl_interfaces__msg__Parameter;
+SEQUENCE(rcl_interfaces__msg__Parameter);
+typedef struct {
+    bool successful;
+    rosidl_runtime_c__String reason;
+} rcl_interfaces__msg__SetParametersResult;
+SEQUENCE(rcl_interfaces__msg__SetParametersResult);
+typedef struct {
+    double from_value, to_value;
+} rcl_interfaces__msg__FloatingPointRange;
+SEQUENCE(rcl_interfaces__msg__FloatingPointRange);
+typedef struct {
+    int64_t from_value, to_value;
+} rcl_interfaces__msg__IntegerRange;
+SEQUENCE(rcl_interfaces__msg__IntegerRange);
+typedef struct {
+    rosidl_runtime_c__String name, description;
+    uint8_t type;
+    bool read_only;
+    rcl_interfaces__msg__FloatingPointRange__Sequence floating_point_range;
+    rcl_interfaces__msg__IntegerRange__Sequence integer_range;
+} rcl_interfaces__msg__ParameterDescriptor;
+SEQUENCE(rcl_interfaces__msg__ParameterDescriptor);
+typedef struct {
+    rosidl_runtime_c__String__Sequence names;
+} rcl_interfaces__msg__ListParametersResult;
+typedef struct {
+    builtin_interfaces__msg__Time stamp;
+    rosidl_runtime_c__String node;
+    rcl_interfaces__msg__Parameter__Sequence changed_parameters;
+} rcl_interfaces__msg__ParameterEvent;
+bool rcl_interfaces__msg__ParameterEvent__init(rcl_interfaces__msg__ParameterEvent *event);
+void rcl_interfaces__msg__ParameterEvent__fini(rcl_interfaces__msg__ParameterEvent *event);
+
+#define SERVICE(Name, request, response)                              \
+    typedef struct {                                                  \
+        request;                                                      \
+    } rcl_interfaces__srv__##Name##_Request;                          \
+    typedef struct {                                                  \
+        response;                                                     \
+    } rcl_interfaces__srv__##Name##_Response;                         \
+    bool rcl_interfaces__srv__##Name##_Request__init(void *message);  \
+    bool rcl_interfaces__srv__##Name##_Response__init(void *message); \
+    void rcl_interfaces__srv__##Name##_Request__fini(void *message);  \
+    void rcl_interfaces__srv__##Name##_Response__fini(void *message); \
+    extern const rosidl_service_type_support_t fake_rcl_interfaces_srv_##Name
+
+SERVICE(SetParameters, rcl_interfaces__msg__Parameter__Sequence parameters,
+        rcl_interfaces__msg__SetParametersResult__Sequence results);
+SERVICE(SetParametersAtomically, rcl_interfaces__msg__Parameter__Sequence parameters,
+        rcl_interfaces__msg__SetParametersResult result);
+SERVICE(GetParameters, rosidl_runtime_c__String__Sequence names,
+        rcl_interfaces__msg__ParameterValue__Sequence values);
+SERVICE(GetParameterTypes, rosidl_runtime_c__String__Sequence names,
+        rosidl_runtime_c__uint8__Sequence types);
+SERVICE(DescribeParameters, rosidl_runtime_c__String__Sequence names,
+        rcl_interfaces__msg__ParameterDescriptor__Sequence descriptors);
+SERVICE(ListParameters, rosidl_runtime_c__String__Sequence prefixes;
+        uint64_t depth, rcl_interfaces__msg__ListParametersResult result);
+#undef SERVICE
+#define ROSIDL_GET_SRV_TYPE_SUPPORT(package, kind, name) (&fake_##package##_srv_##name)
+
+bool rosgraph_msgs__msg__Clock__init(rosgraph_msgs__msg__Clock *message);
 bool sensor_msgs__msg__LaserScan__init(sensor_msgs__msg__LaserScan *message);
 bool sensor_msgs__msg__Imu__init(sensor_msgs__msg__Imu *message);
 bool geometry_msgs__msg__Twist__init(geometry_msgs__msg__Twist *message);
@@ -237,6 +374,8 @@ extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
 extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;
 extern const rosidl_message_type_support_t fake_sensor_msgs_Imu;
+extern const rosidl_message_type_support_t fake_rosgraph_msgs_Clock;
+extern const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent;
 #define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)
 
 #endif

@@ -11,6 +11,9 @@ import sys
 import time
 
 from peer import Base
+from rcl_interfaces.msg import ParameterEvent
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
 from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Imu
 
@@ -136,16 +139,158 @@ def test_remapping():
 
 def test_parameter():
     """An argument for ROS sets a parameter of the program."""
-    with open(os.path.join(FOLDER, "paced.frob"), "w", encoding="utf-8") as file:
-        file.write(
-            "import Robot\n\nparam pace :: Velocity = 0.2[m/s]\n\n"
-            "main :: DiffDrive o => Program i o\n"
-            "main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))\n"
-        )
+    write(
+        "paced.frob",
+        "import Robot\n\nparam pace :: Velocity = 0.2[m/s]\n\n"
+        "main :: DiffDrive o => Program i o\n"
+        "main = reactimateRobot (proc _ -> roMake (setVelTR pace 0))\n",
+    )
     base = robot()
     run = Run("--ros-args", "-p", "pace:=0.125", program="paced.frob")
     base.until(lambda: base.v == 0.125, "the robot drives at the pace of the parameter")
     run.end()
+    base.close()
+
+
+TUNED = """import Robot
+
+param gain :: Float = 2
+param rays :: Int = 4
+
+main :: (HasConsole i, DiffDrive o) => Program i o
+main = reactimateRobot (proc i -> roMake (setVelTR (speed i) 0)) where
+    speed i = if toggle "moves" True i then knob "pace" 0 0.5[m/s] 0.1[m/s] i else 0
+"""
+
+
+def write(name, text):
+    """Writes a program."""
+    with open(os.path.join(FOLDER, name), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def set_one(base, client, name, value):
+    """Sets a parameter; returns whether it succeeded, and the reason."""
+    answer = base.call(lambda: client.set_parameters([Parameter(name, value=value)]))
+    return answer.results[0].successful, answer.results[0].reason
+
+
+def test_parameter_services():
+    """Other nodes list, read, describe and set parameters of the node."""
+    write("tuned.frob", TUNED)
+    base = robot()
+    record = os.path.join(FOLDER, "tuned.csv")
+    events = []
+    base.node.create_subscription(ParameterEvent, "/parameter_events", events.append, 10)
+    run = Run(
+        *["--record", record],
+        *["--ros-args", "-p", "gain:=3.5", "-p", "pace:=0.2"],
+        program="tuned.frob",
+    )
+    client = AsyncParameterClient(base.node, "/tuned")
+    base.until(lambda: base.v == 0.2, "an argument sets a knob")
+    assert client.wait_for_services(timeout_sec=10)
+    names = base.call(client.list_parameters).result.names
+    assert names == ["gain", "rays", "moves", "pace", "use_sim_time"], names
+    got = base.call(lambda: client.get_parameters(["gain", "rays", "moves", "pace", "other"]))
+    values = [(v.type, v.double_value, v.integer_value, v.bool_value) for v in got.values]
+    assert values == [
+        (3, 3.5, 0, False),
+        (2, 0.0, 4, False),
+        (1, 0.0, 0, True),
+        (3, 0.2, 0, False),
+        (0, 0.0, 0, False),
+    ], values
+    assert list(base.call(lambda: client.get_parameter_types(["gain", "x"])).types) == [3, 0]
+    described = base.call(lambda: client.describe_parameters(["gain", "pace"])).descriptors
+    assert described[0].read_only and not described[1].read_only
+    assert described[1].description == "m/s; knob of the program's console", described[1]
+    assert described[1].floating_point_range[0].to_value == 0.5
+    assert set_one(base, client, "pace", 0.3) == (True, "")
+    base.until(lambda: base.v == 0.3, "a knob is set during the run")
+    ok, reason = set_one(base, client, "pace", 5.0)
+    assert not ok and reason == "`pace` is a number from 0 to 0.5 m/s, not 5", reason
+    ok, reason = set_one(base, client, "pace", "fast")
+    assert not ok and "has the type double, but the value has the type string" in reason, reason
+    ok, reason = set_one(base, client, "gain", 1.0)
+    assert not ok and reason.startswith("`gain` is fixed during a run"), reason
+    ok, reason = set_one(base, client, "speed", 1.0)
+    assert not ok and reason.startswith("the node has no parameter `speed`"), reason
+    both = [Parameter("moves", value=False), Parameter("pace", value=9.0)]
+    answer = base.call(lambda: client.set_parameters_atomically(both)).result
+    assert not answer.successful and "pace" in answer.reason, answer
+    time.sleep(0.3)
+    assert base.v == 0.3, "nothing is set if one value is refused"
+    both = [Parameter("moves", value=False), Parameter("pace", value=0.4)]
+    assert base.call(lambda: client.set_parameters_atomically(both)).result.successful
+    base.until_stopped()
+    base.until(lambda: len(events) >= 3, "each change is an event")
+    assert events[0].node == "/tuned", events[0]
+    os.kill(run.children()[1], 9)
+    # Requests may still go to the node that was killed.
+    futures = []
+
+    def answered():
+        if not futures or time.monotonic() > futures[-1][0] + 1:
+            request = client.get_parameters(["moves", "pace"])
+            futures.append((time.monotonic(), request))
+        return any(f.done() for _, f in futures)
+
+    base.until(answered, "another node offers the services", 40)
+    got = next(f.result() for _, f in futures if f.done())
+    assert got.values[1].double_value == 0.4 and not got.values[0].bool_value, got
+    _, errors = run.end()
+    with open(record, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    assert lines[0] == "# param gain=3.5", lines[0]
+    replayed = subprocess.run(
+        [FROBC, "trace", "--robot", "ros", os.path.join(FOLDER, "tuned.frob"), "--input", record],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout.splitlines()
+    speeds = [row.split(",")[1] for row in replayed[1:]]
+    start = next(i for i, line in enumerate(lines) if line.startswith("time")) + 1
+    column = lines[start - 1].split(",").index("out.forward")
+    assert speeds == [line.split(",")[column] for line in lines[start:]], errors
+    base.close()
+
+
+def test_parameter_file():
+    """Parameter files set parameters, as launch files do."""
+    write("tuned.frob", TUNED)
+    write("values.yaml", "/**:\n  ros__parameters:\n    pace: 0.25\n    gain: 3.0\n    rays: 7\n")
+    base = robot()
+    record = os.path.join(FOLDER, "tuned.csv")
+    values = os.path.join(FOLDER, "values.yaml")
+    run = Run("--record", record, "--ros-args", "--params-file", values, program="tuned.frob")
+    base.until(lambda: base.v == 0.25, "the file sets a knob")
+    run.end()
+    with open(record, encoding="utf-8") as file:
+        assert [next(file).strip() for _ in range(2)] == ["# param gain=3", "# param rays=7"]
+    write("values.yaml", "tuned:\n  ros__parameters:\n    pace: fast\n")
+    run = Run("--ros-args", "--params-file", values, program="tuned.frob")
+    run.process.wait(timeout=20)
+    _, errors = run.end()
+    assert "`pace` has the type double, but the value has the type string" in errors, errors
+    base.close()
+
+
+def test_simulated_time():
+    """The instants follow /clock, at any speed, and after a restart of the simulator."""
+    base = robot()
+    base.simulated = 0.25
+    record = os.path.join(FOLDER, "log.csv")
+    run = Run("--record", record, "--ros-args", "-p", "use_sim_time:=true")
+    base.until_driving()
+    time.sleep(4)
+    base.restarted = 500
+    time.sleep(4)
+    _, errors = run.end()
+    assert "the time of /clock jumped back by 500" in errors or "by 499.9" in errors, errors
+    with open(record, encoding="utf-8") as file:
+        times = [float(line.split(",")[0]) for line in file.readlines()[1:]]
+    assert times == sorted(times) and 1.2 < times[-1] < 3.5, times[-1]
     base.close()
 
 

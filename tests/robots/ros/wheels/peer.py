@@ -14,6 +14,8 @@ from nav_msgs.msg import Odometry
 from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
+from rclpy.time import Time
+from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, LaserScan
 
 
@@ -25,6 +27,8 @@ class Base:
         self.nan = False  # publishes a position that is not a number
         self.shift = 0.0  # seconds, added to timestamps
         self.wall = None  # m, the place of a wall ahead, which the lidar sees
+        self.simulated = None  # speed of the simulator's clock, relative to ours
+        self.restarted = 0.0  # seconds by which the simulator's clock was set back
 
         self.stamped = stamped
         self.closing = False
@@ -42,6 +46,9 @@ class Base:
         self.node.create_subscription(kind, cmd_vel, self.command, 10)
         self.scans = self.node.create_publisher(LaserScan, "scan", qos_profile_sensor_data)
         self.imus = self.node.create_publisher(Imu, "imu", qos_profile_sensor_data)
+        self.clocks = self.node.create_publisher(Clock, "/clock", qos_profile_sensor_data)
+        self.started = time.monotonic()
+        self.node.create_timer(0.01, self.tick)
         self.node.create_timer(0.02, self.step)
         self.node.create_timer(0.1, self.scan)
         self.executor = SingleThreadedExecutor(context=self.context)
@@ -73,6 +80,17 @@ class Base:
             self.commands.append((time.monotonic(), *velocity))
         self.v, self.turn = velocity
 
+    def now(self):
+        """The time for stamps."""
+        if self.simulated is None:
+            return self.node.get_clock().now()
+        passed = (time.monotonic() - self.started) * self.simulated
+        return Time(seconds=1000 + passed - self.restarted)
+
+    def tick(self):
+        if self.simulated is not None:
+            self.clocks.publish(Clock(clock=self.now().to_msg()))
+
     def step(self):
         dt = 0.02
         self.heading += self.turn * dt
@@ -83,7 +101,7 @@ class Base:
 
     def odometry(self):
         message = Odometry()
-        stamp = self.node.get_clock().now() + Duration(seconds=self.shift)
+        stamp = self.now() + Duration(seconds=self.shift)
         message.header.stamp = stamp.to_msg()
         message.header.frame_id = "odom"
         message.child_frame_id = "base_link"
@@ -94,6 +112,12 @@ class Base:
         message.twist.twist.linear.x = self.v
         message.twist.twist.angular.z = self.turn
         return message
+
+    def call(self, request, seconds=10.0):
+        """Calls a service and returns its answer."""
+        future = request()
+        self.until(future.done, "the service answers", seconds)
+        return future.result()
 
     def until(self, holds, what, seconds=15.0):
         """Waits until a condition holds."""
@@ -113,7 +137,7 @@ class Base:
 
     def scan(self):
         """Publishes what a lidar with 360 rays sees, and what a gyroscope measures."""
-        stamp = self.node.get_clock().now().to_msg()
+        stamp = self.now().to_msg()
         imu = Imu()
         imu.header.stamp = stamp
         imu.angular_velocity.z = self.turn + 0.25

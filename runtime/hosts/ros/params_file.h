@@ -1,0 +1,19 @@
+/* params_file.h -- the values of parameters in a ROS parameter file (YAML), as launch files pass
+ * them. */
+#ifndef FROB_HOST_ROS_PARAMS_FILE_H
+#define FROB_HOST_ROS_PARAMS_FILE_H
+
+#include <stdbool.h>
+
+/* Calls `set` for each value in the file for this node: in the order of the file, with the value as
+ * text, as in `-p NAME:=VALUE`. `node`: its full name. Returns false if the file cannot be read; rcl
+ * then reports why. */
+bool params_file_read(const char *file, const char *node,
+                      void (*set)(void *context, const char *name, const char *value),
+                      void *context);
+
+/* Whether the name of a node in such a file means this node: the same name, with or without the
+ * first slash, or a pattern in which `*` is one part of a name, and `**` any number of parts. */
+bool params_file_matches(const char *pattern, const char *node);
+
+#endif
