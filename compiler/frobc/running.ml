@@ -372,8 +372,19 @@ let serve =
     let doc = "A C file of your own robot, with its body or its board. Can be repeated." in
     Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
   in
-  let make robot sources world log link host =
-    Tools.Real_robot.serve ~robot ~sources { world; log; link; host }
+  let stamped =
+    let doc = "With the robot $(b,ros): commands are of the type TwistStamped instead of Twist." in
+    Arg.(value & flag & info [ "stamped" ] ~doc)
+  in
+  let ros_arguments =
+    let doc =
+      "With the robot $(b,ros): arguments for ROS 2, up to $(b,--) or the end, as in \
+       $(b,--ros-args -r odom:=base/odom)."
+    in
+    Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
+  in
+  let make robot sources world log link stamped ros_arguments host =
+    Tools.Real_robot.serve ~robot ~sources { world; log; link; stamped; ros_arguments; host }
   in
   let man =
     [
@@ -383,7 +394,12 @@ let serve =
          first line on standard output is $(b,device:) and the address to connect to: the path of \
          a pseudo-terminal, or $(b,tcp:127.0.0.1:PORT). The last lines are a summary.";
       `P "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again and prints the new device.";
+      `P
+        "The robot $(b,ros) has no serial line: it is a ROS 2 node, which publishes $(b,odom), \
+         $(b,scan), $(b,imu) and $(b,/clock), and drives as $(b,cmd_vel) says. Source the setup \
+         script of ROS 2 first. The first lines on standard output are the names of the node and \
+         of its topics.";
     ]
   in
-  command "serve" ~man ~doc:"simulate a robot at a serial port"
-    Term.(const make $ robot $ sources $ world $ log $ link $ host)
+  command "serve" ~man ~doc:"simulate a robot at a serial port, or in ROS 2"
+    Term.(const make $ robot $ sources $ world $ log $ link $ stamped $ ros_arguments $ host)

@@ -21,6 +21,7 @@
 #include "options.h"
 #include "own_firmware.h"
 #include "robots.h"
+#include "ros_robot.h"
 #include "server.h"
 #include "sim.h"
 #include "summary.h"
@@ -143,6 +144,26 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
     server.plug(nullptr);
 }
 
+void run_in_ros(frob_sim *sim, CameraPort *cameras, const Options &options,
+                const RosRobot::Log &write_log) {
+    RosRobot robot(sim, options.node, options.stamped, options.ros_arguments);
+    const std::int64_t started_ns = clock_ns();
+    const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
+    if (write_log) robot.set_log(write_log);
+    for (const std::string &line : robot.description()) std::printf("%s\n", line.c_str());
+    if (cameras != nullptr)
+        for (const std::string &address : cameras->addresses())
+            std::printf("camera: %s\n", address.c_str());
+    std::fflush(stdout);
+    while (!ended) {
+        const std::int64_t time_ns = clock_ns() - started_ns;
+        if (end_ns > 0 && time_ns >= end_ns) break;
+        if (!robot.advance(time_ns)) throw WrongUse("the process of the ROS 2 node has ended");
+        if (cameras != nullptr) cameras->advance(time_ns);
+        robot.wait(time_ns);
+    }
+}
+
 int serve(const Options &options) {
     const OwnRobot own =
         options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
@@ -151,14 +172,8 @@ int serve(const Options &options) {
     const std::unique_ptr<CameraPort> cameras =
         options.camera_port < 0 ? nullptr
                                 : std::make_unique<CameraPort>(sim.get(), options.camera_port);
-    const std::unique_ptr<Firmware> firmware =
-        own.board ? std::make_unique<OwnFirmware>(
-                        *own.board, sim.get(), options.rate != 0 ? options.rate : own.board->rate)
-                  : make_firmware(options.robot, options.model, options.rate, sim.get());
-    if (!firmware)
-        throw WrongUse("there is no model `" + options.model + "`; use p3dx-sh, p3dx or p2dx");
-    const std::int64_t started_ns = clock_ns();
     std::ofstream log;
+    const std::int64_t started_ns = clock_ns();
     const auto write_log = [&](std::int64_t time_ns, const std::string &text) {
         char time[32];
         std::snprintf(time, sizeof time, "%.6f", static_cast<double>(started_ns + time_ns) * 1e-9);
@@ -167,8 +182,21 @@ int serve(const Options &options) {
     if (!options.log.empty()) {
         log.open(options.log, std::ios::app);
         if (!log) throw WrongUse("cannot write " + options.log);
-        firmware->set_log(write_log);
     }
+    if (!options.node.empty()) {
+        catch_signals();
+        run_in_ros(sim.get(), cameras.get(), options,
+                   log.is_open() ? RosRobot::Log(write_log) : RosRobot::Log());
+        print_summary(sim.get());
+        return 0;
+    }
+    const std::unique_ptr<Firmware> firmware =
+        own.board ? std::make_unique<OwnFirmware>(
+                        *own.board, sim.get(), options.rate != 0 ? options.rate : own.board->rate)
+                  : make_firmware(options.robot, options.model, options.rate, sim.get());
+    if (!firmware)
+        throw WrongUse("there is no model `" + options.model + "`; use p3dx-sh, p3dx or p2dx");
+    if (log.is_open()) firmware->set_log(write_log);
     Server server(*firmware, options.paced);
     catch_signals();
     run(server, cameras.get(), options, started_ns, [&](const std::string &text) {

@@ -26,6 +26,9 @@ const char usage[] =
     "  --log FILE         log each command to this file, with its time on the monotonic clock\n"
     "  --link PATH        maintain a symbolic link to the device\n"
     "  --target METRES    the wall distance that the robot should keep\n"
+    "  --node FILE        the node of the robot `ros`, instead of a serial line\n"
+    "  --stamped          cmd_vel of this robot is of the type TwistStamped\n"
+    "  --ros-args ARG...  arguments for ROS 2; they take the rest of the line\n"
     "\n"
     "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again, as another device.\n";
 
@@ -72,6 +75,8 @@ void set(Options &o, const std::string &option, const std::string &value) {
         o.link = value;
     else if (option == "--own")
         o.own = value;
+    else if (option == "--node")
+        o.node = value;
     else if (option == "--target")
         o.wall_distance_m = number(option, value, 0.001, 100.0);
     else
@@ -86,6 +91,11 @@ Options read_options(int argc, char **argv) {
         const std::string option = argv[i];
         if (option == "--unpaced") {
             o.paced = false;
+        } else if (option == "--stamped") {
+            o.stamped = true;
+        } else if (option == "--ros-args") {
+            o.ros_arguments.assign(argv + i, argv + argc);
+            break;
         } else if (i + 1 == argc) {
             throw WrongUse("the option `" + option + "` is unknown, or its value is missing");
         } else {
@@ -93,6 +103,11 @@ Options read_options(int argc, char **argv) {
         }
     }
     if (o.world.empty()) throw WrongUse("--world is missing; see `frob-serve --help`");
+    if (!o.node.empty()) {
+        if (o.tcp_port >= 0 || !o.link.empty() || o.rate != 0)
+            throw WrongUse("a robot in ROS 2 has no serial line: remove --tcp and --link");
+        return o;
+    }
     // For a user-defined robot, its board determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);

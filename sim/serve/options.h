@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace frob::serve {
 
@@ -21,6 +22,10 @@ struct Options {
     std::string link;        // symbolic link to the device; empty: none
     double wall_distance_m = 0.0;
     std::string own; // shared object with a user-defined robot; empty: none
+    // For a robot in ROS 2:
+    std::string node;     // executable of the node; empty: the robot has a serial line
+    bool stamped = false; // velocities are of the type TwistStamped
+    std::vector<std::string> ros_arguments;
 };
 
 struct WrongUse : std::runtime_error {

@@ -173,6 +173,14 @@ let ros2 (ros2 : Ros2.t) (resources : Resources.t) ~name:_ =
     ros2 = true;
   }
 
+let simulated_ros2 (ros2 : Ros2.t) (resources : Resources.t) =
+  let runtime = resources.runtime_sources in
+  let machine = { (Toolchain.this_machine ()) with options = "-I" :: runtime :: ros2.options } in
+  Toolchain.build ~machine Executable ~headers:resources.headers
+    ~inputs:(with_suffix ".c" (files (runtime / "hosts" / "ros_robot")) @ ros2.libraries)
+    ~includes:[ runtime / "hosts" / "ros" / "messages.h" ]
+    ~foreign:None ~name:"robot" []
+
 let size_tool t =
   match (t.kind, t.compiler) with
   | Board _, Some compiler when Filename.check_suffix compiler "gcc" ->

@@ -19,6 +19,9 @@ val linked :
 val ros2 : Ros2.t -> Resources.t -> name:string -> Built.linked
 (** An executable for this machine that is a ROS 2 node. *)
 
+val simulated_ros2 : Ros2.t -> Resources.t -> (string, string) result
+(** Compiles the ROS 2 node of a simulated robot, and returns its path. *)
+
 val size_tool : t -> string option
 (** The program that prints the memory use of an executable, for targets where this matters. *)
 

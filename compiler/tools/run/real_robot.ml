@@ -6,6 +6,8 @@ type serve = {
   world : string option;
   log : string option;
   link : string option;
+  stamped : bool;
+  ros_arguments : string list;
   host : string list;
 }
 
@@ -44,6 +46,27 @@ let served (resources : Resources.t) ~robot ~sources =
       Error "--with is for your own robot: use it with --robot FILE.frob"
   | Some _ | None -> Ok (robot, None)
 
+let find_ros2 () =
+  let open Basis.Let_syntax.Result in
+  let* ros2 = Ros2.find () in
+  Option.iter (fun text -> prerr_endline ("warning: " ^ text)) (Ros2.untried ());
+  Ok ros2
+
+(* The arguments of the host for a robot in ROS 2: those at the beginning, and those at the end. *)
+let served_in_ros resources ~robot serve =
+  let open Basis.Let_syntax.Result in
+  match robot with
+  | Some "ros" ->
+      let* ros2 = find_ros2 () in
+      let* node = Target.simulated_ros2 ros2 resources in
+      Ok
+        ( (("--node" :: [ node ]) @ if serve.stamped then [ "--stamped" ] else []),
+          if serve.ros_arguments = [] then [] else "--ros-args" :: serve.ros_arguments )
+  | (Some _ | None) when serve.stamped -> Error "--stamped is for the robot `ros`: add --robot ros"
+  | (Some _ | None) when serve.ros_arguments <> [] ->
+      Error "--ros-args is for the robot `ros`: add --robot ros"
+  | Some _ | None -> Ok ([], [])
+
 let serve ~robot ~sources serve =
   let* resources = Resources.find () in
   let* robot, own = served resources ~robot ~sources in
@@ -53,10 +76,11 @@ let serve ~robot ~sources serve =
     @ List.map (Output.asked Log "--log") (Option.to_list serve.log)
   in
   let* () = Output.check ~reads:((world :: Option.to_list robot) @ sources) outputs in
+  let* first, last = served_in_ros resources ~robot serve in
   become resources.server
     (("--world" :: world :: serve.host)
     @ option "--robot" robot @ option "--own" own @ option "--log" serve.log
-    @ option "--link" serve.link)
+    @ option "--link" serve.link @ first @ last)
 
 type way = Device of string | Ros2 of string list
 type run = { way : way; record : string option; look : Viewing.look option; host : string list }
@@ -80,8 +104,7 @@ let as_node (general : Common_options.t) =
            (Basis.Printable.name other))
 
 let node general ~entry ~sources file continue =
-  let* ros2 = Ros2.find () in
-  Option.iter (fun text -> prerr_endline ("warning: " ^ text)) (Ros2.untried ());
+  let* ros2 = find_ros2 () in
   Built.built general Executable ~entry ~sources ~linked:(Target.ros2 ros2) file (fun _ program ->
       continue program)
 

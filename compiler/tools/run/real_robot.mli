@@ -5,6 +5,8 @@ type serve = {
   world : string option;
   log : string option;  (** file in which received commands are logged *)
   link : string option;  (** symbolic link to create for the device *)
+  stamped : bool;  (** in ROS 2, commands are of the type [TwistStamped] *)
+  ros_arguments : string list;  (** arguments for ROS 2 *)
   host : string list;  (** additional arguments for the server *)
 }
 

@@ -88,6 +88,8 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     const geometry_msgs__msg__Twist *twist =
         robot.stamped ? &stamped->twist : (const geometry_msgs__msg__Twist *)message;
     (void)allocation;
+    if (has("crash"))
+        abort();
     if (strcmp(publisher->topic, "/cmd_vel") != 0 && strcmp(publisher->topic, "/base/cmd_vel") != 0)
         return RCL_RET_OK;
     drive(twist->linear.x, twist->angular.z);
@@ -164,10 +166,20 @@ static void imu(sensor_msgs__msg__Imu *m)
     m->orientation.w = cos(0.25);
 }
 
+/* The commands to a simulated robot, whose node this is: to drive ahead, during the fault "drive". */
+static bool velocity(geometry_msgs__msg__Twist *m)
+{
+    memset(m, 0, sizeof *m);
+    m->linear.x = has("nan") ? NAN : 0.3;
+    return has("drive") && !has("silent");
+}
+
 /* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
-    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0;
+    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0;
+    if (subscription->type == &fake_geometry_msgs_Twist)
+        return &velocity_ns;
     if (subscription->type == &fake_rosgraph_msgs_Clock)
         return &clock_ns;
     if (subscription->type == &fake_sensor_msgs_LaserScan)
@@ -189,6 +201,8 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return odometry((nav_msgs__msg__Odometry *)into, stamp_ns) ? RCL_RET_OK : RCL_RET_ERROR;
     }
     *next_ns = now_ns() + 5 * PERIOD_NS;
+    if (subscription->type == &fake_geometry_msgs_Twist)
+        return velocity((geometry_msgs__msg__Twist *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_rosgraph_msgs_Clock) {
         *next_ns = now_ns() + PERIOD_NS / 2;
         clock_message((rosgraph_msgs__msg__Clock *)into);
@@ -237,6 +251,9 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
         return RCL_RET_OK;
     if (strstr(topic, "scan") != NULL)
         return one(array, "sensor_msgs/msg/LaserScan");
+    if (strcmp(topic, "/cmd_vel") == 0)
+        return one(array,
+                   has("stamps") ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist");
     if (strcmp(topic, "/clock") == 0)
         return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "imu") != NULL)
@@ -515,6 +532,19 @@ bool rcl_parse_yaml_file(const char *file, rcl_params_t *params)
 void rcl_yaml_node_struct_fini(rcl_params_t *params)
 {
     (void)params;
+}
+
+bool rosidl_runtime_c__float__Sequence__init(rosidl_runtime_c__float__Sequence *sequence,
+                                             size_t size)
+{
+    sequence->data = (float *)calloc(size + 1, sizeof(float));
+    sequence->size = size;
+    return sequence->data != NULL;
+}
+
+void rosidl_runtime_c__float__Sequence__fini(rosidl_runtime_c__float__Sequence *sequence)
+{
+    free(sequence->data);
 }
 
 #define SEQUENCE_INIT(type)                                              \

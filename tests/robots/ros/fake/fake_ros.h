@@ -253,6 +253,7 @@ typedef struct {
 } geometry_msgs__msg__TwistStamped;
 typedef struct {
     std_msgs__msg__Header header;
+    rosidl_runtime_c__String child_frame_id;
     struct {
         geometry_msgs__msg__Pose pose;
     } pose;
@@ -265,6 +266,9 @@ typedef struct {
     float *data;
     size_t size;
 } rosidl_runtime_c__float__Sequence;
+bool rosidl_runtime_c__float__Sequence__init(rosidl_runtime_c__float__Sequence *sequence,
+                                             size_t size);
+void rosidl_runtime_c__float__Sequence__fini(rosidl_runtime_c__float__Sequence *sequence);
 typedef struct {
     std_msgs__msg__Header header;
     float angle_min, angle_max, angle_increment, time_increment, scan_time, range_min, range_max;

@@ -364,6 +364,99 @@ def test_bad_odometry():
     base.close()
 
 
+class Served:
+    """The simulated robot, as a node."""
+
+    def __init__(self, *options):
+        self.errors = open(os.path.join(FOLDER, "serve_errors"), "w+", encoding="utf-8")
+        OPEN.append(self.abandon)
+        self.process = subprocess.Popen(
+            [FROBC, "serve", "--robot", "ros", *options],
+            stdout=subprocess.PIPE,
+            stderr=self.errors,
+            text=True,
+        )
+        self.names = [self.process.stdout.readline().strip() for _ in range(5)]
+
+    def abandon(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+    def end(self):
+        """Interrupts it, and returns its summary as a table, and its messages."""
+        self.process.send_signal(signal.SIGINT)
+        output, _ = self.process.communicate(timeout=20)
+        self.errors.seek(0)
+        rows = [line.split(": ", 1) for line in output.splitlines() if ": " in line]
+        return dict(rows), self.errors.read()
+
+
+def teleop(*arguments):
+    """Runs the third-party node, and returns what it prints."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    return subprocess.run(
+        [sys.executable, os.path.join(here, "teleop.py"), *arguments],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    ).stdout
+
+
+def distance(summary):
+    """The driven distance in a summary."""
+    return float(summary["distance driven"].split()[0])
+
+
+def test_simulator():
+    """A plain rclpy node drives the simulated robot, which stops when the node has ended."""
+    served = Served()
+    assert served.names == [
+        "node: /robot",
+        "odometry: /odom",
+        "lidar: /scan",
+        "imu: /imu",
+        "velocity: /cmd_vel",
+    ], served.names
+    seen = teleop("6")
+    time.sleep(1)
+    summary, errors = served.end()
+    counts = eval(seen[: seen.index("}") + 1])  # noqa: S307
+    assert counts["odom"] > 100 and counts["scan"] > 20 and counts["imu"] > 100, seen
+    assert counts["clock"] > 200 and seen.strip().endswith("back 0"), seen
+    # Until the robot stops, it drives on for up to half a second.
+    assert 0.8 < distance(summary) < 2.1, (summary, seen)
+    assert errors == "", errors
+
+
+def test_simulator_stamped():
+    """The simulated robot takes TwistStamped with --stamped, and otherwise explains it."""
+    served = Served("--stamped", "--ros-args", "-r", "odom:=base/odom", "-r", "__ns:=/sim", "--")
+    assert served.names[:2] == ["node: /sim/robot", "odometry: /sim/base/odom"], served.names
+    served.end()
+    served = Served("--stamped")
+    teleop("8", "stamped")
+    summary, errors = served.end()
+    assert distance(summary) > 0.2 and errors == "", (summary, errors)
+    served = Served()
+    teleop("6", "stamped")
+    summary, errors = served.end()
+    assert distance(summary) == 0 and "add --stamped" in errors, (summary, errors)
+
+
+def test_simulator_and_program():
+    """A program drives the simulated robot through ROS 2, in the time of /clock."""
+    served = Served()
+    record = os.path.join(FOLDER, "log.csv")
+    run = Run("--for", "6s", "--record", record, "--ros-args", "-p", "use_sim_time:=true", "--")
+    run.process.wait(timeout=60)
+    output, errors = run.end()
+    assert run.process.returncode == 0, errors
+    summary, _ = served.end()
+    assert 0.6 < distance(summary) < 2, (summary, output, errors)
+
+
 def latencies(name, kill, times):
     """Prints the time from killing a process until the robot is stopped, in ms."""
     found = []

@@ -1,0 +1,81 @@
+// A simulated robot in ROS 2: it publishes its sensor values as topics, and drives as cmd_vel says.
+//
+// The node is a process of its own (runtime/hosts/ros_robot), because the simulator does not depend
+// on ROS. A socket connects them; its messages are those of runtime/hosts/ros/messages.h.
+//
+// Stamps and /clock are the time of this machine, so that other nodes may use either of them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include <hosts/ros/messages.h>
+
+#include "sim.h"
+
+namespace frob::serve {
+
+class RosRobot {
+  public:
+    using Log = std::function<void(std::int64_t time_ns, const std::string &text)>;
+
+    // Opens the world's lidars and inertial measurement units, starts the node, and waits until it
+    // has joined the ROS 2 system. `node`: the executable. `stamped`: cmd_vel is a TwistStamped.
+    // Throws WrongUse.
+    RosRobot(frob_sim *sim, const std::string &node, bool stamped,
+             const std::vector<std::string> &arguments);
+    ~RosRobot();
+    RosRobot(const RosRobot &) = delete;
+    RosRobot &operator=(const RosRobot &) = delete;
+
+    // Lines that describe the node and its topics.
+    std::vector<std::string> description() const;
+
+    // Runs the robot up to this time, which must not go back. Returns false if the node has ended.
+    bool advance(std::int64_t time_ns);
+
+    // Waits until a velocity arrives, something is due, or a signal interrupts it.
+    void wait(std::int64_t time_ns) const;
+
+    // Calls this for each command that differs from the previous one.
+    void set_log(Log log) { log_ = std::move(log); }
+
+  private:
+    struct Sensor {
+        int number; // of the world's lidar or unit
+        bool is_lidar;
+        std::string topic;
+    };
+
+    void open_sensors();
+    void start(const std::string &node, bool stamped, const std::vector<std::string> &arguments);
+    void look(std::int64_t time_ns);
+    void send_odometry(std::int64_t time_ns);
+    void send_scan(std::uint32_t sensor, std::int64_t time_ns);
+    void send_imu(std::uint32_t sensor, std::int64_t time_ns);
+    bool receive(std::int64_t time_ns);
+    void command(std::int64_t time_ns, double speed, double turn);
+    template <class Message>
+    Message message(ros_kind kind) const;
+    void send(const ros_head &message) const;
+
+    frob_sim *sim_;
+    std::vector<Sensor> sensors_;
+    int socket_ = -1;
+    pid_t process_ = 0;
+    ros_started started_{};
+    std::unique_ptr<ros_scan> scan_; // room for a message
+    std::int64_t epoch_ns_;          // the time of this machine at the start
+    std::int64_t next_ns_ = 0;
+    std::int64_t heard_ns_ = 0; // when the last velocity arrived
+    double speed_ = 0.0, turn_ = 0.0;
+    bool told_ = false; // a velocity that is not a number was reported
+    Log log_;
+};
+
+} // namespace frob::serve
