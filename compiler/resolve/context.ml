@@ -10,7 +10,13 @@ type t = {
   mutable unknown : Diagnostic.t list;  (** diagnostics about unknown names, newest first *)
 }
 
-and absent = { imports : string list; code : string; noun : string; name : Syntax.Ir.name }
+and absent = {
+  imports : string list;
+  listed : Syntax.Ir.import option;
+  code : string;
+  noun : string;
+  name : Syntax.Ir.name;
+}
 
 let create sink =
   {
@@ -78,24 +84,47 @@ let add_import program declaration =
   let { Ir.place; before; after } = import_place program in
   Diagnostic.fix (Printf.sprintf "add `%s`" declaration) [ (place, before ^ declaration ^ after) ]
 
+(* The import with these names added to its list. *)
+let with_names (import : Syntax.Ir.import) names =
+  let item name =
+    if Character.is_lower name.[0] || Character.is_upper name.[0] then name else "(" ^ name ^ ")"
+  in
+  let listed = List.map (fun (name : Syntax.Ir.name) -> name.text) (Option.get import.items) in
+  Printf.sprintf "import %s%s (%s)" import.module_.text
+    (match import.alias with Some alias -> " as " ^ alias.text | None -> "")
+    (String.concat ", " (List.map item (listed @ names)))
+
 (* Reports each missing import once, with all the names that need it. *)
 let tell_imports t program =
   let by_place a b = Span.compare a.name.span b.name.span in
   let rec tell = function
     | [] -> ()
-    | ({ imports; code; noun; name } as first) :: rest ->
-        let likewise, rest = List.partition (fun a -> a.imports = imports) rest in
+    | ({ imports; listed; code; noun; name } as first) :: rest ->
+        let likewise, rest =
+          List.partition (fun a -> a.imports = imports && a.listed = listed) rest
+        in
         let names =
-          List.map (fun a -> Printf.sprintf "`%s`" a.name.text) (first :: likewise)
+          List.map (fun a -> a.name.text) (first :: likewise)
           |> List.fold_left (fun all n -> if List.mem n all then all else n :: all) []
           |> List.rev
         in
-        Diagnostic.error ~code ~at:name.span "unknown %s `%s`" noun name.text
-        |> Diagnostic.hint
-             (Printf.sprintf "%s %s in the library: %s" (Enumeration.all names)
-                (if List.compare_length_with names 1 = 0 then "is" else "are")
-                (String.concat " or " (List.map (Printf.sprintf "`%s`") imports)))
-        |> List.fold_right (add_import program) (List.rev imports)
+        let quoted = List.map (Printf.sprintf "`%s`") names in
+        let d = Diagnostic.error ~code ~at:name.span "unknown %s `%s`" noun name.text in
+        (match listed with
+        | Some import ->
+            let text = with_names import names in
+            Diagnostic.label ~at:import.span
+              (Printf.sprintf "this list lacks %s" (Enumeration.all quoted))
+              d
+            |> Diagnostic.hint (Printf.sprintf "write `%s`" text)
+            |> Diagnostic.write import.span text
+        | None ->
+            Diagnostic.hint
+              (Printf.sprintf "%s %s in the library: %s" (Enumeration.all quoted)
+                 (if List.compare_length_with names 1 = 0 then "is" else "are")
+                 (String.concat " or " (List.map (Printf.sprintf "`%s`") imports)))
+              d
+            |> List.fold_right (add_import program) (List.rev imports))
         |> emit t;
         tell rest
   in

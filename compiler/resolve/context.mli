@@ -20,7 +20,14 @@ val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
 (** Runs a function one nesting level deeper. Beyond 10,000 levels the stack could overflow, so it
     emits E0106 (once) and returns [otherwise]. *)
 
-type absent = { imports : string list; code : string; noun : string; name : Syntax.Ir.name }
+type absent = {
+  imports : string list;
+  listed : Syntax.Ir.import option;
+      (** an import of the name's module whose list of names lacks it *)
+  code : string;
+  noun : string;
+  name : Syntax.Ir.name;
+}
 (** A library name that is not imported. Any one of these import declarations would bring it into
     scope. *)
 

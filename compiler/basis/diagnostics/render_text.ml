@@ -318,11 +318,12 @@ let summary list =
   | parts -> String.concat ", " parts ^ cut ^ "\n"
 
 let diagnostics ~colour source list =
+  let errors, warnings = List.partition (fun (d : Diagnostic.t) -> d.severity = Error) list in
   let text = Buffer.create 1024 in
   List.iter
     (fun d ->
       Buffer.add_string text (diagnostic ~colour source d);
       Buffer.add_char text '\n')
-    (first_of_each ~most:most_shown list);
+    (first_of_each ~most:most_shown (errors @ warnings));
   Buffer.add_string text (summary list);
   Buffer.contents text

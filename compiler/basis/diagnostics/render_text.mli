@@ -19,7 +19,7 @@ val diagnostic : colour:bool -> Source.t -> Diagnostic.t -> string
 (** The text ends with a newline. Colours use ANSI escape sequences. *)
 
 val diagnostics : colour:bool -> Source.t -> Diagnostic.t list -> string
-(** The first 100 errors and the first 100 warnings, each followed by an empty line, and then
+(** The first 100 errors and then the first 100 warnings, each followed by an empty line, and then
     {!summary} if there are any. The limits bound the time: every error on a line of a million
     characters requires a scan of that line. *)
 

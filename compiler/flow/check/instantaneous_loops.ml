@@ -42,8 +42,8 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "wait for at least 1 ns: `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "wait for at least 1 ns: `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the \
-       output during that time, such as the `restingOutput` of a robot"
+      "add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is \
+       the output of a robot at rest"
   | _, Statement _ ->
       "use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at \
        least one instant; `edge` would wait forever if the condition were true from the start"
@@ -150,11 +150,13 @@ let label_hop cycle name d hop =
         label ~at (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin from) d
     | None -> d
   in
-  label ~at:hop.by.span
-    (if from = target then
-       Printf.sprintf "`%s` may start itself again at its own first instant" from
-     else Printf.sprintf "`%s` may start `%s` at its own first instant" from target)
-    d
+  let at = hop.by.span in
+  let text =
+    if from = target then Printf.sprintf "`%s` may start itself again at its own first instant" from
+    else Printf.sprintf "`%s` may start `%s` at its own first instant" from target
+  in
+  let is_elsewhere (l : Diagnostic.label) = String.equal l.text text && l.at <> at in
+  if List.exists is_elsewhere d.labels then label ~at "and again here" d else label ~at text d
 
 let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~far hops =
   let cycle = { entry; program; modes = Array.of_list m.modes } in

@@ -64,7 +64,17 @@ let modules_in loader directory =
 (* Further messages are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-let report_missing loader ~directory (target : Syntax.Ir.name) =
+(* The hint for a module whose contents are in another module of the library. *)
+let hint_for_library ~imported (target : Syntax.Ir.name) =
+  Option.map
+    (fun (what, module_) ->
+      if List.mem module_ imported then
+        (Printf.sprintf "remove this line: %s in `%s`, which is already imported" what module_, None)
+      else (Printf.sprintf "%s in `%s`: write `import %s`" what module_ module_, Some module_))
+    (Other_languages.in_library target.text)
+
+(* [imported]: the other modules that the importing module names. *)
+let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   loader.missing <- loader.missing + 1;
   let known =
     if loader.missing > most_suggestions then []
@@ -80,7 +90,12 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   let modules, others = List.partition is_module known in
   let same name = String.equal (String.capitalize_ascii name) target.text in
   let near = Suggest.closest target.text modules in
+  let elsewhere = hint_for_library ~imported target in
   (match (List.find_opt same others, Other_languages.module_ target.text, near) with
+  | None, None, None when elsewhere <> None ->
+      let hint, module_ = Option.get elsewhere in
+      Diagnostic.hint hint diagnostic
+      |> Option.fold module_ ~none:Fun.id ~some:(Diagnostic.write target.span)
   | Some file, _, _ ->
       Diagnostic.hint
         (Printf.sprintf
@@ -134,13 +149,13 @@ let read_library loader name =
   | Ok text -> Ok { path; shown = shown_in_library loader name; in_library = true; text }
   | Error error -> Error error
 
-let find loader ~directory ~importer_in_library (target : Syntax.Ir.name) =
+let find loader ~directory ~imported ~importer_in_library (target : Syntax.Ir.name) =
   let name = target.text in
   let from_library () =
     match read_library loader name with
     | Ok found -> Some found
     | Error Missing ->
-        report_missing loader ~directory target;
+        report_missing loader ~imported ~directory target;
         None
     | Error (Unreadable reason) ->
         report_unreadable loader ~at:target.span (shown_in_library loader name) reason;
@@ -225,12 +240,13 @@ and add_loaded loader ~name ~imports ?program found syntax =
 (* [prelude]: add the implicit import of the prelude. *)
 and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.program) =
   let directory = Filename.dirname found.path in
+  let imported = List.map (fun (d : Syntax.Ir.import) -> d.module_.text) syntax.imports in
   let import ~declaration (target : Syntax.Ir.name) at =
     let written = Option.is_some declaration in
     let place = { importer = name; written; at; target } in
     match
-      import_module loader ~way:(place :: way) ~directory ~importer_in_library:found.in_library
-        target
+      import_module loader ~way:(place :: way) ~directory ~imported
+        ~importer_in_library:found.in_library target
     with
     | true -> Some { declaration; module_ = target.text }
     | false -> None
@@ -244,12 +260,12 @@ and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.p
   implied @ of_tests @ Long_list.map written syntax.imports
 
 (* Finds the module and loads it if it is new. Returns whether it exists. *)
-and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =
+and import_module loader ~way ~directory ~imported ~importer_in_library (target : Syntax.Ir.name) =
   let found =
     if imports_itself way target then (
       report_cycle loader way target;
       None)
-    else find loader ~directory ~importer_in_library target
+    else find loader ~directory ~imported ~importer_in_library target
   in
   match found with
   | None -> false
@@ -355,8 +371,8 @@ let load sink ~files ~remember ~library ?also main =
   | Some file when other file ->
       let target : Syntax.Ir.name = { text = module_in file; span = Span.start_of_file file } in
       ignore
-        (import_module loader ~way:[] ~directory:(Filename.dirname file) ~importer_in_library:false
-           target)
+        (import_module loader ~way:[] ~directory:(Filename.dirname file) ~imported:[]
+           ~importer_in_library:false target)
   | Some _ | None -> ());
   (match read loader main with
   | Error Missing ->

@@ -31,19 +31,58 @@ let report_label_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
   |> Diagnostic.label ~at:first.span "the first"
   |> Context.emit (context t)
 
+(* The right-hand side of an equation on one line. *)
+let value_of t (x : Ir.Local.t) =
+  Option.bind (Name_in_text.equation ~text:t.scope.text x.span) (fun equation ->
+      let start = String.length x.name + String.length " = " in
+      let value = String.sub equation start (String.length equation - start) in
+      let is_plain = not (List.mem "where" (String.split_on_char ' ' value)) in
+      if is_plain && not (String.contains value '|') then Some value else None)
+
+(* The hint for a second equation: one equation with both values. *)
+let one_equation t (first : Ir.Local.t) (second : Ir.Local.t) =
+  let name = second.name in
+  let because = "an equation holds at every instant, unlike an assignment" in
+  match (value_of t first, value_of t second) with
+  | Some before, Some after -> (
+      let is_constant =
+        match before with
+        | "True" | "False" -> true
+        | _ ->
+            let first =
+              if before.[0] = '-' && String.length before > 1 then before.[1] else before.[0]
+            in
+            Character.is_digit first && not (String.contains before ' ')
+      in
+      let by =
+        let previous = Printf.sprintf "delay %s %s" (Source.grouped before) name in
+        if not is_constant then Source.grouped before
+        else if String.starts_with ~prefix:(name ^ " ") after then previous
+        else Source.grouped previous
+      in
+      match Name_in_text.replaced ~name ~by after with
+      | Some (1, value) when is_constant ->
+          Printf.sprintf
+            "write one equation, in which `delay` returns the previous value: `%s = %s`" name value
+      | Some (1, value) -> Printf.sprintf "write one equation, `%s = %s`: %s" name value because
+      | None when String.length before + String.length after < 60 ->
+          Printf.sprintf
+            "write one equation, because %s; to choose between the two values, write `%s = if c \
+             then %s else %s`, with your condition for `c`"
+            because name after before
+      | Some _ | None -> Printf.sprintf "write one equation for `%s`: %s" name because)
+  | _ ->
+      Printf.sprintf
+        "write one equation for `%s`, because %s; for its previous value, write `delay 0 %s`, \
+         where 0 is the initial value"
+        name because name
+
 let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
   if Labels.is_name second.name then report_label_twice t first second
   else
     Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is defined twice here" second.name
     |> Diagnostic.label ~at:first.span "first defined here"
-    |> (if not is_equation then Fun.id
-        else
-          Diagnostic.hint
-            (Printf.sprintf
-               "write one equation for `%s`, because an equation holds at every instant, unlike an \
-                assignment; for its previous value, write `delay 0 %s`, where 0 is the initial \
-                value"
-               second.name second.name))
+    |> (if not is_equation then Fun.id else Diagnostic.hint (one_equation t first second))
     |> Context.emit (context t)
 
 let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =

@@ -60,6 +60,25 @@ let number_with_unit ~text (span : Span.t) =
 let before ~text (span : Span.t) = char_at (line_of text span) (Span.column span.start - 2)
 let after ~text (span : Span.t) = char_at (line_of text span) (Span.column span.stop - 1)
 
+let follows ~text before (span : Span.t) =
+  let line = line_of text span and at = Span.column span.start - 1 in
+  let first = at - String.length before in
+  first >= 0
+  && at <= String.length line
+  && String.equal (String.sub line first (String.length before)) before
+
+let is_index ~text (span : Span.t) =
+  let line = line_of text span in
+  let stop = forward (Char.equal ' ') line (Span.column span.stop - 1) in
+  let minus = char_at line stop = '-' in
+  let digit = forward (Char.equal ' ') line (stop + 1) in
+  let bracket = char_at line (Span.column span.start - 2) in
+  Span.column span.stop - Span.column span.start = 1
+  && minus
+  && Character.is_digit (char_at line digit)
+  && List.mem bracket [ '('; '[' ]
+  && Character.is_name (char_at line (Span.column span.start - 3))
+
 let starts_an_equation ~text name =
   let is_it line = String.starts_with ~prefix:(name ^ " = ") (String.trim line) in
   List.exists is_it (String.split_on_char '\n' text)
@@ -97,6 +116,22 @@ let equation ~text (span : Span.t) =
     && is_last
   then Some (String.sub line 0 start ^ " " ^ String.sub line sign (String.length line - sign))
   else None
+
+let replaced ~name ~by text =
+  let n = String.length name in
+  let is_part c = Character.is_name c || c = '.' in
+  let rec go i from count parts =
+    if i >= String.length text then
+      let rest = String.sub text from (String.length text - from) in
+      (count, String.concat "" (List.rev (rest :: parts)))
+    else
+      let stop = forward is_part text i in
+      if stop = i then go (i + 1) from count parts
+      else if stop - i = n && String.equal (String.sub text i n) name then
+        go stop stop (count + 1) (by :: String.sub text from (i - from) :: parts)
+      else go stop from count parts
+  in
+  match go 0 0 0 [] with 0, _ -> None | found -> Some found
 
 let definition ~text (span : Span.t) =
   let starts line = line <> "" && Character.is_lower line.[0] in

@@ -23,6 +23,12 @@ val before : text:string -> Span.t -> char
 val after : text:string -> Span.t -> char
 (** The character after the name. *)
 
+val follows : text:string -> string -> Span.t -> bool
+(** Does this text precede the name directly? *)
+
+val is_index : text:string -> Span.t -> bool
+(** Is the name the index in [x(k - 1)], an element of a sampled signal? *)
+
 val starts_an_equation : text:string -> string -> bool
 (** Does a line of the text begin with this name and [=]? *)
 
@@ -32,6 +38,10 @@ val call : text:string -> Span.t -> (Span.t * string) option
 
 val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)
+
+val replaced : name:string -> by:string -> string -> (int * string) option
+(** The number of occurrences of the name in an expression, and the expression with this text in
+    place of each; [None] if there are none. *)
 
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition

@@ -135,6 +135,10 @@ let signal_function = function
   | "prev" | "previousValue" | "lastValue" | "old" | "last" | "unitDelay" | "memory" ->
       Some
         "for the value one instant ago write `delay 0 x`, where 0 is the value at the first instant"
+  | "pidControl" | "pidController" | "pid_controller" | "pid_control" | "computePID" | "pidLoop" ->
+      Some
+        "use `pid gains e`, with `import Control`, where `e` is the error and `gains` a record \
+         `Pid { kp = …, ki = …, kd = …, largest = … }`"
   | "integrate" | "cumtrapz" -> Some "write `integral`"
   | "deriv" | "differentiate" -> Some "write `derivative`"
   | "until" | "untilB" ->
@@ -157,6 +161,42 @@ let signal_function = function
         "use `reactimateRobot` to turn a signal function into a robot program; `frobc trace` runs \
          any other signal function directly"
   | _ -> None
+
+let reading = function
+  | "speed" | "vel" | "velX" | "getVelocity" | "getSpeed" -> Some (format_of_string "velocity %s")
+  | "range" | "distance" | "dist" | "sonarDistance" | "readSonar" | "ranger" ->
+      Some (format_of_string "frontSonar %s")
+  | "angle" | "direction" | "theta" | "heading" | "yaw" | "orientation" ->
+      Some (format_of_string "(robotPose %s).heading")
+  | "gyro" | "angularVelocity" | "turnSpeed" | "rotation" | "yawRate" ->
+      Some (format_of_string "turnRate %s")
+  | "position" -> Some (format_of_string "place %s")
+  | "bump" | "bumper" | "collision" | "isBumped" -> Some (format_of_string "bumped %s")
+  | _ -> None
+
+let current name =
+  let n = String.length name in
+  let without_end suffix =
+    if String.ends_with ~suffix name && n > String.length suffix then
+      Some (String.sub name 0 (n - String.length suffix))
+    else None
+  in
+  let without_start prefix =
+    let k = String.length prefix in
+    if String.starts_with ~prefix name && n > k then
+      Some (String.uncapitalize_ascii (String.sub name k (n - k)))
+    else None
+  in
+  List.filter_map without_end
+    [ "_prev"; "_old"; "_last"; "_previous"; "Prev"; "Old"; "Last"; "Previous" ]
+  @ List.filter_map without_start
+      [ "prev_"; "old_"; "last_"; "previous_"; "prev"; "old"; "last"; "previous" ]
+
+let is_of_speed = function
+  | "setSpeed" | "setVelocity" | "set_velocity" | "setVel" | "setMotors" | "setMotorSpeed"
+  | "cmd_vel" | "cmdVel" | "drive" ->
+      true
+  | _ -> false
 
 let robot = function
   | "heading" | "theta" | "yaw" | "orientation" | "compass" ->
@@ -215,7 +255,27 @@ let qualifier = function
   | "Random" -> Some "for random numbers write `whiteNoise 1 ()`, with `import Sources`"
   | _ -> None
 
+(* The module of the library for a module that another language or robot has. *)
+let in_library = function
+  | "Sonar" | "Sonars" | "Ultrasonic" | "Distance" | "Range" -> Some ("the sonars are", "Robot")
+  | "Sensor" | "Sensors" | "Bumper" | "Bumpers" | "Odometry" -> Some ("the sensors are", "Robot")
+  | "Motor" | "Motors" | "Wheels" | "DiffDrive" | "Velocity" ->
+      Some ("the commands for the motors are", "Robot")
+  | "Laser" | "LaserScan" | "Scan" | "Scanner" -> Some ("laser scanners are", "Lidar")
+  | "Camera" | "OpenCV" | "Cv" | "Cv2" | "Image" | "Images" -> Some ("cameras are", "Vision")
+  | "Tf" | "Tf2" | "Transform" | "Transforms" | "Pose" | "Point" ->
+      Some ("poses and points are", "Geometry")
+  | "Rclpy" | "Rospy" | "Rclcpp" | "Roscpp" | "Ros2" | "GeometryMsgs" | "SensorMsgs" ->
+      Some ("the robots of ROS 2 are", "Ros")
+  | "Numpy" | "Scipy" | "LinearAlgebra" | "Eigen" -> Some ("matrices are", "Matrix")
+  | "Filter" | "LowPass" | "Smoothing" -> Some ("filters are", "Control")
+  | "Noise" | "Signals" -> Some ("sources of signals are", "Sources")
+  | _ -> None
+
 let module_ = function
+  | "Event" | "Events" | "Task" | "Tasks" | "Switch" | "Yampa" | "Frp" | "FRP" | "Arrow" ->
+      Some "remove this line: events, tasks and `switch` are built in"
+  | "Units" | "Unit" | "Si" | "SI" -> Some "remove this line: units are built in, as in `0.3[m/s]`"
   | "Math" | "Maths" | "Numeric" ->
       Some "remove this line: mathematical functions are built in, as in `sin x` and `sqrt x`"
   | "Time" | "Clock" ->

@@ -11,6 +11,15 @@ val robot : string -> string option
 (** A hint for the name of a robot sensor or action, used if the program does not contain a similar
     name. *)
 
+val reading : string -> (string -> string, unit, string) format option
+(** The reading of a sensor that such a name means, applied to the input of a robot. *)
+
+val current : string -> string list
+(** The names whose previous value such a name may mean: [v] for [v_prev] and [prevV]. *)
+
+val is_of_speed : string -> bool
+(** Does a word with a hint by {!robot} set the speed and the turn rate of a robot? *)
+
 val is_statement : string -> bool
 (** Is this the keyword of a statement? If so, the code after it is in that language too. *)
 
@@ -28,3 +37,7 @@ val qualifier : string -> string option
 
 val module_ : string -> string option
 (** A hint for an unknown module, as in [import Math]. *)
+
+val in_library : string -> (string * string) option
+(** The contents of such a module, as a subject and its verb ([the sonars are]), and the module of
+    the library that has them. *)

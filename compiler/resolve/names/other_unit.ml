@@ -48,6 +48,7 @@ let of_electricity = function
 
 let of_counts = function
   | "percent" | "pct" -> plain 0.01
+  | "dB" | "db" | "dBm" | "decibel" | "decibels" -> plain 1.
   | "tick" | "ticks" | "count" | "counts" | "step" | "steps" | "pulse" | "pulses" | "cycles"
   | "samples" | "times" ->
       plain 1.
@@ -140,6 +141,10 @@ let explain_known name (u : t) literal d =
            name scale u.unit_ u.unit_ name scale u.unit_)
         d
 
+(* Units of quantities that Frob has no units for. *)
+let is_of_another_quantity name =
+  List.mem name [ "lux"; "lx"; "lumen"; "lumens"; "lm"; "candela"; "cd"; "mol"; "ppm"; "pH"; "dBA" ]
+
 let explain ~is_unit ~text (span : Span.t) name =
   let literal =
     match Name_in_text.number_with_unit ~text span with
@@ -151,4 +156,8 @@ let explain ~is_unit ~text (span : Span.t) name =
       (fun d ->
         let d = temperature name literal d in
         if name = "C" then Diagnostic.hint "for a coulomb, write `A s`" d else d)
+  else if is_of_another_quantity name then
+    Some
+      (Diagnostic.hint
+         (Printf.sprintf "declare it on a line of its own, above the definitions: `unit %s`" name))
   else Option.map (fun u -> explain_known name u literal) (find ~is_unit name)

@@ -235,12 +235,26 @@ let power_in_text t (name : Syntax.Ir.name) =
       |> Option.map (fun text -> (whole, text))
   | _ -> None
 
+(* `len a`, as a factor or divisor of Floats *)
+let length_in_text t (name : Syntax.Ir.name) =
+  match (name.text, Name_in_text.application ~text:t.text name.span) with
+  | ("len" | "sizeof"), Some (whole, [ argument ]) ->
+      let text = "length " ^ argument in
+      let is_factor =
+        List.exists
+          (fun operator -> Name_in_text.follows ~text:t.text operator name.span)
+          [ "/ "; "* " ]
+      in
+      Some (whole, if is_factor then Printf.sprintf "toFloat (%s)" text else text)
+  | _ -> None
+
 let call_in_text t space (name : Syntax.Ir.name) =
   if not (String.equal space.noun "name") then None
   else
     match Name_in_text.call ~text:t.text name.span with
     | Some call -> Some call
-    | None -> power_in_text t name
+    | None -> (
+        match power_in_text t name with Some power -> Some power | None -> length_in_text t name)
 
 let clamp_module = ", with `import Control`"
 
@@ -331,78 +345,172 @@ let of_another_proc t (signal : Proc_signals.t) (name : Syntax.Ir.name) =
          `proc`, or write a signal function, `proc %s -> …`"
         name.text
 
+let of_ended_proc ({ text; edits } : Ended_proc.hint) diagnostic =
+  Diagnostic.hint text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
+
+(* The import that names its items, but not this one. *)
+let incomplete_import t space name =
+  let lacks (import : Syntax.Ir.import) =
+    match import.items with
+    | Some _ when not import.qualified ->
+        List.exists
+          (fun (m : of_library) ->
+            String.equal m.module_ import.module_.text
+            && String_table.mem (space.table m.names) name)
+          (Lazy.force t.elsewhere)
+    | Some _ | None -> false
+  in
+  List.find_opt lacks t.syntax.imports
+
+(* `setSpeed 0.3[m/s] 0` of another language, with the arguments of [setVelTR]. *)
+let speeds_in_text t (name : Syntax.Ir.name) =
+  match Name_in_text.application ~text:t.text name.span with
+  | Some (whole, ([ _; _ ] as arguments)) ->
+      Some (whole, String.concat " " ("setVelTR" :: arguments))
+  | Some _ | None -> None
+
+(* The name of a sensor for a word of another language, applied to the input: `speed i`. *)
+let of_a_reading t (name : Syntax.Ir.name) =
+  match Name_in_text.application ~text:t.text name.span with
+  | Some (whole, [ (("i" | "input") as input) ]) ->
+      Option.map
+        (fun reading -> (whole, Printf.sprintf reading input))
+        (Other_languages.reading name.text)
+  | Some _ | None -> None
+
+(* The known name in `v_prev`, `prevV` or `lastV`. *)
+let is_previous t ~locals (name : Syntax.Ir.name) =
+  let is_signal base =
+    List.mem base (Lazy.force locals) || String_table.mem (values.table t.own) base
+  in
+  List.find_opt is_signal (Other_languages.current name.text)
+
+(* The hint about a word of robots, and the text to write in its place, if that is certain. *)
+let of_robot t ~locals (name : Syntax.Ir.name) =
+  match (of_a_reading t name, is_previous t ~locals name) with
+  | Some (whole, text), _ -> Some (Printf.sprintf "write `%s`" text, Some (whole, text))
+  | None, Some base ->
+      Some
+        ( Printf.sprintf
+            "for the value of `%s` one instant ago, write `delay 0 %s`, where 0 is the initial \
+             value"
+            base base,
+          None )
+  | None, None when Name_in_text.is_index ~text:t.text name.span ->
+      Some
+        ( "for the value of a signal `x` one instant ago, write `delay 0 x`, where 0 is the \
+           initial value",
+          None )
+  | None, None -> (
+      match Other_languages.robot name.text with
+      | Some hint when Other_languages.is_of_speed name.text -> (
+          match speeds_in_text t name with
+          | Some (whole, text) when Name_in_text.follows ~text:t.text "roMake (" name.span ->
+              Some
+                ( Printf.sprintf "write `%s`, which sets the speed and the turn rate" text,
+                  Some (whole, text) )
+          | Some _ | None -> Some (hint, None))
+      | Some hint -> Some (hint, None)
+      | None -> None)
+
+(* The hint for a name that nothing else explains. *)
+let with_suggestion t space ~locals (name : Syntax.Ir.name) diagnostic =
+  let suggested =
+    Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
+  in
+  let is_certain = of_a_reading t name <> None || is_previous t ~locals name <> None in
+  match
+    match name.text with
+    | ("i" | "input" | "sensors") when suggested.hints = [] -> Some (no_input, None)
+    | _ -> of_robot t ~locals name
+  with
+  | Some (hint, edit) when String.equal space.noun "name" && (suggested.hints = [] || is_certain) ->
+      Diagnostic.hint hint diagnostic
+      |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
+  | Some _ | None -> suggested
+
+(* A signal of a `proc` in this definition that ends before the name. *)
+let of_this_proc (signal : Proc_signals.t) ~of_proc diagnostic =
+  Diagnostic.label ~at:signal.name.span
+    (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)
+    diagnostic
+  |>
+  match Lazy.force of_proc with
+  | Some hint when not signal.of_do -> of_ended_proc hint
+  | Some _ | None ->
+      Diagnostic.hint
+        (if signal.of_do then
+           "a `where` after `do` belongs to the whole definition and cannot use signals: write a \
+            `let` in the `do`"
+         else
+           "a `proc` ends at the bracket or comma that follows it; its signals cannot be used \
+            after that, nor in a `where` after that")
+
+(* The name with the qualifier of a module that is imported with `qualified`. *)
+let qualified_name t space (name : Syntax.Ir.name) =
+  let has (i : import) =
+    (not i.unqualified) && (not (is_implied i)) && String_table.mem (space.table i.names) name.text
+  in
+  match List.find_opt has t.imports with
+  | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
+  | Some _ | None -> None
+
 let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> if c_type_before t name = None then other_meaning t space name else Fun.id
   in
+  let is_value = String.equal space.noun "name" in
   let is_it (signal : Proc_signals.t) = String.equal signal.name.text name.text in
-  let elsewhere_in_module =
-    lazy
-      (if String.equal space.noun "name" then List.find_opt is_it (Lazy.force t.signals) else None)
+  let of_other_proc =
+    lazy (if is_value then List.find_opt is_it (Lazy.force t.signals) else None)
   in
   let has (m : of_library) = String_table.mem (space.table m.names) name.text in
   let with_it =
     let all = List.filter has (Lazy.force t.elsewhere) in
     match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
   in
-  let by_qualifier =
-    let has (i : import) =
-      (not i.unqualified)
-      && (not (is_implied i))
-      && String_table.mem (space.table i.names) name.text
-    in
-    match List.find_opt has t.imports with
-    | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
-    | Some _ | None -> None
-  in
+  let by_qualifier = qualified_name t space name in
   let imports = List.map (fun (m : of_library) -> Printf.sprintf "import %s" m.module_) with_it in
+  let signal = List.find_opt is_it (Lazy.force signals) in
+  let of_proc =
+    lazy
+      (if not (is_value && (List.mem name.text [ "i"; "input"; "sensors" ] || signal <> None)) then
+         None
+       else
+         match Ended_proc.without_name t.syntax name with
+         | Some hint -> Some hint
+         | None -> Ended_proc.of_switch ~text:t.text t.syntax name)
+  in
+  let other =
+    if is_value && Other_languages.robot name.text <> None then None
+    else other_writing t space name.text
+  in
   let diagnostic =
-    match (with_it, other_writing t space name.text) with
+    match (with_it, other, signal) with
     | _ when by_qualifier <> None ->
         let text = Option.get by_qualifier in
         Diagnostic.hint
           (Printf.sprintf "it is imported under its module's name: write `%s`" text)
           diagnostic
         |> Diagnostic.write name.span text
-    | _ when List.exists is_it (Lazy.force signals) ->
-        let signal = List.find is_it (Lazy.force signals) in
-        Diagnostic.label ~at:signal.name.span
-          (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
-          diagnostic
-        |> Diagnostic.hint
-             (if signal.of_do then
-                "a `where` after `do` belongs to the whole definition and cannot use signals: \
-                 write a `let` in the `do`"
-              else
-                "a `proc` ends at the bracket or comma that follows it; its signals cannot be used \
-                 after that, nor in a `where` after that")
-    | _ :: _, _ -> diagnostic
-    | [], Some other ->
+    | _, _, Some signal -> of_this_proc signal ~of_proc diagnostic
+    | _ :: _, _, None -> diagnostic
+    | [], None, None when Lazy.force of_proc <> None ->
+        of_ended_proc (Option.get (Lazy.force of_proc)) diagnostic
+    | [], Some other, None ->
         Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
         |> Diagnostic.write name.span other
-    | [], None when Option.is_some (of_another_language t space name diagnostic) ->
-        Option.get (of_another_language t space name diagnostic)
-    | [], None when Lazy.force elsewhere_in_module <> None ->
-        let signal = Option.get (Lazy.force elsewhere_in_module) in
-        Diagnostic.label ~at:signal.name.span
-          (Printf.sprintf "this `%s` is a signal of a `proc`" name.text)
-          diagnostic
-        |> Diagnostic.hint (of_another_proc t signal name)
-    | [], None -> (
-        let suggested =
-          Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
-        in
-        match
-          match name.text with
-          | ("i" | "input" | "sensors") when suggested.hints = [] -> Some no_input
-          | word -> Other_languages.robot word
-        with
-        | Some hint when String.equal space.noun "name" && suggested.hints = [] ->
-            Diagnostic.hint hint suggested
-        | Some _ | None -> suggested)
+    | [], None, None -> (
+        match (of_another_language t space name diagnostic, Lazy.force of_other_proc) with
+        | Some explained, _ -> explained
+        | None, Some signal ->
+            Diagnostic.label ~at:signal.name.span
+              (Printf.sprintf "this `%s` is a signal of a `proc`" name.text)
+              diagnostic
+            |> Diagnostic.hint (of_another_proc t signal name)
+        | None, None -> with_suggestion t space ~locals name diagnostic)
   in
-  let hidden = List.exists is_it (Lazy.force signals) in
   (* the definition has already been reported *)
   let told =
     match space.noun with
@@ -413,8 +521,10 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   if told then ()
   else if by_qualifier <> None then Context.emit t.context diagnostic
   else if String.equal space.noun "type" && is_known t classes name.text then report_class t name
-  else if with_it <> [] && not hidden then
-    Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
+  else if with_it <> [] && signal = None then
+    let listed = incomplete_import t space name.text in
+    Context.not_imported t.context
+      { imports; listed; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
 let report_unknown t space ~locals ~signals name =

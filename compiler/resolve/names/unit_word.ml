@@ -25,6 +25,8 @@ let symbol word =
   | "mps" -> Some "m/s"
   | "kmh" | "kph" | "kmph" -> Some "km/hour"
   | "dps" -> Some "deg/s"
+  | "pixel" -> Some "px"
+  | "bpm" -> Some "1/min"
   | "rps" -> Some "rad/s"
   | _ -> None
 

@@ -145,14 +145,21 @@ let rec in_program c (t : t) =
 
 let report_task (c : Context.t) (t : t) place =
   let at = in_program c t in
+  let cure =
+    match t.task with
+    | Some name -> Printf.sprintf "make `%s` the last statement" name
+    | None -> "make the call the last statement"
+  in
   Diagnostic.(
     error ~code:"E0420" ~at "a task restarts itself, but not as its last statement"
     |> here "it restarts here"
     |> label ~at:place "this waits for the restarted task to end"
     |> note "each restart would leave one more statement waiting, but memory is fixed"
     |> hint
-         "make the call the last statement, or move the waiting statements into the branch that \
-          ends the task; to repeat a task, write `repeatT 4 t` or `forever t`"
+         (Printf.sprintf
+            "%s, or move the waiting statements into the branch that ends the task; to repeat a \
+             task, write `repeatT 4 t` or `forever t`"
+            cure)
     |> emit c.sink);
   raise Context.Stopped
 

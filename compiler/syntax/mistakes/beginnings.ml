@@ -5,6 +5,9 @@ let no_procedures =
   "Frob has no procedures: write equations that hold at every instant, as in `main = \
    reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
+let of_record = "declare a record with `data` and a constructor: "
+let declare_a_record text = Printf.sprintf "%s`%s`" of_record text
+
 let cures =
   [
     ([ "end"; "endif"; "endfunction" ], by_equation);
@@ -17,9 +20,7 @@ let cures =
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
       "a program cannot print: make the value an output, and write all outputs to a file with \
        `--record`" );
-    ( [ "struct"; "typedef" ],
-      "declare a record with `data` and a constructor: `data Config = Config { speed :: Velocity }`"
-    );
+    ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
     ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],
       "declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> \

@@ -6,6 +6,12 @@ val no_procedures : string
 val of_word : string -> string option
 (** The hint for a line that begins with this word. *)
 
+val of_record : string
+(** The beginning of {!declare_a_record}. *)
+
+val declare_a_record : string -> string
+(** The hint to declare a record in this way. *)
+
 val waiting : string
 (** The hint that explains how to wait. *)
 

@@ -36,7 +36,14 @@ let of_block = "remove the colon: indentation makes the block; a choice is `if c
 let declares_a_record line =
   List.mem
     (List.hd (String.split_on_char ' ' (String.trim line)))
-    [ "struct"; "typedef"; "class"; "record"; "interface" ]
+    [ "struct"; "typedef"; "class"; "record"; "interface"; "type" ]
+
+(* The start of the top-level definition around this offset. *)
+let rec definition_start text at =
+  let start = line_start text at in
+  match char_at text start with
+  | (' ' | '\n' | '{' | '}' | ',') when start > 0 -> definition_start text (start - 1)
+  | _ -> start
 
 (* The offset of the innermost open brace. Stops at the start of the definition. *)
 let open_brace text at =
@@ -100,15 +107,16 @@ let of_switch text at =
 
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
+  let start = definition_start text at in
+  let first = String.sub text start (at - start) in
   match (line_of_brace text at, ending text at Basis.Character.is_name) with
-  | Some line, _ when declares_a_record line ->
-      {
-        hint =
-          Some
-            "declare a record with `data` and a constructor: `data Config = Config { speed :: \
-             Velocity }`";
-        instead = None;
-      }
+  | Some _, _ when declares_a_record first ->
+      let declaration =
+        Option.value
+          (Other_definition.record text start)
+          ~default:"data Config = Config { speed :: Velocity }"
+      in
+      { hint = Some (Beginnings.declare_a_record declaration); instead = None }
   | Some _, _ when starts_a_case text at -> { hint = Some (of_switch text at); instead = None }
   | Some _, _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
@@ -425,5 +433,8 @@ let of_character ~text ~at character =
 let of_each_line hint =
   let starts prefix = Option.fold hint ~none:false ~some:(String.starts_with ~prefix) in
   if starts of_choice then [ hint; Some of_block ]
-  else if List.mem hint [ Some of_block; Some of_class ] || starts is_switch then [ hint ]
+  else if
+    List.mem hint [ Some of_block; Some of_class ]
+    || starts is_switch || starts Beginnings.of_record
+  then [ hint ]
   else []

@@ -303,18 +303,71 @@ let choice_in_braces text at =
 let non_empty texts = List.filter (( <> ) "") (List.map String.trim texts)
 let lines_joined text = String.concat " " (String.split_on_char '\n' text)
 
+(* A type in a record of another language. A capitalized name is probably a type of Frob. *)
+let type_of_field text =
+  let text = String.trim text in
+  let is_part c = Character.is_name c || List.mem c [ ' '; '['; ']'; '/'; '^' ] in
+  match text with
+  | "f32" | "f64" | "number" -> Some "Float"
+  | "i8" | "i16" | "i32" | "i64" | "u8" | "u16" | "u32" | "u64" | "usize" | "Integer" -> Some "Int"
+  | "Boolean" -> Some "Bool"
+  | "" -> None
+  | _ when type_of text <> None -> type_of text
+  | _ when Character.is_upper text.[0] && String.for_all is_part text -> Some text
+  | _ -> None
+
+(* `x :: Float` for `x : float`, and `x :: Float`, `y :: Float` for `float x, y`. *)
+let fields_of_declaration text =
+  let field name type_ =
+    let name = String.trim name in
+    if is_word name && Character.is_lower name.[0] then
+      Option.map (Printf.sprintf "%s :: %s" name) (type_of_field type_)
+    else None
+  in
+  match String.split_on_char ':' text with
+  | [ name; type_ ] -> [ field name type_ ]
+  | [ _ ] -> (
+      match List.filter (fun word -> not (is_qualifier word)) (words text) with
+      | type_ :: (_ :: _ as names) ->
+          List.map (fun name -> field name type_) (split_commas (String.concat " " names))
+      | _ -> [ None ])
+  | _ -> [ None ]
+
+let words_of_a_record = [ "struct"; "typedef"; "type"; "alias"; "record"; "interface"; "pub"; "=" ]
+
+(* The text without the comments of C at the ends of its lines. *)
+let without_comments text =
+  let rec until i line =
+    if i + 1 >= String.length line then line
+    else if line.[i] = '/' && line.[i + 1] = '/' then String.sub line 0 i
+    else until (i + 1) line
+  in
+  String.concat "\n" (List.map (until 0) (String.split_on_char '\n' text))
+
 let record text at =
   let open Basis.Let_syntax.Option in
   let* opening = String.index_from_opt text at '{' in
-  let* name = match List.rev (words (sub text at opening)) with n :: _ -> Some n | [] -> None in
-  let* inside, _ = in_braces text opening in
-  let* fields = all (List.map typed (non_empty (String.split_on_char ';' (lines_joined inside)))) in
+  let before =
+    List.filter
+      (fun word -> not (List.mem word words_of_a_record))
+      (words (lines_joined (sub text at opening)))
+  in
+  let* inside, after = in_braces text opening in
+  let following = without_semicolon (sub text after (end_of_line text after)) in
+  let* name =
+    match before with
+    | _ when is_word following -> Some following
+    | [ name ] -> Some name
+    | _ -> None
+  in
+  let separator = if String.contains inside ':' then ',' else ';' in
+  let inside = lines_joined (without_comments inside) in
+  let declarations = non_empty (String.split_on_char separator inside) in
+  let* fields = all (List.concat_map fields_of_declaration declarations) in
   if fields = [] || not (is_word name) then None
   else
     let name = String.capitalize_ascii name in
-    let field (type_, x) = Printf.sprintf "%s :: %s" x type_ in
-    Some
-      (Printf.sprintf "data %s = %s { %s }" name name (String.concat ", " (List.map field fields)))
+    Some (Printf.sprintf "data %s = %s { %s }" name name (String.concat ", " fields))
 
 let enumeration text at =
   let open Basis.Let_syntax.Option in

@@ -33,7 +33,8 @@ val in_braces : string -> int -> (string * int) option
 (** The text in the braces at or after this offset, and the offset after them. *)
 
 val record : string -> int -> string option
-(** [data P = P { x :: Float }] for [struct P { float x; }] at this offset. *)
+(** [data P = P { x :: Float }] for [struct P { float x; }], [typedef struct { float x; } P] or
+    [type alias P = { x : Float }] at this offset. *)
 
 val enumeration : string -> int -> string option
 (** [data Side = Left | Right] for [enum Side { Left, Right }] at this offset. *)

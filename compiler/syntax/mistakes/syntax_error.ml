@@ -370,8 +370,16 @@ let report_found sink found =
     | None -> plain found
   in
   (* A hint about the whole program is reported only once. *)
-  let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
-  let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
+  let of_colon (other : Diagnostic.t) =
+    List.exists (String.starts_with ~prefix:Beginnings.of_record) other.hints
+  in
+  let told (other : Diagnostic.t) =
+    other.hints = d.hints && (other.code = d.code || of_colon other)
+  in
+  let is_said_once hint =
+    List.mem hint said_once || String.starts_with ~prefix:Beginnings.of_record hint
+  in
+  let once = List.exists is_said_once d.hints in
   (* The lines of a block in braces are not definitions, so they are not reported separately. *)
   let in_braces (other : Diagnostic.t) =
     List.exists Indentation_hint.is_by_indentation other.hints

@@ -51,6 +51,7 @@ type t = {
   depth : int;
   left_operand : (Resolve.Ir.expr * string) option;
   inputs : (string * Type.t) list;
+  unnamed_input : Span.t option;
   sources : Source.t;
   doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
   group : group;
@@ -81,6 +82,7 @@ let start reader ~sources ~real =
     depth = 1;
     left_operand = None;
     inputs = [];
+    unnamed_input = None;
     sources;
     doubts = Hashtbl.create 8;
     group = new_group ();
@@ -125,6 +127,16 @@ let written_unit t (u : Resolve.Ir.unit_) =
   List.fold_left factor (Some Units.one) u.factors
 
 let type_of_local t x = Option.map (fun (s : Type.scheme) -> s.body) (find_local t x)
+
+(* The top-level definition that has this parameter, and the index of the parameter. *)
+let parameter t (x : Ir.Local.t) =
+  let is_it (p : Resolve.Ir.pattern) = match p.desc with Bound y -> y.id = x.id | _ -> false in
+  let index (b : Resolve.Ir.binding) =
+    let indexed = List.mapi (fun i p -> (i, p)) b.parameters in
+    Option.map fst (List.find_opt (fun (_, p) -> is_it p) indexed)
+  in
+  let add _ b found = if found = None then Option.map (fun i -> (b, i)) (index b) else found in
+  Resolve.Global_table.fold add t.bindings None
 
 let words t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
@@ -192,6 +204,8 @@ let words t =
     {
       sources = t.sources;
       inputs = t.inputs;
+      unnamed_input = t.unnamed_input;
+      parameter = parameter t;
       needs_class;
       definition;
       local = type_of_local t;

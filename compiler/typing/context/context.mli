@@ -58,6 +58,7 @@ type t = {
   left_operand : (Resolve.Ir.expr * string) option;
       (** the left operand that is being inferred, if any, and its operator *)
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
+  unnamed_input : Span.t option;  (** see {!Show.place} *)
   sources : Source.t;
   doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
       (** signatures that were reported to contradict their definitions: the unit in the signature

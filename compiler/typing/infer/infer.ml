@@ -80,8 +80,9 @@ let check ~name (b : Resolve.Ir.binding) (inner, expected) =
     when g = Resolve.Labels.holding && Resolve.Labels.kind_of_check name <> None ->
       test inner ~holding argument expected
   | _ ->
-      Infer_binding.abstraction inner ~at:b.span ~name:(Some name) b.parameters expected
-        (fun expected -> Infer_binding.right Infer_expression.expressions inner b.body expected)
+      Infer_binding.abstraction inner ~at:b.span ~name:(Some name)
+        ~is_proc:(Infer_binding.is_proc b) b.parameters expected (fun expected ->
+          Infer_binding.right Infer_expression.expressions inner b.body expected)
 
 (* Generalizes the definitions without a signature. Each of them quantifies the variables that they
    share. *)

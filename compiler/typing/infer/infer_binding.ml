@@ -102,12 +102,77 @@ let report_one_tuple ctx ~name ~at (parts : Resolve.Ir.pattern list) expected =
           Diagnostic.hint (Printf.sprintf "write `%s %s = …`" name text) d
           |> Diagnostic.write at text)
 
-let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
+let is_proc (b : Resolve.Ir.binding) =
+  match b.body.guards with
+  | [ { condition = None; value = { desc = Proc _; _ } } ] -> true
+  | _ -> false
+
+(* The signature with these types before its result, a signal function. *)
+let with_types signature types =
+  let insert i =
+    String.sub signature 0 i
+    ^ String.concat "" (List.map (Printf.sprintf "%s -> ") types)
+    ^ String.sub signature i (String.length signature - i)
+  in
+  let starts i =
+    i + 3 <= String.length signature && String.equal (String.sub signature i 3) "SF "
+  in
+  let rec find i =
+    if i > String.length signature then None
+    else if starts i && (i = 0 || signature.[i - 1] = ' ') then Some (insert i)
+    else find (i + 1)
+  in
+  find 0
+
+(* `f d = proc i -> …` with the signature `f :: SF a b`: the signature lacks types. *)
+let report_lacking_types ctx ~name ~at (expected : Expected.t) lacking =
+  report ctx (fun words ->
+      let names, types = List.split lacking in
+      let types = List.map (fun t -> Source.grouped (Show.type_ words t)) types in
+      let shown = Enumeration.all (List.map (Printf.sprintf "`%s`") names) in
+      let d =
+        Diagnostic.error ~code:"E0302" ~at "the signature of `%s` lacks the type of %s" name shown
+        |> Expected.explain words expected
+      in
+      match expected.because with
+      | Signature { at; _ } -> (
+          match Option.bind (Show.quote words at) (fun text -> with_types text types) with
+          | Some text ->
+              Diagnostic.hint (Printf.sprintf "write `%s :: %s`" name text) d
+              |> Diagnostic.write at text
+          | None -> d)
+      | _ -> d)
+
+let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
   let allowed = parameters_allowed expected.ty in
   let is_refused =
     match allowed with
     | Some n -> List.compare_length_with parameters n > 0 && (name <> None || n > 0)
     | None -> false
+  in
+  let names =
+    List.filter_map
+      (fun (p : Resolve.Ir.pattern) -> match p.desc with Bound x -> Some x.name | _ -> None)
+      parameters
+  in
+  let rec result k t =
+    match Type.expand t with Function (_, t) when k > 0 -> result (k - 1) t | _ -> t
+  in
+  let rec extended k types t =
+    match Type.expand t with
+    | Function (a, t) when k > 0 -> Type.Function (a, extended (k - 1) types t)
+    | _ -> List.fold_right (fun a t -> Type.Function (a, t)) types t
+  in
+  (* the types that the signature lacks, with the names of their parameters *)
+  let lacking =
+    match (allowed, expected.because) with
+    | Some n, Signature _ when is_refused && is_proc && List.compare_lengths names parameters = 0
+      -> (
+        match Type.expand (result n expected.ty) with
+        | Signal_function _ ->
+            List.filteri (fun i _ -> i >= n) names |> List.map (fun x -> (x, Context.fresh ctx))
+        | _ -> [])
+    | _ -> []
   in
   (* avoid further messages about uses of these parameters *)
   let kept =
@@ -116,11 +181,9 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
         report_one_tuple ctx ~name ~at parts expected;
         Type.Erroneous
     | _ when not is_refused -> expected.ty
+    | _ when lacking <> [] -> extended (Option.get allowed) (List.map snd lacking) expected.ty
     | _ ->
         let n = Option.get allowed in
-        let rec result k t =
-          match Type.expand t with Function (_, t) when k > 0 -> result (k - 1) t | _ -> t
-        in
         too_many_parameters ctx ~name ~at:(List.nth parameters n : Resolve.Ir.pattern).span
           ~parameters expected ~left:(result n expected.ty) n;
         Type.Erroneous
@@ -144,6 +207,11 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
   in
   let patterns, rest = List.fold_left parameter ([], kept) parameters in
   let body = body { expected with ty = rest } in
+  (match (lacking, name) with
+  | _ :: _, Some name ->
+      let first = List.nth parameters (Option.get allowed) in
+      report_lacking_types ctx ~name ~at:first.span expected lacking
+  | _ -> ());
   match patterns with
   | [] -> body
   | _ ->
@@ -267,7 +335,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
 
 and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.binding later =
   let value ctx ~name expected =
-    abstraction ctx ~at:b.span ~name b.parameters expected (fun expected ->
+    abstraction ctx ~at:b.span ~name ~is_proc:(is_proc b) b.parameters expected (fun expected ->
         right expressions ctx b.body expected)
   in
   let finish pattern (scheme : Type.scheme) value () : Ir.binding =

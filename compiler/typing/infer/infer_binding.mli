@@ -6,16 +6,21 @@
 open Basis
 open Context
 
+val is_proc : Resolve.Ir.binding -> bool
+(** Is the definition a single [proc], apart from its parameters? *)
+
 val abstraction :
   t ->
   at:Span.t ->
   name:string option ->
+  is_proc:bool ->
   Resolve.Ir.pattern list ->
   Expected.t ->
   (Expected.t -> Ir.expr later) ->
   Ir.expr later
 (** A function with these parameters; the last argument checks the body. [name]: the name of the
-    definition, if it is one. Without parameters, the result is the body itself. *)
+    definition, if it is one. [is_proc]: is the body a [proc]? Without parameters, the result is the
+    body itself. *)
 
 val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
 (** A right-hand side: guards with their [where]. *)

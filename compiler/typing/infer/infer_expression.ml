@@ -143,8 +143,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
         let bindings = bindings () in
         node e.span expected.ty (Let (bindings, body ()))
   | Lambda { parameters; body }, _ ->
-      Infer_binding.abstraction ctx ~at:e.span ~name:None parameters expected (fun expected ->
-          check ctx body expected)
+      Infer_binding.abstraction ctx ~at:e.span ~name:None ~is_proc:false parameters expected
+        (fun expected -> check ctx body expected)
   | Proc { input; body }, _ -> proc ctx e input body expected
   | Sequence { statements; result }, _ ->
       Infer_sequence.check expressions ctx e statements result expected
@@ -312,7 +312,8 @@ and proc ctx e input body expected =
   in
   let pattern = input in
   let input = Infer_pattern.check ctx input { expected with ty = from } in
-  let ctx = { ctx with inputs = signals ctx pattern } in
+  let unnamed_input = match pattern.desc with Any -> Some pattern.span | _ -> None in
+  let ctx = { ctx with inputs = signals ctx pattern; unnamed_input } in
   let equations = Infer_binding.declarations expressions ctx body.equations in
   let output = check ctx body.output { ty = into; because = Output expected.because } in
   fun () ->

@@ -167,7 +167,8 @@ let instance w place (e : expr) head input =
   | None -> (
       match obstacle w place e head with
       | Some obstacle ->
-          Misplaced.report w.sink w.sources ~within:w.within place.position obstacle e ~head ~input;
+          Misplaced.report w.sink w.sources ~definition:w.definition ~within:w.within place.position
+            obstacle e ~head ~input;
           (place, place)
       | None -> (
           match region place.proc_depth with

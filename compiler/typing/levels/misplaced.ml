@@ -134,7 +134,17 @@ let outside sources value head =
 
 (* {1 Messages} *)
 
-let report sink sources ~within position obstacle (e : expr) ~head ~input =
+(* The value of a `test` without a run: `test "…" = ramp 0 == 0`. *)
+let in_a_test sources (definition : Global.t) (value : expr) =
+  let value = match value.desc with Apply (_, e) -> e | _ -> value in
+  match Resolve.Labels.kind_of_check definition.name with
+  | Some (Test, _) ->
+      Some
+        (Printf.sprintf "run it in the test for some time: `during 1[s] (proc () -> %s)`"
+           (Option.value (quote sources value) ~default:"…"))
+  | Some (Trial, _) | None -> None
+
+let report sink sources ~definition ~within position obstacle (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let emit d = Diagnostic.emit sink d in
   let bound (x : Local.t) d =
@@ -170,7 +180,10 @@ let report sink sources ~within position obstacle (e : expr) ~head ~input =
       emit
         (run "outside of a `proc`" "E0341"
         |> Diagnostic.here "only a `proc` can run a signal function"
-        |> Diagnostic.hint (outside sources within head))
+        |> Diagnostic.hint
+             (match in_a_test sources definition within with
+             | Some hint -> hint
+             | None -> outside sources within head))
   | In_task ->
       emit
         (run "outside of a `proc`" "E0341"

@@ -33,6 +33,7 @@ val name : Ir.expr -> string
 val report :
   Diagnostic.sink ->
   Source.t ->
+  definition:Ir.Global.t ->
   within:Ir.expr ->
   position ->
   obstacle ->
@@ -40,5 +41,5 @@ val report :
   head:Ir.expr ->
   input:Ir.expr ->
   unit
-(** The expression runs the head on the input, in the definition with the value [within]. The
+(** The expression runs the head on the input, in this definition with the value [within]. The
     position must not be [Every_instant]. *)

@@ -90,6 +90,26 @@ let of_three fact =
       Some (hint (Printf.sprintf "for three values, write `%s a (%s b c)`" name name))
   | _ -> None
 
+(* `limit low high x` *)
+let of_two_limits fact =
+  match fact.head.desc with
+  | Global { name = "limit"; module_ = "Control"; _ } when fact.position = 3 ->
+      let arguments = { fact.at with start = fact.head.span.stop } in
+      Option.map
+        (fun arguments ->
+          (* the place of an argument excludes its parentheses *)
+          let count c = List.length (String.split_on_char c arguments) in
+          let text =
+            "clamp " ^ String.trim arguments ^ String.make (max 0 (count '(' - count ')')) ')'
+          in
+          fun d ->
+            hint
+              (Printf.sprintf "`limit` has one limit for both directions; for two, write `%s`" text)
+              d
+            |> write fact.head.span "clamp")
+        (Show.quote fact.words arguments)
+  | _ -> None
+
 (* `when c a`, meant as a choice. *)
 let event_as_choice fact =
   match (Type.expand fact.left, fact.head.desc) with
@@ -251,6 +271,7 @@ let rules =
     after_a_field;
     after_a_formula;
     of_three;
+    of_two_limits;
     event_as_choice;
     element;
     initial_value;

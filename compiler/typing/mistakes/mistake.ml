@@ -88,6 +88,8 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
     |> of_one_type words expected found |> by_signature words expected |> of_two_modules words
   in
   match clash with
+  | Different_units _ when Setting_order.wrong words ~expected ~found <> None ->
+      Option.get (Setting_order.wrong words ~expected ~found)
   | Different_units (wanted, given) -> (
       match Signature_mistake.promised_unit (wanted, given) with
       | Some (r, unit_) ->

@@ -313,6 +313,7 @@ let certain words ~subject ~expected ~is_first units =
   let operand = Unit_conversion.is_operand expected in
   first_of
     [
+      (fun () -> Wrong_unit_mistake.superfluous_factor words ~subject ~expected units);
       (fun () -> Function_unit_mistake.complete words ~subject ~expected units);
       (fun () -> if operand then Formula_mistake.root words ~subject ~expected units else None);
       (fun () ->
@@ -330,6 +331,9 @@ let likely words ~subject ~expected units =
         if Unit_conversion.is_operand expected then None
         else Formula_mistake.root words ~subject ~expected units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
+      (fun () -> Wrong_unit_mistake.gain words ~subject ~expected units);
+      (fun () -> Wrong_unit_mistake.constant words ~subject ~expected units);
+      (fun () -> Wrong_unit_mistake.parameter words ~subject ~expected units);
       (fun () -> Lacking_unit_mistake.of_a_literal words ~likely:true ~subject ~expected units);
     ]
 

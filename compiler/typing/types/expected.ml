@@ -115,12 +115,16 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
       | None -> Option.fold units ~none:Fun.id ~some:note diagnostic)
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
 
+let definition name = Printf.sprintf "this defines `%s`" name
+let is_of_definition name (label : label) = String.equal label.text (definition name)
+
 (* If there is no better place to point at, labels the place where the variable is bound. *)
 
 let explain_subject subject reason diagnostic =
   match (subject, reason) with
   | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
-    when Span.compare local.span diagnostic.at <> 0 ->
+    when Span.compare local.span diagnostic.at <> 0
+         && not (List.exists (is_of_definition local.name) diagnostic.labels) ->
       label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
   | _ -> diagnostic
 

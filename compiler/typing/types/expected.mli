@@ -54,6 +54,9 @@ type t = { ty : Type.t; because : reason }
 
 val make : reason -> Type.t -> t
 
+val definition : string -> string
+(** The label at the definition of this name. *)
+
 val explain : Show.words -> t -> Diagnostic.t -> Diagnostic.t
 (** Labels the place that determines the expected type. *)
 

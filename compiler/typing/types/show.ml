@@ -118,6 +118,8 @@ type place = {
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
+  parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
+  unnamed_input : Span.t option;
   makers : Type.t -> of_:Type.t -> string list;
 }
 
@@ -134,6 +136,8 @@ let nowhere =
     choices = (fun _ -> []);
     declared = (fun _ -> None);
     binding = (fun _ -> None);
+    parameter = (fun _ -> None);
+    unnamed_input = None;
     makers = (fun _ ~of_:_ -> []);
   }
 
@@ -160,6 +164,8 @@ let definition words x = words.place.definition x
 let local words x = words.place.local x
 let unit_written words u = words.place.unit_ u
 let binding words g = words.place.binding g
+let parameter words x = words.place.parameter x
+let unnamed_input words = words.place.unnamed_input
 let declared_type words g = words.place.declared g
 let inputs words = words.place.inputs
 let fields words t = words.place.fields t

@@ -37,6 +37,10 @@ type place = {
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
+  parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
+      (** the top-level definition that has this parameter, and the index of the parameter *)
+  unnamed_input : Span.t option;
+      (** the [_] in place of an input of the enclosing proc, if there is one *)
   makers : Type.t -> of_:Type.t -> string list;
       (** constructors of the first type that have a field of type [of_], shown with their fields *)
 }
@@ -52,6 +56,8 @@ val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val local : words -> Resolve.Ir.Local.t -> Type.t option
 val unit_written : words -> Resolve.Ir.unit_ -> Units.t option
 val binding : words -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
+val parameter : words -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
+val unnamed_input : words -> Span.t option
 val declared_type : words -> Resolve.Ir.Global.t -> Type.t option
 
 val inputs : words -> (string * Type.t) list

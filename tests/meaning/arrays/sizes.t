@@ -78,7 +78,7 @@ has no elements or too many:
     |                  |           because this is `Array 2 Float`
     |                  argument 3 of `zipWith` is `Array 2 Float`
     |
-    = hint: this has 3 elements: write that many in the type, `Array 3 Float`, or change the elements
+    = hint: remove one element, or write `Array 3 Float` in the type
   
   error[E0331]: nothing determines the size of an array where `generate` is used
    --> wrong.frob:5:31

@@ -59,7 +59,7 @@ as signal functions.
     = hint: to read it once, write `ask derivative`
     = hint: use `mkTask (derivative &&& event)`, which ends when the event occurs, or `mkTask (derivative &&& never)`, which never ends
   
-  error[E0301]: expected `Task Float Float a`, found the function `b -> Task c b ()`
+  error[E0301]: `sleepT` lacks its last argument, the output during that time
     --> mistakes.frob:10:5
      |
    7 | g :: Task Float Float Float

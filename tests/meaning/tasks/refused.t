@@ -24,7 +24,7 @@ it.
     |     ------------- this waits for the restarted task to end
     |
     = note: each restart would leave one more statement waiting, but memory is fixed
-    = hint: make the call the last statement, or move the waiting statements into the branch that ends the task; to repeat a task, write `repeatT 4 t` or `forever t`
+    = hint: make `bug` the last statement, or move the waiting statements into the branch that ends the task; to repeat a task, write `repeatT 4 t` or `forever t`
   
   1 error
   [1]
@@ -352,7 +352,7 @@ the program that calls it, with the part that takes time.
     N |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
      = note: frobc found no end within 1000 steps, the maximum for one instant
-     = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
+     = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -379,7 +379,7 @@ the program that calls it, with the part that takes time.
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
       = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
-      = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
+      = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

@@ -56,11 +56,14 @@ its part of the signature.
   error[E0320]: expected the unit `m/s`, found `m`
    --> signatures.frob:5:19
     |
+  4 | brake :: Distance -> Velocity -> (Time, Distance)
+    |          -------- the signature gives `d` this type
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |              ---- ^ this is `Distance` (m)
     |              |
     |              argument 1 of `stop` is `Velocity` (m/s)
     |
+    = hint: if `d` is of type `Velocity`, write the signature as `brake :: Velocity -> Velocity -> (Time, Distance)`
     = hint: multiply by a gain, as in `0.5[1/s] * d`, or, for the rate of change, write `derivative d`
   
   error[E0320]: expected the unit `m`, found `m/s`

@@ -80,6 +80,16 @@ let without_value found =
   | (END | SEMICOLON), Some _ -> lacks_a_value found
   | _ -> None
 
+(* `type alias` of Elm *)
+let alias found =
+  match (found.token.token, found.before) with
+  | LOWER "alias", Some { token = TYPE; _ } ->
+      Some
+        (match Other_definition.record found.text (start_of_definition found) with
+        | Some declaration -> Beginnings.declare_a_record declaration
+        | None -> "remove `alias`: `type` alone names a type, as in `type Speed = Float[m/s]`")
+  | _ -> None
+
 let capital found =
   match (found.token.token, found.before) with
   | LOWER _, Some { token = DATA | TYPE | CLASS; _ } ->

@@ -18,6 +18,9 @@ val foreign_import : Found.rule
 val without_value : Found.rule
 (** A `param` without its default value, or a `foreign` without its C name. *)
 
+val alias : Found.rule
+(** [type alias], as in Elm. *)
+
 val capital : Found.rule
 (** A type name that begins with a lower-case letter. *)
 

@@ -91,16 +91,66 @@ let misplaced_line found =
 
 let by_indentation = "indent the block instead: braces are only for records"
 let on_lines = "write it without braces, each part on a line of its own: "
-let is_by_indentation hint = hint = by_indentation || String.starts_with ~prefix:on_lines hint
+let output_first = "write the output first, and the equations below it in a `where`: "
+
+let is_by_indentation hint =
+  let starts prefix = String.starts_with ~prefix hint in
+  hint = by_indentation || starts on_lines || starts output_first
+
+let written value = Option.value (Other_notation.expression value) ~default:value
+
+(* The equation in `v = 1;`, `float v = 1;` or `let v = 1`. *)
+let equation line =
+  match String.index_opt line '=' with
+  | Some i when i + 1 < String.length line && line.[i + 1] <> '=' -> (
+      let value = String.trim (String.sub line (i + 1) (String.length line - i - 1)) in
+      match List.rev (String.split_on_char ' ' (String.trim (String.sub line 0 i))) with
+      | name :: ([] | [ _ ]) when name <> "" && String.for_all Basis.Character.is_name name ->
+          Some (Printf.sprintf "%s = %s" name (written value))
+      | _ -> None)
+  | Some _ | None -> None
+
+(* `proc i -> { v = 1; return f v }`: the output, followed by a `where` with the equations.
+   [closing]: the brackets that close after the braces. *)
+let with_where found ~closing lines =
+  let bol = found.token.start.pos_bol in
+  let head = between found bol found.token.start.pos_cnum in
+  let ends suffix = String.ends_with ~suffix head in
+  match List.rev lines with
+  | last :: (_ :: _ as equations) when ends "->" || ends "=" -> (
+      let prefix = "return " in
+      let n = String.length prefix in
+      let output =
+        if String.starts_with ~prefix last then
+          Some (String.trim (String.sub last n (String.length last - n)))
+        else if equation last = None then Some last
+        else None
+      in
+      let equations = List.rev_map equation equations in
+      match output with
+      | Some output when not (List.mem None equations) ->
+          let last = List.length equations - 1 in
+          let shown i e = Printf.sprintf "`%s%s`" e (if i = last then closing else "") in
+          Some
+            (Printf.sprintf "%s`%s %s where`, and below it, indented, %s" output_first head
+               (written output)
+               (String.concat ", " (List.mapi shown (List.filter_map Fun.id equations))))
+      | Some _ | None -> None)
+  | _ -> None
 
 let without_braces found =
   match Other_definition.in_braces found.text found.token.start.pos_cnum with
-  | Some (inside, _)
-    when (not (String.contains inside '{')) && String.length inside < 80 && inside <> "" -> (
+  | Some (inside, after)
+    when (not (String.contains inside '{')) && String.length inside < 200 && inside <> "" -> (
       let parts = String.split_on_char ';' inside in
       let lines = List.concat_map (String.split_on_char '\n') parts in
       let lines = List.filter (( <> ) "") (List.map String.trim lines) in
+      let closing = between found after (end_of_line found after) in
+      let closing = if String.for_all (( = ) ')') closing then closing else "" in
       match lines with
+      | _ when with_where found ~closing lines <> None ->
+          Option.get (with_where found ~closing lines)
+      | _ when String.length inside >= 80 -> by_indentation
       | [ first; second ] -> Printf.sprintf "%s`%s`, and below it `%s`" on_lines first second
       | first :: second :: _ ->
           Printf.sprintf "%s`%s`, below it `%s`, and so on" on_lines first second

@@ -43,9 +43,9 @@ let beginning found =
         | None -> Beginnings.by_equation
       in
       Some (definition, hint)
-  | "struct" when Other_definition.record found.text bol <> None ->
+  | ("struct" | "typedef") when Other_definition.record found.text bol <> None ->
       let text = Option.get (Other_definition.record found.text bol) in
-      Some (definition, Printf.sprintf "declare a record with `data` and a constructor: `%s`" text)
+      Some (definition, Beginnings.declare_a_record text)
   | "enum" when Other_definition.enumeration found.text bol <> None ->
       let text = Option.get (Other_definition.enumeration found.text bol) in
       Some (definition, Printf.sprintf "declare an enumeration with `data`: `%s`" text)
@@ -99,6 +99,7 @@ let declarations =
       Operator_hint.row;
       foreign_import;
       without_value;
+      alias;
       capital;
       Choice_hint.branch;
       Type_hint.with_parameters;
@@ -195,7 +196,7 @@ let usual found =
   | LBRACE when opens_fields found "=" ->
       Some "write the constructor before the braces, as in `Pose { heading = 0 }`"
   | LBRACE when opens_fields found "::" && first_word found = "type" ->
-      Some "declare a record with `data` and a constructor: `data Pose = Pose { heading :: Angle }`"
+      Some (Beginnings.declare_a_record "data Pose = Pose { heading :: Angle }")
   | LBRACE -> Some (Indentation_hint.without_braces found)
   | DOUBLE_COLON -> Some (Type_hint.misplaced found)
   | _ -> None

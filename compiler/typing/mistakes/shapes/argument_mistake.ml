@@ -78,7 +78,8 @@ let missing_output fact ~missing d =
   match Option.bind fact.subject Plain_name.of_head with
   | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
       let cure = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
-      hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" cure) d
+      { d with message = "`sleepT` lacks its last argument, the output during that time" }
+      |> hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" cure)
       |> fix (Printf.sprintf "write `%s`" cure) [ (fact.at, cure) ]
       |> Option.some
   | _ -> None
@@ -241,13 +242,31 @@ let is_a_body fact =
       | _ -> false)
   | _ -> false
 
+(* The lambda with one more parameter. *)
+let with_one_more fact =
+  match fact.expected.because with
+  | Parameter { given; position; _ } -> (
+      match List.nth_opt given (position - 1) with
+      | Some { desc = Lambda { parameters; body }; _ } ->
+          let texts =
+            List.map (fun (p : Resolve.Ir.pattern) -> Show.quote fact.words p.span) parameters
+          in
+          Option.bind (all texts) (fun texts ->
+              Option.map
+                (Printf.sprintf "\\%s _ -> %s" (String.concat " " texts))
+                (Show.quote fact.words body.span))
+      | _ -> None)
+  | _ -> None
+
 let lambda_with_too_few_parameters fact =
   match (fact.wanted, fact.given) with
   | Function _, (Number _ | Bool | String | Data _) when is_a_body fact ->
       Some
         (hinted fact
-           "the function receives one more argument: add a parameter, or `_` if you do not need \
-            it, as in `\\n _ -> …`")
+           (Printf.sprintf
+              "the function receives one more argument: add a parameter, or `_` if you do not need \
+               it, as in `%s`"
+              (Option.value (with_one_more fact) ~default:"\\n _ -> …")))
   | _ -> None
 
 let missing_in_an_operand fact =

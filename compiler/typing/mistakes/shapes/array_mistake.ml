@@ -114,10 +114,22 @@ let of_another_size fact =
       different fact
       |> hint
            (match fact.subject with
-           | Some { desc = Array elements; _ } ->
-               Printf.sprintf
-                 "this has %d elements: write that many in the type, %s, or change the elements"
-                 (List.length elements) (found_text fact)
+           | Some { desc = Array elements; _ } -> (
+               let given = List.length elements in
+               let count n = if n = 1 then "one element" else Printf.sprintf "%d elements" n in
+               match Type.expand n with
+               | Size wanted when wanted > given ->
+                   Printf.sprintf "add %s, or write %s in the type"
+                     (count (wanted - given))
+                     (found_text fact)
+               | Size wanted ->
+                   Printf.sprintf "remove %s, or write %s in the type"
+                     (count (given - wanted))
+                     (found_text fact)
+               | _ ->
+                   Printf.sprintf
+                     "this has %d elements: write that many in the type, %s, or change the elements"
+                     given (found_text fact))
            | _ -> "use `take` or `drop` to change the size of an array; its type gives the new size")
       |> Option.some
   | _ -> None

@@ -53,6 +53,21 @@ let not_made (fact : Shape_fact.t) =
   | (Data _ | Rigid _), (Function _ | Data _) -> Option.map (Shape_fact.hinted fact) (hint fact)
   | _ -> None
 
+(* `(v, omega)` in place of a robot's output *)
+let speeds (fact : Shape_fact.t) =
+  let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false in
+  match (fact.given, Shape_fact.all (Shape_fact.elements fact)) with
+  | Tuple [ v; omega ], Some [ v'; omega' ]
+    when is_output fact.expected.ty && is_number v && is_number omega ->
+      let text =
+        Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v') (Source.grouped omega')
+      in
+      Some
+        (Shape_fact.hinted fact
+           (Printf.sprintf "write `%s` for a robot's output: its speed and its turn rate" text)
+        |> Diagnostic.write fact.at text)
+  | _ -> None
+
 let statement (fact : Shape_fact.t) =
   match fact.given with
   | Function _ when Shape_fact.is_statement fact && changed fact.found <> None ->

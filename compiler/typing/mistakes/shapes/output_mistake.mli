@@ -4,6 +4,9 @@
 val not_made : Shape_fact.rule
 (** Applies if an output or a whole program is expected. *)
 
+val speeds : Shape_fact.rule
+(** A pair of a speed and a turn rate in place of a robot's output. *)
+
 val statement : Shape_fact.rule
 (** Applies if the function is a statement of a [do]. *)
 

@@ -31,6 +31,7 @@ let of_functions =
   [
     Output_mistake.statement;
     Output_mistake.not_made;
+    Output_mistake.speeds;
     Array_mistake.extreme;
     Tuple_mistake.of_all_arguments;
     Tuple_mistake.mapped_range;

@@ -150,16 +150,38 @@ let only_returned fact =
 let condition fact =
   match fact.expected.because with
   | Condition when Environment.is_task fact.found ->
+      let defined =
+        match fact.subject with
+        | Some { desc = Local x; _ } ->
+            Option.bind (Show.definition fact.words x) (fun (e : Resolve.Ir.expr) ->
+                Option.map (fun text -> (x.name, text)) (Show.quote fact.words e.span))
+        | Some _ | None -> None
+      in
       not_a_condition fact
       |> hint
-           (Printf.sprintf "run the task on the line before, `ok <- %s`, and write `ok` here"
-              (raw fact "t"))
+           (match defined with
+           | Some (name, task) ->
+               Printf.sprintf "run the task: write `%s <- %s` in place of `let %s = %s`" name task
+                 name task
+           | None ->
+               Printf.sprintf "run the task on the line before, `ok <- %s`, and write `ok` here"
+                 (raw fact "t"))
       |> Option.some
   | _ -> None
 
 (* {1 Two tasks whose types differ in one part} *)
 
 let of_another_result fact result result' =
+  let returns_nothing =
+    match fact.subject with
+    | Some
+        {
+          desc = Apply { head = { desc = Global { name = "return"; _ }; _ }; argument; style = _ };
+          _;
+        } -> (
+        match argument.desc with Tuple [] -> true | _ -> false)
+    | Some _ | None -> false
+  in
   let nothing t = Type.expand t = Type.Tuple [] in
   if nothing result then
     Printf.sprintf
@@ -167,6 +189,11 @@ let of_another_result fact result result' =
        it"
       (match raw fact "" with "" -> "the" | _ -> "this")
       (grouped fact "t")
+  else if returns_nothing then
+    match (Type.expand result, Show.choices fact.words result) with
+    | Bool, _ -> "return a `Bool` here: `return True` or `return False`"
+    | _, choice :: _ -> Printf.sprintf "return one here, such as `return %s`" choice
+    | _ -> "write the result in place of `()`: `return x`"
   else if nothing result' then "to return `x` instead, write a `do` with `return x` below the task"
   else "to apply a function `f` to the result of a task `t`, write `mapT f t`"
 

@@ -63,6 +63,7 @@ let meant words (subject : Resolve.Ir.expr option) =
       | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
         when Plain_name.of_head e <> None && has_signal e ->
           Some e
+      | Some ({ desc = Global _; _ } as e) -> Some e
       | _ -> subject)
   | _ -> subject
 
@@ -72,7 +73,21 @@ let is_no_event words (x : Resolve.Ir.Local.t) =
   | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
   | None -> false
 
+(* An initial value for the signal of this type, or for the value of this event. *)
+let rec initial t =
+  match Type.expand t with
+  | Type.Number _ -> "0"
+  | Bool -> "False"
+  | Data { arguments = [ value ]; _ } when Environment.is_event t -> initial value
+  | _ -> "x0"
+
 let hint_to_run words subject input d =
+  let where =
+    match subject with
+    | Some ({ desc = Local x; _ } : Resolve.Ir.expr) when meant words subject <> subject ->
+        Some x.name
+    | Some _ | None -> None
+  in
   let subject = meant words subject in
   let signal = signal_for words input in
   let arguments = Option.fold subject ~none:[] ~some:arguments_of in
@@ -89,7 +104,7 @@ let hint_to_run words subject input d =
            instant: write `%s` alone"
           name name x.name (argument only)
     | Some name, [ only ] when has_initial_value name ->
-        let start = match Type.expand input with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
+        let start = initial input in
         Printf.sprintf "`%s` takes an initial value before its signal: write `%s %s %s`" name name
           start (argument only)
     | Some name, _ :: _ -> (
@@ -100,6 +115,9 @@ let hint_to_run words subject input d =
               (if signal = "()" then "`()`" else "a signal")
               (String.concat " " (name :: List.map argument arguments))
               signal)
+    | Some name, [] when where <> None ->
+        Printf.sprintf "run it on `%s` in its definition: `%s = %s %s`" signal (Option.get where)
+          name signal
     | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
     | None, _ -> Printf.sprintf "run it on `%s`" signal)
     d
@@ -128,6 +146,11 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
   let is_robot = Show.needs_class words input in
   match subject with
+  | Some { desc = Global { name; _ }; _ }
+    when is_robot && Show.inputs words = [] && Show.unnamed_input words <> None ->
+      Some
+        (Printf.sprintf "give the input of the `proc` a name, `proc i -> …`, and write `%s i` here"
+           name)
   | Some { desc = Local x; _ } when Show.inputs words = [] && is_robot -> (
       match Option.bind (Show.definition words x) Plain_name.of_expr with
       | Some sf ->
@@ -153,6 +176,12 @@ let message words ~subject ~at ~wanted ~input ~found =
       hint (Printf.sprintf "its output is an event: for a condition, write `%s`" cure) d
       |> instead subject cure
   | None -> (
+      let d =
+        match (subject, meant words subject) with
+        | Some { desc = Local x; _ }, Some e when Some e <> subject ->
+            label ~at:e.span (Expected.definition x.name) d
+        | _ -> d
+      in
       match sense_without_input words ~subject input with
       | Some text -> hint text d
       | None -> hint_to_run words subject input d)

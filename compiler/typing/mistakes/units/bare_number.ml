@@ -141,6 +141,23 @@ let written_factor words e =
   in
   factors words ~select e
 
+let gain words e =
+  let is_of_a_gain (u : Resolve.Ir.unit_) =
+    let is_negative ((f : Resolve.Ir.unit_factor), (power : Syntax.Ir.rational)) =
+      match f with
+      | Declared { name = "rad" | "deg"; _ } -> true
+      | Declared _ | Unit_variable _ -> power.numerator < 0
+    in
+    List.exists (fun (_, (power : Syntax.Ir.rational)) -> power.numerator < 0) u.factors
+    && List.for_all is_negative u.factors
+  in
+  let select words e =
+    match literal words e with
+    | Some ({ unit_ = Some u; _ } as found) when is_of_a_gain u -> Some found
+    | Some _ | None -> None
+  in
+  factors words ~select e
+
 let value words e =
   match definition words e with Some (_, value, None) -> value | Some _ | None -> e
 

@@ -25,6 +25,10 @@ val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The same for number literals that are written in the expression itself, with or without a unit.
 *)
 
+val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
+(** The same for numbers, written in the expression or named, whose unit has only negative exponents
+    apart from angles, such as [1/s] and [rad/(m s)]. *)
+
 val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, or the expression itself. *)
 

@@ -29,7 +29,7 @@ let exponent u v =
   in
   List.find_opt is_it [ 2; 3; 4 ]
 
-let compared words ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.expr) k d =
+let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.expr) k d =
   let raised =
     match Formula.grouped words lower with
     | Some text ->
@@ -43,7 +43,9 @@ let compared words ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.expr) k d =
           |> replace lower cure
     | None -> Fun.id
   in
-  (if k = 2 then sqrt_of words higher d else d) |> raised
+  (* a sum of squares, whose root is taken later *)
+  let is_sum = List.mem operator [ "+"; "-" ] in
+  (if k = 2 && not is_sum then sqrt_of words higher d else d) |> raised
 
 (* A power with this exponent, also as a product of equal factors, or a sum of such powers. *)
 let rec is_power words k (e : Resolve.Ir.expr) =
@@ -64,11 +66,12 @@ let root words ~subject ~(expected : Expected.t) (wanted, given) =
   else
     let fits k e = if k = 2 then Formula.is_square words e else is_power words k e in
     match (expected.because, subject) with
-    | Operand { other; operator = "+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/="; _ }, Some e
-      -> (
+    | ( Operand
+          { other; operator = ("+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/=") as operator; _ },
+        Some e ) -> (
         match (exponent wanted given, exponent given wanted) with
-        | Some k, _ when fits k other -> Some (compared words ~higher:other ~lower:e k)
-        | _, Some k when fits k e -> Some (compared words ~higher:e ~lower:other k)
+        | Some k, _ when fits k other -> Some (compared words ~operator ~higher:other ~lower:e k)
+        | _, Some k when fits k e -> Some (compared words ~operator ~higher:e ~lower:other k)
         | _ -> None)
     | Operand _, _ -> None
     | _, Some e when is_of_square words ~subject (wanted, given) -> Some (sqrt_of words e)

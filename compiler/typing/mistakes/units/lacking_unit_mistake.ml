@@ -51,13 +51,20 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
         match number.unit_ with
         | None when not (is_one wanted || is_one given) ->
             let text = Printf.sprintf "%s[%s]" number.digits (Show.measure words unit_) in
+            let what = if power > 0 then "factor" else "divisor" in
+            let is_elsewhere =
+              match subject with
+              | Some ({ desc = Local _ | Global _; _ } : Resolve.Ir.expr) -> true
+              | Some _ | None -> false
+            in
             Some
               (fun d ->
-                hint
-                  (Printf.sprintf "if the %s `%s` has a unit, write it: `%s`"
-                     (if power > 0 then "factor" else "divisor")
-                     number.digits text)
-                  d
+                (if is_elsewhere then
+                   label ~at:number.at (Printf.sprintf "this %s has no unit" what) d
+                 else d)
+                |> hint
+                     (Printf.sprintf "if the %s `%s` has a unit, write it: `%s`" what number.digits
+                        text)
                 |> write number.at text)
         | None -> None
         | Some _ -> (

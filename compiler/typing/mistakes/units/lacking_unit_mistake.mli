@@ -2,6 +2,9 @@
 
 open Basis
 
+val needed : Units.t * Units.t -> int -> Units.t
+(** The unit by which a factor with this exponent must be multiplied to correct the unit. *)
+
 val sides :
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->

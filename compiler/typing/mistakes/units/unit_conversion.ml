@@ -6,6 +6,7 @@ let is_per_second words u = String.equal (Show.measure words u) "1/s"
 (* The unitless number literals among the arguments, which determine the unit of the function's
    result. *)
 let numbers_without_units words (e : Resolve.Ir.expr option) =
+  let e = Option.map (Bare_number.value words) e in
   let rec arguments found (e : Resolve.Ir.expr) =
     match e.desc with
     | Apply { head; argument; style = Juxtaposed } -> arguments (argument :: found) head
@@ -22,8 +23,37 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
       List.filter_map plain es
   | _ -> []
 
+(* The application with this unit at its numbers, except zero, in its source text. *)
+let with_units words (e : Resolve.Ir.expr option) unit_ =
+  let rec numbers (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; argument = { desc = Number { unit_ = None; digits; _ }; span }; _ }
+      when float_of_string_opt digits <> Some 0. ->
+        (span, digits) :: numbers head
+    | Apply { head; _ } -> numbers head
+    | _ -> []
+  in
+  let column (p : Span.position) = Span.column p in
+  Option.bind
+    (Option.map (Bare_number.value words) e)
+    (fun (e : Resolve.Ir.expr) ->
+      let start = column e.span.start in
+      (* the last number first, so that the places before it keep their columns *)
+      let add text ((at : Span.t), digits) =
+        let from = column at.start - start and until = column at.stop - start in
+        String.sub text 0 from
+        ^ Printf.sprintf "%s[%s]" digits unit_
+        ^ String.sub text until (String.length text - until)
+      in
+      Option.map (fun text -> List.fold_left add text (numbers e)) (Show.quote words e.span))
+
 let is_operand (expected : Expected.t) =
   match expected.because with Operand _ -> true | _ -> false
+
+let is_of_a_filter (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some ("lowPass" | "highPass"); position = 1; _ } -> true
+  | _ -> false
 
 let is_argument (expected : Expected.t) =
   match expected.because with Parameter _ -> true | _ -> false
@@ -146,6 +176,44 @@ let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
            times integral)
         diagnostic
 
+(* A rate where a time is expected, or the reverse. *)
+let between_rate_and_time words ~subject ~expected ~wanted d =
+  let with_e format = changed words subject (Printf.sprintf format) in
+  let replace text =
+    Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) -> write e.span text)
+  in
+  if is_of_a_filter expected && not (String.equal (Show.measure words wanted) "Hz") then
+    let cutoff = with_e "(1 / (2 * pi * %s))" in
+    hint
+      (Printf.sprintf "this is a time constant: for the cutoff frequency `%s`, write `%s`"
+         (with_e "%s") cutoff)
+      d
+    |> replace cutoff
+  else
+    hint
+      (Printf.sprintf "to convert between a rate and a time, write `%s`"
+         (with_e (if is_argument expected then "(1 / %s)" else "1 / %s")))
+      d
+    |> replace (with_e "(1 / %s)")
+
+(* A function whose result has the unit of its numbers, such as `knob`. *)
+let of_numbers words ~subject ~wanted d =
+  let digits = List.hd (numbers_without_units words subject) in
+  let unit_ = Show.measure words wanted in
+  hint
+    (match with_units words subject unit_ with
+    | Some text -> Printf.sprintf "give its numbers the unit: `%s`" text
+    | None -> Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_)
+    d
+  |>
+  match subject with
+  | Some { desc = Local x; span } ->
+      let at =
+        Option.fold (Show.definition words x) ~none:span ~some:(fun (e : Resolve.Ir.expr) -> e.span)
+      in
+      label ~at (Expected.definition x.name)
+  | _ -> Fun.id
+
 let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
   let with_e format = changed words subject (Printf.sprintf format) in
@@ -160,17 +228,8 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     List.mem
       (Show.measure words wanted, Show.measure words given)
       [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
-  then
-    hint
-      (Printf.sprintf "to convert between a rate and a time, write `%s`"
-         (with_e (if is_argument expected then "(1 / %s)" else "1 / %s")))
-      diagnostic
-    |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
-           write e.span (with_e "(1 / %s)"))
-  else if Units.equal given Units.one && plain then
-    let digits = List.hd (numbers_without_units words subject) in
-    let unit_ = Show.measure words wanted in
-    hint (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_) diagnostic
+  then between_rate_and_time words ~subject ~expected ~wanted diagnostic
+  else if Units.equal given Units.one && plain then of_numbers words ~subject ~wanted diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
     hint
       (Printf.sprintf "multiply the plain number by a unit or a gain in `1/s`, as in `%s`"

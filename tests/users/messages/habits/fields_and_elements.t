@@ -138,7 +138,7 @@ Records and arrays in the syntax of other languages.
   2 | gains = [1, 2, 3, 4]
     |         ^^^^^^^^^^^^
     |
-    = hint: this has 4 elements: write that many in the type, `Array 4 Float`, or change the elements
+    = hint: remove one element, or write `Array 4 Float` in the type
   
   1 error
   [1]

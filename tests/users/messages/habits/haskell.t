@@ -152,14 +152,6 @@ A type in lower case is a variable. If that does no harm, it is a warning:
   > half x = x / 2
   > FROB
   $ frobc check lower_case.frob
-  warning[W0302]: `float` is a type variable here, so it means any type
-   --> lower_case.frob:1:10
-    |
-  1 | twice :: float[m] -> float[m]
-    |          ^^^^^^^^^^^^^^^^^^^^
-    |
-    = hint: if you meant the type, write `Float`
-  
   error[E0306]: the signature allows every representation `float`, but the definition needs it to be `Float`
    --> lower_case.frob:5:10
     |
@@ -169,6 +161,14 @@ A type in lower case is a variable. If that does no harm, it is a warning:
     |          ^
     |
     = hint: if you meant the type, write `Float`; a lower-case name means any representation
+  
+  warning[W0302]: `float` is a type variable here, so it means any type
+   --> lower_case.frob:1:10
+    |
+  1 | twice :: float[m] -> float[m]
+    |          ^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: if you meant the type, write `Float`
   
   1 error, 1 warning
   [1]

@@ -675,7 +675,7 @@ One name with two equations:
   4 |     v = v + 1
     |     ^
     |
-    = hint: write one equation for `v`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 v`, where 0 is the initial value
+    = hint: write one equation, `v = x + 1`: an equation holds at every instant, unlike an assignment
   
   1 error
   [1]

@@ -16,7 +16,7 @@ A block in braces has one message, whatever it contains:
   2 | main = reactimateRobot (proc i -> {
     |                                   ^
     |
-    = hint: write it without braces, each part on a line of its own: `v = 0.2[m/s]`, and below it `return roMake (setVelTR v 0)`
+    = hint: write the output first, and the equations below it in a `where`: `main = reactimateRobot (proc i -> roMake (setVelTR v 0) where`, and below it, indented, `v = 0.2[m/s])`
   
   1 error
   [1]

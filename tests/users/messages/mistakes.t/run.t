@@ -300,7 +300,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     v = min v 0.3[m/s]
     |     ^
     |
-    = hint: write one equation for `v`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 v`, where 0 is the initial value
+    = hint: write one equation, `v = min (0.5[1/s] * d) 0.3[m/s]`: an equation holds at every instant, unlike an assignment
   
   1 error
   # 027_counts_itself.frob
@@ -611,7 +611,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  ^^^^^^ this is `SF (Event (Event Float)) (Event Float)`
     |
     = note: expected `Float`
-    = hint: `hold` takes an initial value before its signal: write `hold x0 e`
+    = hint: `hold` takes an initial value before its signal: write `hold 0 e`
   
   1 error
   # 053_negative_argument.frob

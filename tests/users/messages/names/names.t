@@ -112,7 +112,7 @@ An equation is not an assignment; parameters have other errors.
   4 |     n = n + x
     |     ^
     |
-    = hint: write one equation for `n`, because an equation holds at every instant, unlike an assignment; for its previous value, write `delay 0 n`, where 0 is the initial value
+    = hint: write one equation, in which `delay` returns the previous value: `n = delay 0 n + x`
   
   error[E0212]: `x` is defined twice here
    --> twice.frob:6:5

@@ -68,7 +68,7 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   minimum: use `minimumBy id xs` for the least element of an array
   maximum: use `maximumBy id xs` for the greatest element of an array
   average: use `mean xs`
-  len: use `length xs` for the size of an array
+  len: write `length x`
   enumerate: use `imap (\i x -> (i, x)) xs` to pair each element with its index
   zeros: use `generate (const 0)`: its type gives the number of elements
   append: the size of an array is fixed; to change the element at i, write `replace i x xs`

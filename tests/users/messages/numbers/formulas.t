@@ -550,7 +550,7 @@ A rate for a time, as an argument:
     |                  |
     |                  argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: to convert between a rate and a time, write `(1 / 5[Hz])`
+    = hint: this is a time constant: for the cutoff frequency `5[Hz]`, write `(1 / (2 * pi * 5[Hz]))`
   
   1 error
   [1]

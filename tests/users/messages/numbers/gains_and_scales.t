@@ -51,7 +51,6 @@ Units that require a gain, a power, or a declaration.
     |                  |
     |                  this is `Float[m^2]`
     |
-    = hint: for the square root, write `sqrt (x^2)`
     = hint: to use the square, write `y ^ 2`
   
   1 error

@@ -458,6 +458,8 @@ A number in a formula that lacks its unit:
     |                                           --------          ^ this is `Float[m]`
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+  3 |     w = 0.5 * (sideSonar i - 0.4[m]))
+    |         --- this factor has no unit
     |
     = hint: if the factor `0.5` has a unit, write it: `0.5[1/m/s]`
   

@@ -16,7 +16,7 @@ The limits of a knob determine its unit:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: give its numbers the unit, as in `0.5[m/s]`
+    = hint: give its numbers the unit: `knob "speed" 0 0.5[m/s] 0.2[m/s] i`
   
   1 error
   [1]

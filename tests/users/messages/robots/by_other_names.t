@@ -39,7 +39,7 @@ Names from other systems:
   3 | away = proc i -> 1[1/s] * (heading i + laser i) * i.pose.x
     |                            ^^^^^^^
     |
-    = hint: use `(robotPose i).heading` for the direction in which the robot faces
+    = hint: write `(robotPose i).heading`
   
   error[E0205]: unknown name `laser`
    --> words.frob:3:40

@@ -62,7 +62,7 @@ A missing threshold:
    --> hysteresis.frob:6:12
     |
   5 |     far = hysteresis 0.5[m] (frontSonar i)
-    |     --- `far` is bound here
+    |           -------------------------------- this defines `far`
   6 |     v = if far then 0.3[m/s] else 0)
     |            ^^^ this is `SF Float[m] Bool`
     |

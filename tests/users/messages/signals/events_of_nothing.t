@@ -32,7 +32,7 @@ Values of events, and functions of them.
     |                  |
     |                  argument 1 of `accumHoldBy` is `a -> n[1]`
     |
-    = hint: the function receives one more argument: add a parameter, or `_` if you do not need it, as in `\n _ -> …`
+    = hint: the function receives one more argument: add a parameter, or `_` if you do not need it, as in `\n _ -> n + 1`
   
   1 error
   [1]

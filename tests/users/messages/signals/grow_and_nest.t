@@ -17,14 +17,6 @@ A task of the library runs first; the growing one is the program's.
   > main = reactimateTask (esc 0 (sleepT 30[s] restingOutput))
   > FROB
   $ frobc check tasks.frob
-  warning[W0306]: `Geometry` is imported but nothing from it is used
-   --> tasks.frob:2:1
-    |
-  2 | import Geometry
-    | ^^^^^^^^^^^^^^^
-    |
-    = hint: remove it
-  
   error[E0416]: `esc` grows each time it restarts itself
    --> tasks.frob:6:5
     |
@@ -33,6 +25,14 @@ A task of the library runs first; the growing one is the program's.
     |
     = note: frobc must know all tasks that can run, so their number must be finite
     = hint: restart it with the same tasks each time; numbers may change
+  
+  warning[W0306]: `Geometry` is imported but nothing from it is used
+   --> tasks.frob:2:1
+    |
+  2 | import Geometry
+    | ^^^^^^^^^^^^^^^
+    |
+    = hint: remove it
   
   1 error, 1 warning
   [1]

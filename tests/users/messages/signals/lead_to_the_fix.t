@@ -409,6 +409,8 @@ A sensor in a task:
   error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> let_in_a_task.frob:5:8
     |
+  4 |     let x = frontSonar
+    |             ---------- this defines `x`
   5 |     if x < 1[m] then forward 1[m] else return False
     |        ^   ---- this is a number of `m`
     |        |

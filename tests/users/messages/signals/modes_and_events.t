@@ -177,6 +177,16 @@ Switches whose event is an argument, and events used as values.
   >     b = findBlob (camera i) (everywhere (camera i)) red)
   > FROB
   $ frobc check camera_direct.frob
+  error[E0301]: expected `Image`, found `Event Frame`
+   --> camera_direct.frob:5:19
+    |
+  5 |     b = findBlob (camera i) (everywhere (camera i)) red)
+    |         --------  ^^^^^^^^
+    |         |
+    |         argument 1 of `findBlob` is `Image`
+    |
+    = hint: an event has a value only when it occurs: write `mapE (\x -> findBlob x.image …) (camera i)` for an event with the result of `findBlob`
+  
   warning[W0303]: this angle is in radians, so it is more than a whole turn
    --> camera_direct.frob:3:31
     |
@@ -192,16 +202,6 @@ Switches whose event is an argument, and events used as values.
     |                                            ^^
     |
     = hint: if you meant degrees, write `20[deg]`
-  
-  error[E0301]: expected `Image`, found `Event Frame`
-   --> camera_direct.frob:5:19
-    |
-  5 |     b = findBlob (camera i) (everywhere (camera i)) red)
-    |         --------  ^^^^^^^^
-    |         |
-    |         argument 1 of `findBlob` is `Image`
-    |
-    = hint: an event has a value only when it occurs: write `mapE (\x -> findBlob x.image …) (camera i)` for an event with the result of `findBlob`
   
   1 error, 2 warnings
   [1]

@@ -61,7 +61,7 @@ A task that continues as itself must take time.
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
-     = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
+     = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   [1]

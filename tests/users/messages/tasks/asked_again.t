@@ -13,6 +13,17 @@ it.
   > main = reactimateTask go
   > FROB
   $ frobc check ask.frob
+  error[E0402]: `go → go` may repeat endlessly within one instant
+   --> ask.frob:6:10
+    |
+  6 |     d <- ask frontSonar
+    |          ^^^^^^^^^^^^^^ this may end as soon as it starts
+  7 |     go
+    |     -- `go` may start itself again at its own first instant
+    |
+    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
+    = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+  
   warning[W0306]: `Geometry` is imported but nothing from it is used
    --> ask.frob:2:1
     |
@@ -28,17 +39,6 @@ it.
     |     ^
     |
     = hint: replace it by `_` or `_d`
-  
-  error[E0402]: `go → go` may repeat endlessly within one instant
-   --> ask.frob:6:10
-    |
-  6 |     d <- ask frontSonar
-    |          ^^^^^^^^^^^^^^ this may end as soon as it starts
-  7 |     go
-    |     -- `go` may start itself again at its own first instant
-    |
-    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
-    = hint: after the task, add one that takes time, `sleepT 10[ms] …`; in place of `…`, write the output during that time, such as the `restingOutput` of a robot
   
   1 error, 2 warnings
   [1]

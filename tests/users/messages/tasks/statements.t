@@ -11,7 +11,7 @@ A missing argument: the type of the function shows which one.
   >     forward 1[m])
   > FROB
   $ frobc check sleep.frob
-  error[E0301]: expected `Task a b c`, found the function `d -> Task e d ()`
+  error[E0301]: `sleepT` lacks its last argument, the output during that time
    --> sleep.frob:5:5
     |
   3 | main = reactimateTask (do

@@ -68,7 +68,7 @@ Tasks with the statements of other languages.
   > main = reactimateTask go
   > FROB
   $ frobc check task_sleepT_noout.frob
-  error[E0301]: expected `Task a b c`, found the function `d -> Task e d ()`
+  error[E0301]: `sleepT` lacks its last argument, the output during that time
    --> task_sleepT_noout.frob:5:5
     |
   4 |     forward 1[m]

@@ -1,0 +1,17 @@
+(** Hints about a name that seems to be the input of a [proc], but is used where that [proc] has
+    ended. *)
+
+open Basis
+
+type hint = {
+  text : string;
+  edits : (Span.t * string) list;  (** the change that the hint describes; may be empty *)
+}
+
+val without_name : Syntax.Ir.program -> Syntax.Ir.name -> hint option
+(** The hint if the innermost [proc] around the name has [_] in place of an input. *)
+
+val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
+(** The hint if the name is an input of the first argument of a [switch], and is used in another
+    argument: as a separate argument for the event, or in the next mode. [text]: the source text of
+    the module. *)

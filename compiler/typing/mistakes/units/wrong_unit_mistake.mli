@@ -1,0 +1,37 @@
+(** Units that are written, but wrong: a superfluous factor such as [1[m]], and a gain, a constant
+    or a parameter with another unit than its use needs. The units are the one that was expected and
+    the one that was found. *)
+
+open Basis
+
+val superfluous_factor :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** [sqrt (x ^ 2 + y ^ 2) * 1[m]] where a length is needed. *)
+
+val gain :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A term with a gain of another unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
+
+val constant :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A name that is defined as a number with another unit. *)
+
+val parameter :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A parameter whose type in the signature has another unit. *)
