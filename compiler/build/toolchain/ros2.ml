@@ -15,6 +15,7 @@ let needed =
     ("geometry_msgs", [ "geometry_msgs__rosidl_typesupport_c"; "geometry_msgs__rosidl_generator_c" ]);
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
     ("sensor_msgs", [ "sensor_msgs__rosidl_typesupport_c"; "sensor_msgs__rosidl_generator_c" ]);
+    ("std_msgs", [ "std_msgs__rosidl_typesupport_c"; "std_msgs__rosidl_generator_c" ]);
     ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);
     ( "rcl_interfaces",
       [ "rcl_interfaces__rosidl_typesupport_c"; "rcl_interfaces__rosidl_generator_c" ] );
@@ -28,7 +29,6 @@ let included =
     "rosidl_dynamic_typesupport";
     "rosidl_typesupport_interface";
     "service_msgs";
-    "std_msgs";
     "tracetools";
     "type_description_interfaces";
   ]

@@ -48,7 +48,9 @@ let draw general ~entry ~trace ~picture file =
   Exit_status.ok
 
 let trace general engine ~dialect ~entry ~sources ~modes ~input ~output ~picture file =
+  let general = Bag.for_its_robot general input in
   let run ~input ~output =
+    let* input = Bag.recording ~program:file input in
     let* resources = Resources.find () in
     Compiled.with_params general resources ~entry file @@ fun params ->
     match engine with

@@ -90,6 +90,13 @@ let view general ~entry ~sources view file =
   in
   let* resources = Resources.find () in
   let* () = Program_file.check file in
+  let general = Bag.for_its_robot general view.recording in
+  let* recording =
+    match view.recording with
+    | None -> Ok None
+    | Some path -> Result.map Option.some (Bag.recording ~program:file path)
+  in
+  let view = { view with recording } in
   let* () = Program_file.all_exist (Option.to_list view.recording @ Option.to_list view.compare) in
   let* world = Where.world_of view.world resources file in
   let* general = Where.for_world general resources world in

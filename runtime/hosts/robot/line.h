@@ -33,6 +33,13 @@ struct line_opening {
      * goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
 
+    /* Publishes a text: the instant with this number, or the columns of the instants for -1. Drops
+     * it if the line is busy; never waits. NULL: the line does not publish instants. */
+    void (*publish)(const struct line *line, int64_t number, const char *text, size_t length);
+
+    /* Maximum length of these texts; 0: the settings turn them off. */
+    size_t (*publish_room)(const struct line *line);
+
     /* Waits until the process at the other end has ended. The port is closed. */
     void (*close)(struct line *line);
 };

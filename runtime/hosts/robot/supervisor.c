@@ -20,6 +20,7 @@
 #include "core/robot.h"
 #include "guard.h"
 #include "hal/posix/clock.h"
+#include "instants.h"
 #include "line.h"
 #include "realtime.h"
 #include <frob/console.h>
@@ -41,7 +42,8 @@ static void on_signal(int number)
 struct supervisor {
     const struct options *options;
     const struct frob_program *program;
-    const void *params;
+    const struct params *all_params;
+    const void *params; /* their values */
     const struct frob_driver *driver;
     int64_t patience_ns, period_ns;
 
@@ -51,6 +53,7 @@ struct supervisor {
     struct guards guards;
     struct controller controller;
     struct record record;
+    struct instants instants;
     struct claims claims;
     struct console console;
     struct touches touches;
@@ -144,6 +147,7 @@ static void begin_session(struct supervisor *s)
                      &frob_posix_clock, s->patience_ns);
     guards_start(&s->guards, &s->robot, s->patience_ns, s->controller.socket);
     s->scheduled = false;
+    instants_restart(&s->instants);
 }
 
 static void leave_line(struct supervisor *s)
@@ -250,6 +254,7 @@ static void answered(struct supervisor *s)
         frob_robot_command(&s->robot, s->output);
     if (!record_row(&s->record, s->instant_ns, s->input, s->output))
         end(s, FAULT, "the recording could not be written");
+    instants_put(&s->instants, &s->line, s->instant_ns, s->input, s->output);
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
     if (s->options->stop_when_violated && s->claims.violated != NULL)
@@ -486,6 +491,7 @@ static bool set_up(struct supervisor *s)
         return false;
     if (!touches_start(&s->touches, s->program))
         return false;
+    instants_open(&s->instants, s->all_params, &s->line);
     frob_console_start(s->program, s->input);
     status = line_open(&s->line, message, sizeof message);
     if (status != FROB_OK) {
@@ -507,6 +513,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     memset(&s, 0, sizeof s);
     s.options = options;
     s.program = params->program;
+    s.all_params = params;
     s.params = params->values;
     s.driver = driver;
     s.patience_ns = (int64_t)llround(options->patience_s * 1e9);
@@ -558,6 +565,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
         s.status = WRONG_USE;
     publisher_leave(&s.publisher, has_run && (ended_by == 0 || ended_by == SIGINT));
     touches_end(&s.touches);
+    instants_close(&s.instants);
     claims_close(&s.claims);
     free(s.device);
     free(s.input);

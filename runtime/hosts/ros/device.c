@@ -26,6 +26,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "lidar_y", 0.0, -10.0, 10.0, "position of the lidar to the left, m" },
     { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
+    { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),

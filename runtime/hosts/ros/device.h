@@ -23,6 +23,7 @@ enum ros_setting {
     ROS_LIDAR_Y,
     ROS_LIDAR_HEADING,
     ROS_SIM_TIME,
+    ROS_INSTANTS,
     ROS_SETTINGS
 };
 

@@ -19,6 +19,8 @@ enum ros_kind {
     ROS_CLOCK, /* the simulator's time; the rest is a struct ros_clock */
     /* To the node. */
     ROS_VELOCITY,
+    /* An instant of the run, or its columns: a struct ros_text and then the text. */
+    ROS_TEXT,
     /* In both directions: a control of the console has a new value; a struct ros_touch. */
     ROS_TOUCH
 };
@@ -99,6 +101,14 @@ struct ros_touch {
     uint32_t control; /* index in the program's console */
     bool is_initial;  /* from the arguments for ROS */
     double value;     /* in base units; 0 or 1 for a toggle */
+};
+
+/* Maximum length of a published text. A message must be much shorter than the socket's buffer. */
+enum { ROS_TEXT_MOST = 60000 };
+
+struct ros_text {
+    struct ros_head head;
+    int64_t number; /* of the instant; -1: the columns */
 };
 
 /* Publish this velocity. */

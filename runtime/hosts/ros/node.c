@@ -16,6 +16,7 @@
 #include <rcl/rcl.h>
 #include <rmw/qos_profiles.h>
 #include <rosidl_runtime_c/string_functions.h>
+#include <std_msgs/msg/string.h>
 
 #include "inputs.h"
 #include "messages.h"
@@ -28,6 +29,9 @@
 /* Maximum time to wait until the last velocity has arrived. */
 #define ACKNOWLEDGED_NS INT64_C(100000000)
 
+/* Number of instants that a late subscriber, such as a recorder of bags, receives. */
+enum { INSTANTS_KEPT = 500 };
+
 enum { DONE = 0, FAULT = 2 };
 
 struct node {
@@ -36,7 +40,8 @@ struct node {
     rcl_node_t node;
     struct inputs inputs;
     struct services services;
-    rcl_publisher_t velocity;
+    rcl_publisher_t velocity, columns, instants;
+    std_msgs__msg__String text;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
     geometry_msgs__msg__Twist twist;
@@ -169,6 +174,28 @@ static bool advertise(struct node *n)
     return true;
 }
 
+/* Late subscribers receive the columns, and the newest instants. */
+static bool advertise_text(struct node *n, rcl_publisher_t *publisher, const char *topic,
+                           size_t depth)
+{
+    rcl_publisher_options_t options = rcl_publisher_get_default_options();
+    options.qos.depth = depth;
+    options.qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+    *publisher = rcl_get_zero_initialized_publisher();
+    if (rcl_publisher_init(publisher, &n->node, ROSIDL_GET_MSG_TYPE_SUPPORT(std_msgs, msg, String),
+                           topic, &options) == RCL_RET_OK)
+        return true;
+    refuse(n, "cannot publish the instants");
+    return false;
+}
+
+static bool advertise_instants(struct node *n)
+{
+    return std_msgs__msg__String__init(&n->text) &&
+           advertise_text(n, &n->columns, "~/columns", 1) &&
+           advertise_text(n, &n->instants, "~/instants", INSTANTS_KEPT);
+}
+
 /* Tells the supervisor the names after remapping. */
 static bool report(struct node *n)
 {
@@ -221,15 +248,33 @@ static void publish(struct node *n, double speed_m_s, double turn_rad_s)
     }
 }
 
+/* Publishes an instant after its number and a space. */
+static void publish_text(struct node *n, const struct ros_text *text)
+{
+    static char buffer[ROS_TEXT_MOST + 32];
+    const int length = (int)(text->head.size - sizeof *text);
+    const rcl_publisher_t *publisher = text->number < 0 ? &n->columns : &n->instants;
+    if (text->number < 0)
+        snprintf(buffer, sizeof buffer, "%.*s", length, (const char *)(text + 1));
+    else
+        snprintf(buffer, sizeof buffer, "%lld %.*s", (long long)text->number, length,
+                 (const char *)(text + 1));
+    if (!rosidl_runtime_c__String__assign(&n->text.data, buffer) ||
+        rcl_publish(publisher, &n->text, NULL) != RCL_RET_OK)
+        rcl_reset_error();
+}
+
 /* The thread that publishes. It ends when no process has the other end of the socket open. */
 static void *publish_all(void *of)
 {
     struct node *n = (struct node *)of;
     for (;;) {
-        union {
+        static union {
             struct ros_head head;
             struct ros_velocity velocity;
             struct ros_touch touch;
+            struct ros_text text;
+            char bytes[sizeof(struct ros_text) + ROS_TEXT_MOST];
         } message;
         ssize_t got = recv(n->options->socket, &message, sizeof message, 0);
         if (got < 0 && errno == EINTR)
@@ -238,6 +283,8 @@ static void *publish_all(void *of)
             break;
         if (message.head.kind == ROS_VELOCITY)
             publish(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
+        else if (message.head.kind == ROS_TEXT)
+            publish_text(n, &message.text);
         else if (message.head.kind == ROS_TOUCH)
             services_note(&n->services, message.touch.control, message.touch.value);
     }
@@ -316,6 +363,8 @@ static void leave(struct node *n)
     for (size_t i = 0; i < n->inputs.count; i++)
         ok = rcl_subscription_fini(&n->inputs.each[i].subscription, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
+    ok = rcl_publisher_fini(&n->columns, &n->node) == RCL_RET_OK && ok;
+    ok = rcl_publisher_fini(&n->instants, &n->node) == RCL_RET_OK && ok;
     ok = services_end(&n->services, &n->node) && ok;
     ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
     ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;
@@ -332,7 +381,8 @@ int node_run(const struct node_options *options)
     int status;
     n->options = options;
     leave_session();
-    if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !report(n))
+    if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !advertise_instants(n) ||
+        !report(n))
         return FAULT;
     if (pthread_create(&publisher, NULL, publish_all, n) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");

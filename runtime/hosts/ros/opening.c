@@ -1,12 +1,15 @@
 #include "opening.h"
 
 #include <errno.h>
+#include <linux/sockios.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -141,6 +144,41 @@ static enum frob_status open_node(struct line *line, const double *settings, cha
     return status;
 }
 
+/* Texts are dropped if this much waits in the socket, so that they never delay a velocity. */
+enum { WAITING_MOST = 65536 };
+
+static size_t text_room(const struct line *line)
+{
+    return line->settings[ROS_INSTANTS] > 0.0 ? ROS_TEXT_MOST : 0;
+}
+
+static void publish_text(const struct line *line, int64_t number, const char *text, size_t length)
+{
+    static bool told;
+    struct ros_text head;
+    struct iovec parts[2];
+    struct msghdr message;
+    int waiting = 0;
+    memset(&head, 0, sizeof head);
+    head.head.size = (uint32_t)(sizeof head + length);
+    head.head.kind = ROS_TEXT;
+    head.number = number;
+    parts[0].iov_base = &head;
+    parts[0].iov_len = sizeof head;
+    parts[1].iov_base = (void *)(uintptr_t)text;
+    parts[1].iov_len = length;
+    memset(&message, 0, sizeof message);
+    message.msg_iov = parts;
+    message.msg_iovlen = 2;
+    if ((ioctl(line->port.fd, SIOCOUTQ, &waiting) == 0 && waiting > WAITING_MOST) ||
+        (sendmsg(line->port.fd, &message, MSG_NOSIGNAL | MSG_DONTWAIT) < 0 && errno == EAGAIN)) {
+        if (!told)
+            fprintf(stderr, "warning: the node is too slow to publish all instants: a bag of this "
+                            "run cannot be replayed to its end\n");
+        told = true;
+    }
+}
+
 const struct line_opening ros_opening = {
     .option = "--ros-args",
     .usage =
@@ -152,6 +190,8 @@ const struct line_opening ros_opening = {
     .close = close_node,
     .give = ros_device_give,
     .time_ns = ros_device_time_ns,
+    .publish = publish_text,
+    .publish_room = text_room,
 };
 
 /* ---- The node's side */

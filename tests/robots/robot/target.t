@@ -11,7 +11,7 @@
 All sources are installed.
 
   $ share=$(dirname "$(command -v frobc)")/../share/frobc
-  $ (cd ../../../runtime; find core hal/*.h hal/posix hal/cortex_m drivers vision hosts/camera hosts/robot hosts/ros hosts/cortex_m hosts/board hosts/arduino hosts/common/child.* hosts/common/claims.* hosts/common/console.* hosts/common/frames.* hosts/common/packed.* hosts/common/params.* hosts/common/publisher.* hosts/common/record.* hosts/common/ring.* hosts/common/streams.* hosts/common/apriltag.* hosts/common/tag_finder.* hosts/common/tags.* hosts/common/touches.* -name '*.[chl]*' | sort) > here
+  $ (cd ../../../runtime; find core hal/*.h hal/posix hal/cortex_m drivers vision hosts/camera hosts/robot hosts/ros hosts/ros_robot hosts/cortex_m hosts/board hosts/arduino hosts/common/child.* hosts/common/claims.* hosts/common/console.* hosts/common/frames.* hosts/common/packed.* hosts/common/params.* hosts/common/publisher.* hosts/common/record.* hosts/common/ring.* hosts/common/streams.* hosts/common/apriltag.* hosts/common/tag_finder.* hosts/common/tags.* hosts/common/touches.* -name '*.[chl]*' | sort) > here
   $ (cd "$share/runtime"; find . -name '*.[chl]*' | sed 's|^\./||' | sort) | diff here -
 
 For an unknown target, the message lists the others; for a missing compiler, it

@@ -187,8 +187,9 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
 
 Without a robot, the program waits; it names the topic.
 
+  $ rm messages
   $ FAKE_ROS="silent=0 alone=0" frobc run --ros2 drive.frob >summary 2>messages & run=$!
-  $ until_true 'grep -q warning messages'; kill -INT $run; wait $run
+  $ until_true '[ -e messages ] && grep -q warning messages'; kill -INT $run; wait $run
   [4]
   $ cat messages
   warning: no node publishes /odom (nav_msgs/msg/Odometry), which the program needs. Start the robot's nodes, or remap the topic with `--ros-args -r odom:=NAME`
@@ -245,7 +246,7 @@ Mistakes on the command line:
   error: there is no ROS 2 in this shell: install it, and source its setup script, as in `source …`, which sets AMENT_PREFIX_PATH
   $ rm prefix/share/ament_index/resource_index/packages/*_msgs
   $ ROS_DISTRO=jazzy frobc run --ros2 drive.frob
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-rosgraph-msgs`
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs, std_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-std-msgs ros-jazzy-rosgraph-msgs`
   [2]
   $ rm prefix/share/ament_index/resource_index/packages/rcl
   $ sh fake/build.sh fake "$PWD/prefix"

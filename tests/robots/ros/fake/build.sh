@@ -28,6 +28,7 @@ for service in set_parameters set_parameters_atomically get_parameters get_param
 done
 header rosgraph_msgs rosgraph_msgs/msg/clock.h
 header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
+header std_msgs std_msgs/msg/string.h
 header nav_msgs nav_msgs/msg/odometry.h
 header sensor_msgs sensor_msgs/msg/laser_scan.h
 header sensor_msgs sensor_msgs/msg/imu.h
@@ -37,10 +38,11 @@ for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs_
     geometry_msgs__rosidl_generator_c nav_msgs__rosidl_typesupport_c nav_msgs__rosidl_generator_c \
     sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c \
     rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
-    rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c; do
+    rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c \
+    std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
 for package in rcl rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
-    rcl_interfaces; do
+    rcl_interfaces std_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

@@ -81,6 +81,20 @@ static void drive(double v, double turn)
         write_log(line);
 }
 
+/* Appends a text on ~/TOPIC to the file FAKE_ROS_BAG.TOPIC, with a zero byte at its end. */
+static void write_bag(const char *topic, const char *text)
+{
+    const char *bag = getenv("FAKE_ROS_BAG");
+    char name[500];
+    FILE *file;
+    snprintf(name, sizeof name, "%s.%s", bag != NULL ? bag : "", topic + 2);
+    file = bag != NULL ? fopen(name, "a") : NULL;
+    if (file == NULL)
+        return;
+    fwrite(text, 1, strlen(text) + 1, file);
+    fclose(file);
+}
+
 rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation)
 {
     const geometry_msgs__msg__TwistStamped *stamped =
@@ -90,6 +104,10 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     (void)allocation;
     if (has("crash"))
         abort();
+    if (publisher->topic[0] == '~') {
+        write_bag(publisher->topic, ((const std_msgs__msg__String *)message)->data.data);
+        return RCL_RET_OK;
+    }
     if (strcmp(publisher->topic, "/cmd_vel") != 0 && strcmp(publisher->topic, "/base/cmd_vel") != 0)
         return RCL_RET_OK;
     drive(twist->linear.x, twist->angular.z);
@@ -371,8 +389,8 @@ rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
     (void)options;
     if (type == &fake_geometry_msgs_TwistStamped)
         robot.stamped = true;
-    snprintf(publisher->topic, sizeof publisher->topic, "%s%s", topic[0] == '/' ? "" : "/",
-             name_of(topic));
+    snprintf(publisher->topic, sizeof publisher->topic, "%s%s",
+             topic[0] == '/' || topic[0] == '~' ? "" : "/", name_of(topic));
     return RCL_RET_OK;
 }
 
@@ -454,8 +472,9 @@ rcl_error_string_t rcl_get_error_string(void)
 
 bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const char *text)
 {
-    snprintf(string->data, sizeof string->data, "%s", text);
-    return true;
+    free(string->data);
+    string->data = strdup(text);
+    return string->data != NULL;
 }
 
 /* ---- Parameters: another node sets one, as FAKE_ROS_SET says ("pace=0.3"), after the time of the
@@ -483,7 +502,7 @@ rcl_ret_t rcl_take_request(const rcl_service_t *service, rmw_request_id_t *id, v
     if (sent || value == NULL || !has("set") || strcmp(service->name, "~/set_parameters") != 0)
         return RCL_RET_ERROR;
     sent = true;
-    snprintf(parameter.name.data, sizeof parameter.name.data, "%.*s", (int)(value - text), text);
+    parameter.name.data = strndup(text, (size_t)(value - text));
     parameter.value.type = strcmp(value + 1, "true") == 0 ? 1 : 3;
     parameter.value.bool_value = parameter.value.type == 1;
     parameter.value.double_value = strtod(value + 1, NULL);
@@ -664,6 +683,12 @@ bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
     return true;
 }
 
+bool std_msgs__msg__String__init(std_msgs__msg__String *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
 bool rosgraph_msgs__msg__Clock__init(rosgraph_msgs__msg__Clock *m)
 {
     memset(m, 0, sizeof *m);
@@ -695,6 +720,7 @@ const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped = {
 const rosidl_message_type_support_t fake_nav_msgs_Odometry = { "nav_msgs/msg/Odometry" };
 const rosidl_message_type_support_t fake_sensor_msgs_LaserScan = { "sensor_msgs/msg/LaserScan" };
 const rosidl_message_type_support_t fake_sensor_msgs_Imu = { "sensor_msgs/msg/Imu" };
+const rosidl_message_type_support_t fake_std_msgs_String = { "std_msgs/msg/String" };
 const rosidl_message_type_support_t fake_rosgraph_msgs_Clock = { "rosgraph_msgs/msg/Clock" };
 const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent = {
     "rcl_interfaces/msg/ParameterEvent"

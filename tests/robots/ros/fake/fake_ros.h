@@ -55,8 +55,10 @@ typedef struct {
 typedef struct {
     int unused;
 } rcl_guard_condition_options_t;
+enum { RMW_QOS_POLICY_DURABILITY_VOLATILE, RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL };
 typedef struct {
     size_t depth;
+    int durability;
 } rmw_qos_profile_t;
 typedef struct {
     rmw_qos_profile_t qos;
@@ -100,9 +102,9 @@ typedef struct {
     char **data;
 } rcutils_string_array_t;
 
-static const rmw_qos_profile_t rmw_qos_profile_sensor_data = { 5 };
-static const rmw_qos_profile_t rmw_qos_profile_parameters = { 1000 };
-static const rmw_qos_profile_t rmw_qos_profile_parameter_events = { 1000 };
+static const rmw_qos_profile_t rmw_qos_profile_sensor_data = { 5, 0 };
+static const rmw_qos_profile_t rmw_qos_profile_parameters = { 1000, 0 };
+static const rmw_qos_profile_t rmw_qos_profile_parameter_events = { 1000, 0 };
 
 rcl_allocator_t rcl_get_default_allocator(void);
 rcutils_allocator_t rcutils_get_default_allocator(void);
@@ -216,9 +218,15 @@ void rcl_yaml_node_struct_fini(rcl_params_t *params);
 /* ---- Messages */
 
 typedef struct {
-    char data[256];
+    char *data;
 } rosidl_runtime_c__String;
 bool rosidl_runtime_c__String__assign(rosidl_runtime_c__String *string, const char *text);
+
+typedef struct {
+    rosidl_runtime_c__String data;
+} std_msgs__msg__String;
+bool std_msgs__msg__String__init(std_msgs__msg__String *message);
+extern const rosidl_message_type_support_t fake_std_msgs_String;
 
 typedef struct {
     double x, y, z;

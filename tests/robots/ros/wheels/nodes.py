@@ -3,6 +3,7 @@
 Prints a line for each test. Each test starts a robot's base (peer.py) and a program.
 """
 
+import csv
 import os
 import shutil
 import signal
@@ -10,12 +11,16 @@ import subprocess
 import sys
 import time
 
+from nav_msgs.msg import Odometry
 from peer import Base
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
-from rclpy.qos import QoSProfile
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from rosbags.rosbag2 import StoragePlugin, Writer
+from rosbags.typesys import Stores, get_typestore
 from sensor_msgs.msg import Imu
+from std_msgs.msg import String
 
 FROBC, FOLDER = sys.argv[1:3]
 # On a busy machine, messages may be late.
@@ -457,6 +462,76 @@ def test_simulator_and_program():
     assert 0.6 < distance(summary) < 2, (summary, output, errors)
 
 
+class Recorder:
+    """Records all messages of some topics in a bag, as `ros2 bag record` does."""
+
+    def __init__(self, base, topics):
+        self.topics = topics
+        self.messages = []  # (topic, time of arrival, data)
+        qos = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        for topic, (kind, _) in topics.items():
+            base.node.create_subscription(
+                kind,
+                topic,
+                lambda data, topic=topic: self.messages.append((topic, time.time_ns(), data)),
+                qos if kind is String else 10,
+                raw=True,
+            )
+
+    def write(self, folder, plugin):
+        """Writes the bag."""
+        shutil.rmtree(folder, ignore_errors=True)
+        store = get_typestore(Stores.ROS2_JAZZY)
+        with Writer(folder, version=9, storage_plugin=plugin) as writer:
+            connections = {
+                topic: writer.add_connection(topic, name, typestore=store)
+                for topic, (_, name) in self.topics.items()
+            }
+            for topic, at, data in self.messages:
+                writer.write(connections[topic], at, bytes(data))
+
+
+def outputs(text):
+    """The outputs in a recording or a trace."""
+    rows = list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
+    forward, turn = rows[0].index("out.forward"), rows[0].index("out.turn")
+    return [(row[forward], row[turn]) for row in rows[1:]]
+
+
+def test_bag():
+    """A bag is replayed, and the outputs are equal bit for bit."""
+    base = robot()
+    base.wall = 1.5
+    text = (String, "std_msgs/msg/String")
+    recorder = Recorder(
+        base,
+        {
+            "/approach/columns": text,
+            "/approach/instants": text,
+            "/odom": (Odometry, "nav_msgs/msg/Odometry"),
+        },
+    )
+    record = os.path.join(FOLDER, "log.csv")
+    run = Run("--record", record, "--for", "4s", program="approach.frob")
+    run.process.wait(timeout=60)
+    _, errors = run.end()
+    time.sleep(0.5)
+    base.close()
+    with open(record, encoding="utf-8") as file:
+        recorded = outputs(file.read())
+    assert len(recorded) > 100 and errors == "", (len(recorded), errors)
+    for plugin in [StoragePlugin.SQLITE3, StoragePlugin.MCAP]:
+        bag = os.path.join(FOLDER, "bag")
+        recorder.write(bag, plugin)
+        replayed = subprocess.run(
+            [FROBC, "trace", os.path.join(FOLDER, "approach.frob"), "--input", bag],
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout
+        assert outputs(replayed) == recorded, plugin
+
+
 def latencies(name, kill, times):
     """Prints the time from killing a process until the robot is stopped, in ms."""
     found = []
@@ -511,7 +586,7 @@ def main():
         try:
             test()
             print(f"ok {test.__doc__}", flush=True)
-        except (AssertionError, LookupError, OSError) as error:
+        except (AssertionError, LookupError, OSError, subprocess.SubprocessError) as error:
             failures += 1
             print(f"FAIL {test.__doc__}\n{error}", flush=True)
         while OPEN:

@@ -10,14 +10,14 @@ export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST ROS_DOMAIN_ID=${ROS_DOMAIN_ID:-87
 export PYTHONDONTWRITEBYTECODE=1
 for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     prefix=$folder/$distribution
-    test -e "$prefix/complete" || {
+    cmp -s "$here/$distribution.txt" "$prefix/complete" || {
         echo "installing ROS 2 $distribution in $prefix"
         rm -rf "$prefix"
         /usr/bin/python3 -m venv "$prefix"
         "$prefix/bin/pip" install --quiet --disable-pip-version-check \
             --requirement "$here/$distribution.txt" 2>"$prefix/pip.log" ||
             { cat "$prefix/pip.log"; exit 1; }
-        touch "$prefix/complete"
+        cp "$here/$distribution.txt" "$prefix/complete"
     }
     python=$("$prefix/bin/python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
     libraries=$prefix/lib
@@ -29,6 +29,7 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     printf '#!/bin/sh\nLD_LIBRARY_PATH=%s LD_PRELOAD=%s exec %s "$@"\n' "$libraries" "$library" \
         "$frobc" >"$folder/run/frobc"
     chmod +x "$folder/run/frobc"
-    ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix \
+    # frobc reads bags with the Python of this environment.
+    ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
         "$prefix/bin/python" "$here/nodes.py" "$folder/run/frobc" "$folder/run" ${TESTS:-}
 done

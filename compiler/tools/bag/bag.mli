@@ -1,0 +1,13 @@
+(** Bags: recordings that ROS 2 makes of all messages. A program that runs as a ROS 2 node publishes
+    its instants, so a bag contains a recording of it. *)
+
+val is_bag : string -> bool
+(** Whether this path is a bag: a folder, or a file [.db3] or [.mcap]. *)
+
+val recording : program:string -> string -> (string, string) result
+(** The recording of the program in the bag, as a temporary file; the path itself if it is not a
+    bag. [program] is the file of the program. *)
+
+val for_its_robot : Common_options.t -> string option -> Common_options.t
+(** The options for a program that is replayed from this recording: if it is a bag, the robot is
+    [ros], unless the user chose another one. *)
