@@ -22,6 +22,8 @@ awk -v files=$((cram + golden)) -v status="$status" '
     /^ok /   { passed++ }
     /^FAIL / { failed++; bad[++bads] = $0 }
     /\[FAIL\] |^Error: |^Fatal error: |^File "[^"]*dune[^"]*", line / { bad[++bads] = $0 }
+    # A program that ended without a report, for example with a traceback. The next line names it.
+    / alias [^ ]+ \(exit [0-9]+\)$/ { getline; bad[++bads] = $0 }
     # Where dune may say why a command failed; shown only if nothing else tells the reason.
     /^File "|^Command (exited|got)|^Alert|^make|signal [A-Z]|[Tt]imeout|rror:/ { clue[++clues] = $0 }
     # "Test Successful in 0.002s. 14 tests run." or "2 failures! in 0.004s. 14 tests run."
@@ -44,8 +46,8 @@ awk -v files=$((cram + golden)) -v status="$status" '
             failed++
             bad[++bads] = "dune ended with status " status ", so some tests did not run"
         }
-        if (status != 0 && failed == 0) {
-            failed = 1
+        if (status != 0 && failed == 0) failed = 1
+        if (status != 0 && bads == 0) {
             bad[++bads] = "dune exited with " status " and named no test"
             for (i = clues > 20 ? clues - 19 : 1; i <= clues; i++) bad[++bads] = "perhaps: " clue[i]
         }

@@ -161,9 +161,19 @@ let gain words e =
 let value words e =
   match definition words e with Some (_, value, None) -> value | Some _ | None -> e
 
-let give words { digits; negative; at; name; signature; of_record; _ } unit_ d =
+let with_unit { digits; negative; _ } unit_ =
   let literal = Printf.sprintf "%s[%s]" digits unit_ in
-  let text = if negative then "-" ^ literal else literal in
+  (literal, if negative then "-" ^ literal else literal)
+
+let give_literals numbers d =
+  let quoted (number, unit_) = "`" ^ snd (with_unit number unit_) ^ "`" in
+  let edit (number, unit_) = (number.at, fst (with_unit number unit_)) in
+  let texts = String.concat " and " (List.map quoted numbers) in
+  Diagnostic.hint (Printf.sprintf "write %s if that is their unit" texts) d
+  |> Diagnostic.fix (Printf.sprintf "write %s" texts) (List.map edit numbers)
+
+let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
+  let literal, text = with_unit number unit_ in
   let float = Printf.sprintf "Float[%s]" unit_ in
   match name with
   | None ->

@@ -34,3 +34,6 @@ val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
 
 val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
 (** Labels the literal, and suggests adding this unit to it. *)
+
+val give_literals : (t * string) list -> Diagnostic.t -> Diagnostic.t
+(** Suggests adding a unit to each of several literals, as one fix. *)

@@ -175,7 +175,14 @@ let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
   |> label ~at:subject.span
        (Printf.sprintf "because this is %s, and `%s` needs matching units"
           (Show.described words found) callee)
-  |> fun d -> List.fold_left (fun d suspect -> give words suspect d) d (first :: rest)
+  |> fun d ->
+  let all = first :: rest in
+  let is_bare { number; _ } = number.unit_ = None && number.name = None in
+  if rest <> [] && List.for_all is_bare all then
+    Bare_number.give_literals
+      (List.map (fun { number; unit_; _ } -> (number, Show.measure words unit_)) all)
+      d
+  else List.fold_left (fun d suspect -> give words suspect d) d all
 
 (* Does an input among the later arguments have this unit too? *)
 let agrees_with_a_later words ~given ~position unit_ =

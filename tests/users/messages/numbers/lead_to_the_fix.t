@@ -83,8 +83,7 @@ Two numbers without a unit, one of them negative; zero has any unit:
     |                      |
     |                      argument 1 of `clamp`
     |
-    = hint: write `-1[m/s]` if that is its unit
-    = hint: write `1[m/s]` if that is its unit
+    = hint: write `-1[m/s]` and `1[m/s]` if that is their unit
   
   error[E0320]: expected the unit `m/s`, found none
    --> clamp.frob:4:23
