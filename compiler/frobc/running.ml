@@ -302,6 +302,11 @@ let view =
   in
   let run general dialect entry sources print port world compare seed at only_build why_nan
       recording file =
+    (* The order of `trace` and `run`, which have the program first, is accepted, too. *)
+    let is_program name = Filename.check_suffix name ".frob" in
+    let recording, file =
+      if is_program recording && not (is_program file) then (file, recording) else (recording, file)
+    in
     let recording = if only_build && recording = "-" then None else Some recording in
     Viewing.view general ~entry ~sources
       {

@@ -218,6 +218,11 @@ def visit(page, rows):
     page.press(Keys.ESCAPE)
     page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
     page.press("e")
+    page.wait(lambda: "your edited program" in page.text(".what-if pre"))
+    check("the edited text is kept when the editor is closed", True)
+    next(b for b in page.all(".what-if button") if b.text == "Discard").click()
+    page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
+    page.press("e")
     next(b for b in page.all(".what-if button") if b.text == "Drive again").click()
     page.wait(lambda: "ran in the simulator" in page.text(".what-if pre"))
     check(

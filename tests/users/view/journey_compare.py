@@ -4,6 +4,7 @@ Compares recordings: of another seed, and of another version of the program; ali
 by a condition."""
 
 import asyncio
+import base64
 import os
 import shutil
 import subprocess
@@ -14,6 +15,8 @@ from selenium.webdriver.common.keys import Keys
 
 import viewer
 from journey import Page, start
+from journey_kept import press
+from journey_saved import content
 from protocol import ask, connect, greet
 from viewer import check
 
@@ -71,7 +74,7 @@ async def answers(v, rows, others):
         check("the starts are aligned again", answer["other"]["shift"] == 0)
 
 
-def visit(page):
+def visit(page, rows):
     page.at(0)
     page.wait(lambda: "Dashed: other.csv." in page.text("#compared"))
     check("the page names the other recording", "first in out." in page.text("#compared"))
@@ -84,6 +87,35 @@ def visit(page):
     page.all("#align")[0].send_keys(" &&", Keys.ENTER)
     page.wait(lambda: "incomplete" in page.text("#align-said"))
     check("an error in a condition is told", True)
+    press(page, "Range, XY plot, export")
+    tool(page, "Largest difference").click()
+    page.wait(lambda: "root mean square" in page.text(".plot-tools span output"))
+    check("the largest difference is found", page.instant() != len(rows) - 1)
+    table = base64.b64decode(page.driver.execute_async_script(table_content)).decode()
+    check("a table has both recordings", " of other.csv" in table.split("\n")[0])
+
+
+def keep(page, path):
+    """Saves the comparison as a file, and opens that."""
+    at = page.instant()
+    page.all("#save")[0].click()
+    page.wait(lambda: page.all("#saving button")[0].is_displayed())
+    with open(path, "wb") as file:
+        file.write(base64.b64decode(page.driver.execute_async_script(content)))
+    shown = page.text("#plots .other")
+    page = Page(page.driver, f"file://{path}")
+    page.at(at)
+    page.wait(lambda: "Dashed: other.csv" in page.text("#compared"))
+    page.wait(lambda: page.text("#plots .other") == shown != "")
+    check("a saved page has both recordings, at the same instant", True)
+
+
+def tool(page, name):
+    return next(b for b in page.all(".plot-tools button") if b.text == name)
+
+
+# The table that the button CSV offers.
+table_content = content.replace("#saving button", ".plot-tools button").replace('"Save"', '"CSV"')
 
 
 def main():
@@ -110,7 +142,10 @@ def main():
         asyncio.run(answers(v, rows, others))
         driver = start(1280, 720)
         try:
-            visit(Page(driver, v.address))
+            driver.set_script_timeout(60)
+            page = Page(driver, v.address)
+            visit(page, rows)
+            keep(page, path("saved.html"))
             driver.get("about:blank")
             v.end()
             v = viewer.Viewer(frobc, path("run.csv"), program, "--compare", path("edited.csv"))

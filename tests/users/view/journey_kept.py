@@ -127,6 +127,7 @@ def edits(page):
 
     page.press("e")
     page.wait(lambda: page.all(".what-if button")[0].is_displayed())
+    control(Keys.HOME)
     before = page.driver.execute_script(lines)
     page.press("  x = 1", Keys.ENTER, "y", Keys.ENTER)
     page.wait(lambda: first("  x = 1", "  y", "  " + before[0]))

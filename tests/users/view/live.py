@@ -216,6 +216,52 @@ async def values(frobc, program, robot):
     check("and is recorded as without", read("plain.csv") == read("looked.csv"))
 
 
+blind = """
+import Lidar
+import Robot
+
+scans :: HasLidar i => SF i Int
+scans = proc i -> accumHoldBy (\\n _ -> n + 1) 0 (lidar i :: Event (Scan 36))
+
+main :: (HasLidar i, DiffDrive o) => Program i o
+main = reactimateRobot (proc i -> roMake (setVelTR (if scans i > 0 then 0.3[m/s] else 0) 0))
+"""
+room = """
+[start]
+x = 2
+y = 2
+[[wall]]
+points = [[0, 0], [4, 0], [4, 4], [0, 4]]
+closed = true
+[lidar]
+"""
+
+
+async def collisions(frobc):
+    """Views a robot with a lidar that drives straight into a wall."""
+    for name, text in (("blind.frob", blind), ("room.toml", room)):
+        with open(path(name), "w") as file:
+            file.write(text)
+    options = ["--robot", "pioneer", "--world", path("room.toml"), "--for", "60s"]
+    run = viewer.Run(frobc, [*options, path("blind.frob")])
+    async with Page(run) as page:
+        await page.until(lambda p: p.live and p.live["instants"] > 10)
+        scans = [cell for *_, cell in (await page.ask("instant 10"))["recent"] if type(cell) is str]
+        check(
+            "an instant has the last scan",
+            len(scans) == 1
+            and scans[0].startswith("Scan {ranges = [")
+            and scans[0].count("Just") > 9,
+        )
+        await page.insist("speed 100")
+        await page.to_end()
+        contacts = await page.ask("contacts")
+        check("a collision is counted", contacts["count"] == len(contacts["all"]) == 1)
+        at, x, _ = contacts["all"][0]
+        check("with its time and place", 6 < at < 6.5 and 3.6 < x < 3.8)
+    run.process.wait(PATIENCE)
+
+
 async def full_speed(frobc, program):
     """A run at full speed has more instants than the shared memory; the viewer gets all of them."""
     run = viewer.Run(frobc, ["--for", "600s", program])
@@ -488,6 +534,7 @@ async def robot(frobc):
 async def main():
     frobc, _, program, name = sys.argv[1:]
     await values(frobc, program, name)
+    await collisions(frobc)
     await full_speed(frobc, program)
     await commands(frobc, program)
     await events(frobc)

@@ -61,6 +61,12 @@ void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t fir
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
 
+/* ---- In contacts.c */
+
+/* Appends how often the first robot began to touch an object, and the time and the robot's true
+ * position of each contact. */
+void answer_contacts(const struct view *view, struct buffer *answer);
+
 /* ---- In align.c */
 
 /* Shifts the recording to compare with so that the first instants at which a condition holds have

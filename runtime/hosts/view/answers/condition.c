@@ -10,6 +10,7 @@
 enum operator{
     NUMBER,
     SIGNAL,
+    TIME,
     OR,
     AND,
     NOT,
@@ -67,9 +68,13 @@ static void match(struct reader *r, enum operator operator, const struct dimensi
     dimension_write(a, r->why);
     buffer_text(r->why, " and ");
     dimension_write(b, r->why);
-    buffer_text(r->why, a->count > 0 && b->count > 0
-                            ? ": their units differ"
-                            : ": write the number with its unit, such as 0.3[m/s]");
+    if (a->count > 0 && b->count > 0) {
+        buffer_text(r->why, ": their units differ");
+    } else {
+        buffer_text(r->why, ": write the number with its unit, such as 0.3[");
+        dimension_write(a->count > 0 ? a : b, r->why);
+        buffer_text(r->why, "]");
+    }
     r->wrong = true;
 }
 
@@ -112,7 +117,7 @@ static struct operation *add(struct reader *r, enum operator operator, double nu
     operation->operator= operator;
     operation->number = number;
     r->condition->count++;
-    if (operator== NUMBER || operator== SIGNAL)
+    if (operator== NUMBER || operator== SIGNAL || operator== TIME)
         memset(&r->dimensions[r->dimension_count++], 0, sizeof *r->dimensions);
     else if (!r->wrong)
         measure(r, operator);
@@ -214,12 +219,43 @@ static const struct signal *find(struct reader *r, const char *name)
     return found == NULL && !r->wrong ? find_end(r, name, true) : found;
 }
 
+/* Whether a text contains another one, in upper or lower case. */
+static bool contains(const char *text, const char *part)
+{
+    for (; *text != '\0'; text++) {
+        size_t i = 0;
+        while (part[i] != '\0' &&
+               tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (part[i] == '\0')
+            return true;
+    }
+    return false;
+}
+
+/* Maximum number of similar names in a message. */
+#define SIMILAR 3
+
+/* Reports an unknown name, with names that contain it. */
+static void unknown(struct reader *r, const char *name)
+{
+    const struct signals *signals = r->series->replay->signals;
+    size_t found = 0;
+    if (r->wrong)
+        return;
+    complain(r, "there is no signal", name);
+    for (size_t i = 0; i < signals->count && found < SIMILAR; i++)
+        if (contains(signals->all[i].name, name))
+            buffer_format(r->why, "%s `%s`", found++ == 0 ? "; similar names:" : ",",
+                          signals->all[i].name);
+}
+
 static void add_signal(struct reader *r, const char *name)
 {
     const struct signal *signal = find(r, name);
     struct operation *operation;
     if (signal == NULL) {
-        complain(r, "there is no signal", name);
+        unknown(r, name);
     } else if ((signal->side == MODE || signal->side == PROBE) && !r->series->replay->runs) {
         complain(r, "the program cannot be run on this recording, so there are no values of", name);
     } else if (++r->signals > SERIES_KEPT / 2) {
@@ -280,6 +316,12 @@ static void read_primary(struct reader *r)
                  r->at);
     } else if (strcmp(name, "True") == 0 || strcmp(name, "False") == 0) {
         add(r, NUMBER, name[0] == 'T');
+    } else if (strcmp(name, "time") == 0 &&
+               signals_find(r->series->replay->signals, name) == NULL) {
+        struct dimension second = { 0 };
+        double scale;
+        unit_read("s", 1, false, &second, &scale);
+        add_operand(r, TIME, 0, &second);
     } else if (strcmp(name, "abs") == 0 || strcmp(name, "not") == 0) {
         read_primary(r);
         add(r, name[0] == 'a' ? ABSOLUTE : NOT, 0);
@@ -324,28 +366,56 @@ static void read_sum(struct reader *r)
     }
 }
 
+/* The names of the modes or constructors of a signal. */
+struct names {
+    const struct frob_machine *machine;
+    const struct frob_constructor *constructors;
+    size_t count;
+};
+
+static struct names names_of(const struct reader *r, const struct signal *signal)
+{
+    const struct frob_program *program = r->series->replay->signals->program;
+    struct names names = { NULL, NULL, 0 };
+    if (signal->side == MODE) {
+        names.machine = &program->machines[signal->machine];
+        names.count = names.machine->count;
+    } else if (signal->shown->kind == FROB_SUM && !signal->shown->is_event) {
+        names.constructors = signal->shown->constructors;
+        names.count = signal->shown->count;
+    }
+    return names;
+}
+
+static const char *name_at(const struct names *names, size_t i)
+{
+    return names->machine != NULL ? names->machine->modes[i] : names->constructors[i].name;
+}
+
+/* Reports a name that is neither one of the signal's nor a signal. */
+static void not_one_of(struct reader *r, const struct names *names, const char *name)
+{
+    complain(r, "there is no mode or value", name);
+    for (size_t i = 0; i < names->count; i++)
+        buffer_format(r->why, "%s `%s`", i == 0 ? "; it can be" : ",", name_at(names, i));
+}
+
 /* If the next token is the name of a mode or constructor of the signal that was read last,
  * reads it and returns its number. */
 static bool read_name_of(struct reader *r, const struct signal *signal)
 {
     const char *before = r->at;
-    const struct frob_program *program = r->series->replay->signals->program;
-    const struct frob_machine *machine =
-        signal->side == MODE ? &program->machines[signal->machine] : NULL;
-    size_t count = machine != NULL ? machine->count
-                   : signal->shown->kind == FROB_SUM && !signal->shown->is_event
-                       ? signal->shown->count
-                       : 0;
+    const struct names names = names_of(r, signal);
     char name[256];
-    if (take_name(r, name, sizeof name)) {
-        for (size_t i = 0; i < count; i++) {
-            const char *of =
-                machine != NULL ? machine->modes[i] : signal->shown->constructors[i].name;
-            if (strcmp(of, name) == 0) {
+    if (names.count > 0 && take_name(r, name, sizeof name)) {
+        for (size_t i = 0; i < names.count; i++) {
+            if (strcmp(name_at(&names, i), name) == 0) {
                 add(r, NUMBER, (double)i);
                 return true;
             }
         }
+        if (find(r, name) == NULL && !r->wrong)
+            not_one_of(r, &names, name);
     }
     r->at = before;
     return false;
@@ -402,7 +472,9 @@ bool condition_read(struct condition *condition, struct series *series, const ch
     else
         read_or(&reader);
     skip_blanks(&reader);
-    if (!reader.wrong && *reader.at != '\0')
+    if (!reader.wrong && *reader.at == '=')
+        complain(&reader, "write `==` to compare, instead of", reader.at);
+    else if (!reader.wrong && *reader.at != '\0')
         complain(&reader, "the viewer does not understand", reader.at);
     return !reader.wrong;
 }
@@ -435,6 +507,7 @@ static double apply(enum operator operator, double x, double y)
     case OVER: return x / y;
     case NUMBER:
     case SIGNAL:
+    case TIME:
     case NOT:
     case NEGATE:
     case ABSOLUTE: break;
@@ -442,7 +515,7 @@ static double apply(enum operator operator, double x, double y)
     return NAN;
 }
 
-bool condition_holds(const struct condition *condition, size_t k)
+bool condition_holds(const struct condition *condition, size_t k, double seconds)
 {
     double stack[CONDITION_SIZE];
     size_t top = 0; /* number of values on the stack */
@@ -451,6 +524,7 @@ bool condition_holds(const struct condition *condition, size_t k)
         switch (operation->operator) {
         case NUMBER: stack[top++] = operation->number; break;
         case SIGNAL: stack[top++] = operation->numbers[k]; break;
+        case TIME: stack[top++] = seconds; break;
         case NOT: stack[top - 1] = !is_true(stack[top - 1]); break;
         case NEGATE: stack[top - 1] = -stack[top - 1]; break;
         case ABSOLUTE: stack[top - 1] = fabs(stack[top - 1]); break;

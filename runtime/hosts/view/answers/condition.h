@@ -3,7 +3,7 @@
  *   out.forward > 0.3[m/s] && mode.bug == circleTo
  *
  * A condition may contain `||`, `&&`, `not`, comparisons, `+ - * /`, `abs`, numbers with units,
- * True and False, names of signals, and, as operands of `==` and `/=`, names of modes and
+ * True and False, `time` (since the start of the run), names of signals, and, as operands of `==` and `/=`, names of modes and
  * constructors. The end of a signal's name suffices if it identifies one signal of the input or
  * output, or else one inner signal. Units must be consistent, as in the language; 0 has any unit. A
  * comparison with a value that does not exist, such as an event that does not occur, is false. */
@@ -27,7 +27,7 @@ bool condition_read(struct condition *condition, struct series *series, const ch
                     struct buffer *why);
 void condition_free(struct condition *condition);
 
-/* Returns whether the condition holds at instant `k`. */
-bool condition_holds(const struct condition *condition, size_t k);
+/* Returns whether the condition holds at instant `k`, which is at this time in seconds. */
+bool condition_holds(const struct condition *condition, size_t k, double seconds);
 
 #endif

@@ -33,7 +33,7 @@ void answer_find(struct view *view, size_t from, const char *text, struct buffer
         buffer_text(answer, "}");
     } else {
         for (size_t k = 0; k < count; k++) {
-            bool holds = condition_holds(&condition, k);
+            bool holds = condition_holds(&condition, k, view_seconds_at(view, k));
             if (holds && !held) {
                 found.count++;
                 found.first = found.first == nowhere ? k : found.first;

@@ -104,8 +104,14 @@ static bool find_recent(const struct view *view, const struct signal *signal, si
     return false;
 }
 
-/* Appends the recent events of the input that carry a number, such as echoes: the number of the
- * signal, the value, and where the robot was. */
+/* Whether an event carries a record, such as a lidar's scan. */
+static bool carries_record(const struct signal *signal)
+{
+    return signal->shown->constructors[1].fields[0].value->kind == FROB_PRODUCT;
+}
+
+/* Appends the recent events of the input that carry a value, such as echoes: the number of the
+ * signal, the value as a number, and where the robot was; for a record, also its cell. */
 static void add_recent(struct view *view, size_t k, struct buffer *answer)
 {
     const char *comma = "";
@@ -121,6 +127,10 @@ static void add_recent(struct view *view, size_t k, struct buffer *answer)
             buffer_format(answer, "%s[%lu,", comma, (unsigned long)i);
             buffer_number(answer, signal_number(&view->signals, signal, &moment));
             add_pose(view, at, answer);
+            if (carries_record(signal)) {
+                buffer_text(answer, ",");
+                add_cell(&view->signals, signal, &moment, answer);
+            }
             buffer_text(answer, "]");
             comma = ",";
         }

@@ -422,6 +422,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_number(&at, FROB_IMAGE_SIDE + 1, &width) && width > 0 &&
              take_number(&at, SIZE_MAX, &other) && *at == '\0')
         answer_picture(view, k, width, other, answer);
+    else if (take_word(&at, "contacts") && *at == '\0')
+        answer_contacts(view, answer);
     else if (take_word(&at, "claims") && *at == '\0')
         answer_claims(view, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')

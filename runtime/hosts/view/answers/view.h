@@ -28,6 +28,7 @@
  *   with NAME=VALUE … what-if TEXT, with NAME=VALUE … drive TEXT
  *                              the same, with other values of its parameters
  *
+ *   contacts                   when and where the simulator's first robot began to touch an object
  *   way ROBOT COUNT K          the same for the true positions of a simulator's robot number
  *                              ROBOT
  *

@@ -21,6 +21,12 @@ export function startComparison(store: Store, host: HTMLElement): (answer: Align
     const { other } = store;
     host.hidden = other === null;
     if (!other) return;
+    if (store.whatIf?.there) {
+      said.textContent = `Dashed: the edited program. Discard it to see ${other.name} again.`;
+      go.hidden = true;
+      return;
+    }
+    const set = other.set.length > 0 ? ` (${other.set.join(", ")})` : "";
     const shift = other.shift === 0 ? "" : `, shifted by ${formatTime(-other.shift)}`;
     const inside = other.runs
       ? ""
@@ -29,7 +35,7 @@ export function startComparison(store: Store, host: HTMLElement): (answer: Align
       other.first === undefined
         ? "The outputs are the same at all instants."
         : `The outputs differ from instant ${other.first} on, first in ${other.signal ?? ""}.`;
-    said.textContent = `Dashed: ${other.name}${shift}. ${differs}${inside}`;
+    said.textContent = `Dashed: ${other.name}${set}${shift}. ${differs}${inside}`;
     go.hidden = other.first === undefined;
   };
   go.onclick = () => store.other?.first !== undefined && store.goTo(store.other.first);

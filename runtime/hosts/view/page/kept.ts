@@ -50,6 +50,11 @@ export class Kept {
     }
   }
 
+  /** The state as JSON, with these values, for a saved page. */
+  text(more: Record<string, Json>): string {
+    return JSON.stringify({ ...this.all, edited: null, ...more });
+  }
+
   get(name: string): Json | undefined {
     return this.all[name];
   }

@@ -5,6 +5,7 @@ import { Connection, type Link, type Listener } from "./connection";
 import { startComparison } from "./compare";
 import { Contact } from "./contact";
 import { startClaims } from "./signals/claims";
+import { startCollisions } from "./signals/collisions";
 import { startConsole } from "./operate/console";
 import { Kept } from "./kept";
 import { startKeys } from "./keys";
@@ -171,6 +172,7 @@ function start(program: Program): Store {
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
   startClaims(store, element("claims"), element<HTMLButtonElement>("claimed"), filter);
+  startCollisions(store, element<HTMLButtonElement>("collisions"));
   const view = startMap(store, element("map"));
   startCamera(store, element("camera"));
   startSearch(
@@ -192,8 +194,16 @@ function start(program: Program): Store {
   );
   startConsole(store, element("console"));
   showAlignment = startComparison(store, element("compare"));
-  startSaving(store, element<HTMLButtonElement>("save"), element<HTMLDialogElement>("saving"));
-  element("help").onclick = () => help.showModal();
+  startSaving(
+    store,
+    kept,
+    element<HTMLButtonElement>("save"),
+    element<HTMLDialogElement>("saving"),
+  );
+  element("help").onclick = () => {
+    help.showModal();
+    help.scrollTop = 0;
+  };
   choose(view ? "map" : "plots");
   restore(store, kept, new Layout(), view);
   return store;
@@ -288,6 +298,9 @@ function answered(answer: Answer, question: string): void {
       break;
     case "claims":
       store?.claimsReceived(answer);
+      break;
+    case "contacts":
+      store?.contactsReceived(answer);
       break;
     case "what-if":
       store?.whatIfReceived(answer);

@@ -158,13 +158,14 @@ export interface Instant {
   /** The edited program's values, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
   /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position and
-   * heading of the first robot at that time, true or by odometry. */
+   * heading of the first robot at that time, true or by odometry. For records, also the cell. */
   readonly recent: readonly (readonly [
-    number,
-    number,
-    number | null,
-    number | null,
-    number | null,
+    signal: number,
+    value: number,
+    x: number | null,
+    y: number | null,
+    heading: number | null,
+    cell?: string,
   ])[];
   /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else 0. */
   readonly truth?: readonly (readonly [number, number, number, number])[];
@@ -215,6 +216,8 @@ export interface Place {
   readonly file: string;
   readonly line: number;
   readonly last: number;
+  /** The instance of its signal function, if it is known. */
+  readonly instance?: string;
 }
 
 export interface Switch extends Place {
@@ -281,6 +284,14 @@ export interface Claims {
   readonly all: readonly Claim[];
 }
 
+/** How often the first simulated robot began to touch an object; and the time of each contact, and
+ * where the robot was. */
+export interface Contacts {
+  readonly is: "contacts";
+  readonly count: number;
+  readonly all: readonly (readonly [time: number, x: number, y: number])[];
+}
+
 /** The result of running an edited program on the same inputs, or in the simulator. */
 export interface WhatIf {
   readonly is: "what-if";
@@ -328,6 +339,8 @@ export interface Other {
   readonly runs: boolean;
   /** Its time at time 0 of the shown recording, in seconds. */
   readonly shift: number;
+  /** Its parameters that have other values in the shown recording, as NAME=VALUE. */
+  readonly set: readonly string[];
   /** The first instant at which the outputs differ, and the output; missing if they do not. */
   readonly first?: number;
   readonly signal?: string;
@@ -368,6 +381,7 @@ export type Answer =
   | Found
   | WhatIf
   | Claims
+  | Contacts
   | KeepDone
   | Align
   | Refused;

@@ -60,16 +60,26 @@ function restoreEdited(store: Store, kept: Kept): void {
   const own = store.program.sources.find(({ library }) => !library);
   const before = kept.get("edited");
   const of = hash(own?.text ?? "");
-  if (isObject(before) && before["of"] === of && typeof before["text"] === "string")
-    store.continueEditing(before["text"]);
+  if (isObject(before) && before["of"] === of && typeof before["text"] === "string") {
+    store.edited = before["text"];
+    if (before["open"] !== false) store.continueEditing(store.edited);
+  }
   store.on("edited", () => {
-    kept.set("edited", store.edited === null ? null : { of, text: store.edited });
+    const { edited, isEditing } = store;
+    kept.set("edited", edited === null ? null : { of, text: edited, open: isEditing });
   });
 }
 
+/** The range that a saved page shows first; its address contains none. */
+function keptRange(kept: Kept): readonly [number, number] | undefined {
+  const range = kept.get("range");
+  const [from, to] = Array.isArray(range) ? (range as readonly Json[]) : [];
+  return typeof from === "number" && typeof to === "number" ? [from, to] : undefined;
+}
+
 /** Shows the instant and the range of the address, or else the start; and keeps the address. */
-function restoreTime(store: Store): void {
-  const { at, range } = shown();
+function restoreTime(store: Store, kept: Kept): void {
+  const { at, range = keptRange(kept) } = shown();
   const { program } = store;
   if (program.live && at === undefined) store.follow();
   else store.goToTime(at ?? program.at);
@@ -101,6 +111,6 @@ export function restore(store: Store, kept: Kept, layout: Layout, view: View | n
   store.on("plotted", () => kept.set("plots", spell(store.plots, store.program)));
   restoreTheme(kept);
   restoreMap(store, kept, view);
-  restoreTime(store);
+  restoreTime(store, kept);
   restoreEdited(store, kept);
 }

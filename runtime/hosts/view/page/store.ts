@@ -7,6 +7,7 @@ import type {
   Align,
   Claim,
   Claims,
+  Contacts,
   Found,
   Instant,
   Live,
@@ -36,6 +37,7 @@ export type Change =
   | "why"
   | "place"
   | "claims"
+  | "contacts"
   /** Emitted when the text of the edited program has changed. */
   | "edited"
   /** Emitted when the plots must adapt their sizes. */
@@ -74,11 +76,15 @@ export class Store {
   /** The results of the program's assertions. */
   claims: readonly Claim[] = [];
 
+  /** When and where the simulated robot touched an object. */
+  contacts: Contacts["all"] = [];
+
   /** The edited program's result; null before any was requested. */
   whatIf: WhatIf | null = null;
   /** The recording to compare with; null if there is none. */
   other: Other | null;
-  /** Whether the editor receives keys, and the edited text; null if the text is unchanged. */
+  /** Whether the editor receives keys, and the edited text, which is kept when the editor is closed;
+   * null if the text is unchanged. */
   isEditing = false;
   edited: string | null = null;
   continueEditing: (text: string) => void = () => undefined;
@@ -290,13 +296,18 @@ export class Store {
   }
 
   /** Whether this page shows values of an edited program or of another recording. */
-  private get hasOthers(): boolean {
+  get hasOthers(): boolean {
     return this.other !== null || (this.whatIf?.there ?? false);
   }
 
   /** The label of these values. */
   get otherWord(): string {
     return this.whatIf?.there ? "what if" : "other";
+  }
+
+  /** The name of their source: a recording, or the edited program. */
+  get otherName(): string {
+    return this.whatIf?.there ? "edited" : (this.other?.name ?? "");
   }
 
   /** Aligns the other recording by a condition, or by the start if the condition is empty. */
@@ -506,10 +517,18 @@ export class Store {
     this.changed("claims");
   }
 
+  askContacts(): void {
+    this.connection.ask("contacts");
+  }
+
+  contactsReceived(contacts: Contacts): void {
+    this.contacts = contacts.all;
+    this.changed("contacts");
+  }
+
   // Removes the edited program.
 
   dropWhatIf(): void {
-    this.edited = null;
     this.changed("edited");
     this.connection.ask("what-if");
   }
@@ -524,7 +543,7 @@ export class Store {
   whatIfReceived(whatIf: WhatIf): void {
     this.whatIf = whatIf;
     this.changed("what-if");
-    if (this.following && whatIf.first === undefined) return;
-    this.goTo(whatIf.first ?? this.instant?.k ?? 0);
+    if (this.following) return;
+    this.goTo(this.instant?.k ?? 0);
   }
 }

@@ -43,7 +43,7 @@ function decimalsOf(x: number, most: number): number {
 /**
  * Formats a number of a signal. The number of decimals does not jump from one instant to the next:
  * a signal keeps the largest number that any of its values needed, within the limit on the digits
- * of its largest value.
+ * of its largest value; only values far below the largest one have more.
  */
 function steady(signal: Signal, x: number): string {
   if (!Number.isFinite(x)) return special(x);
@@ -55,7 +55,9 @@ function steady(signal: Signal, x: number): string {
   if (look.largest < small || look.largest >= large) return x === 0 ? "0" : withExponent(x, 3);
   const most = Math.max(0, digits - 1 - Math.floor(Math.log10(look.largest)));
   look.decimals = Math.max(look.decimals, decimalsOf(x, most));
-  const text = x.toFixed(Math.min(most, look.decimals));
+  // A value that is far smaller than the largest one still has three digits.
+  const own = x === 0 ? 0 : Math.min(3, 2 - Math.floor(Math.log10(Math.abs(x))));
+  const text = x.toFixed(Math.max(Math.min(most, look.decimals), Math.min(own, decimalsOf(x, 3))));
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text;
 }
 
@@ -77,6 +79,12 @@ export function formatCell(signal: Signal, cell: string): string {
 
 function withUnit(signal: Signal, text: string): string {
   return signal.unit === "" ? text : `${text}[${signal.unit}]`;
+}
+
+/** Removes the unit from a formatted value, next to another one that has it. */
+export function withoutUnit(signal: Signal, text: string): string {
+  const unit = `[${signal.unit}]`;
+  return text.endsWith(unit) ? text.slice(0, -unit.length) : text;
 }
 
 /** Formats a number from a signal's plot as the value that it represents. */

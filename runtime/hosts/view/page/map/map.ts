@@ -8,6 +8,7 @@ import { startGestures } from "./gestures";
 import { drawShape, markSignals, moved, points, readingsList, readMarks } from "./marks";
 import { placed, relative, within, type Pose } from "./pose";
 import { robotNamed } from "./robots";
+import { drawScan, readScan } from "./scan";
 import { drawScale, drawScene, Pen } from "./scene";
 import { Extent, View } from "./view";
 import { viewButtons } from "./view_buttons";
@@ -89,6 +90,30 @@ export function startMap(store: Store, host: HTMLElement): View | null {
       return [{ sonar, range, pose: truth ? pose : within(start, pose) }];
     });
 
+  const drawScans = ({ recent, truth }: Instant) => {
+    for (const [, , x, y, heading, cell] of recent) {
+      const places = cell === undefined ? null : readScan(cell);
+      if (!places || x === null || y === null || heading === null) continue;
+      const pose = { x, y, heading };
+      drawScan(pen, places, truth ? pose : within(start, pose));
+    }
+  };
+
+  /** Marks where the robot touched an object until now. */
+  const drawContacts = (now: number) => {
+    const arm = 4;
+    context.beginPath();
+    for (const [time, ...at] of store.contacts) {
+      if (time > now) break;
+      const [px, py] = view.toPixel(at);
+      for (const side of [-1, 1]) {
+        context.moveTo(px - arm, py - side * arm);
+        context.lineTo(px + arm, py + side * arm);
+      }
+    }
+    pen.stroke(colour("bad"), 2.5);
+  };
+
   /** Draws the paths and sonars of all robots. The first robot runs the shown program. */
   const drawWays = (instant: Instant, robots: readonly Pose[], believed: Pose) => {
     drawOutline(pen, robot, start, colour("robot-edge"));
@@ -108,6 +133,8 @@ export function startMap(store: Store, host: HTMLElement): View | null {
       drawOutline(pen, robot, believed, colour("believed"));
     }
     drawEchoes(pen, robot, echoesOf(instant));
+    drawScans(instant);
+    drawContacts(instant.time);
   };
 
   /** Returns the program's marks, placed in the frame of odometry or in the robot's frame. */

@@ -10,6 +10,8 @@ export const rightSpace = 18;
 export interface Pointed {
   readonly time: number;
   value(trace: Trace): number | null;
+  /** The value in the other recording; null if there is none. */
+  other(trace: Trace): number | null;
 }
 
 /** A plot without its header. */

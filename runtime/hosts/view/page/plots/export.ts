@@ -56,25 +56,58 @@ function quoted(cell: string): string {
   return /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
 }
 
-/** Saves the values of signals at all instants of the visible range. */
+/** Finds where a signal differs most from the other recording, in the visible range. Calls `then`
+ * with the time, and with the largest and the root mean square difference; with null if it does not
+ * differ. */
+export function findLargest(
+  store: Store,
+  signal: number,
+  then: (found: { time: number; largest: number; rms: number } | null) => void,
+): void {
+  const [from, to] = store.range;
+  store.series.request("largest", { signal, from, to, width: columns }, (series) => {
+    let best = 0,
+      at = 0,
+      sum = 0,
+      count = 0;
+    series.times.forEach((time, i) => {
+      const a = series.values[i],
+        b = series.others?.[i];
+      if (typeof a !== "number" || typeof b !== "number" || time < from) return;
+      const apart = Math.abs(a - b);
+      sum += apart * apart;
+      count++;
+      if (apart > best) [best, at] = [apart, time];
+    });
+    then(best === 0 ? null : { time: at, largest: best, rms: Math.sqrt(sum / count) });
+  });
+}
+
+/** Saves the values of signals at all instants of the visible range, with those of the other
+ * recording. */
 export function saveTable(store: Store, name: string, signals: readonly number[]): void {
   const [from, to] = store.range;
   const found = new Map<number, Series>();
+  const cell = (number: number, value: number | null | undefined) => {
+    const signal = store.program.signals[number];
+    if (value === null || value === undefined || !signal) return "";
+    const isNamed = signal.kind === "bool" || signal.names.length > 0;
+    return isNamed ? quoted(formatPoint(signal, value)) : String(value);
+  };
   const write = () => {
     const times = found.get(signals[0] ?? 0)?.times ?? [];
-    const head = signals.map((number) => {
+    const hasOthers = (number: number) => found.get(number)?.others !== undefined;
+    const head = signals.flatMap((number) => {
       const { name = "", unit = "" } = store.program.signals[number] ?? {};
-      return quoted(unit === "" ? name : `${name} [${unit}]`);
+      const title = unit === "" ? name : `${name} [${unit}]`;
+      return [title, ...(hasOthers(number) ? [`${title} of ${store.otherName}`] : [])].map(quoted);
     });
     const rows = times.map((time, i) =>
       [
         String(time),
-        ...signals.map((number) => {
-          const value = found.get(number)?.values[i] ?? null;
-          const signal = store.program.signals[number];
-          if (value === null || !signal) return "";
-          const isNamed = signal.kind === "bool" || signal.names.length > 0;
-          return isNamed ? quoted(formatPoint(signal, value)) : String(value);
+        ...signals.flatMap((number) => {
+          const { values, others } = found.get(number) ?? {};
+          return [cell(number, values?.[i]), ...(others ? [cell(number, others[i])] : [])];
         }),
       ].join(","),
     );

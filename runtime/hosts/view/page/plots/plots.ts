@@ -7,8 +7,8 @@ import { Strip } from "./strip";
 import { drawTimeAxis, timeAxisHeight } from "./time_axis";
 
 /** Minimum height of a plot of numbers, and of a plot of truth values or names. */
-const leastHigh = 84,
-  leastLow = 56;
+const leastHigh = 60,
+  leastLow = 44;
 /** Maximum height of a plot of truth values or names. */
 const mostLow = 90;
 /** Maximum number of plots at which there is room for a hint on how to add one. */
@@ -25,7 +25,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
   empty.className = "empty";
   empty.textContent =
     "Click a value in the source, or a signal in the list, to plot it; drag it onto a plot to add it.";
-  host.append(list, empty, axis);
+  host.append(list, axis, empty);
   takesSignals(host, (signal) => {
     if (!store.plotted.includes(signal)) store.toggle(signal);
   });
@@ -74,7 +74,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
     }
     list.append(...store.plots.flatMap((plot) => strips.get(plot)?.element ?? []));
     empty.hidden = store.plots.length > hinted;
-    axis.hidden = store.plots.length === 0;
+    axis.hidden = store.plots.every(({ isXy }) => isXy);
     layOut();
     for (const strip of changed) strip.load();
     if (isStarted) changed.at(-1)?.element.scrollIntoView({ block: "nearest" });
@@ -82,7 +82,10 @@ export function startPlots(store: Store, host: HTMLElement): void {
   store.on("plotted", arrange);
   store.on("sizes", layOut);
   store.on("range", load);
-  store.on("what-if", load);
+  store.on("what-if", () => {
+    arrange();
+    load();
+  });
   store.on("resumed", load);
   store.on("instant", () => strips.forEach((strip) => strip.moved()));
   store.on("mark", () => strips.forEach((strip) => strip.moved()));

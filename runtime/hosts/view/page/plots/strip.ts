@@ -1,10 +1,10 @@
 // A plot with its header: its signals with their values, and its tools.
 import type { Store } from "../store";
-import { lineColour } from "../theme";
-import { difference, formatCell, formatPoint } from "../values";
-import type { Body } from "./body";
+import { colour, lineColour } from "../theme";
+import { difference, formatCell, formatPoint, withoutUnit } from "../values";
+import type { Body, Pointed } from "./body";
 import { takesSignals } from "./drag";
-import { savePicture, saveTable } from "./export";
+import { findLargest, savePicture, saveTable } from "./export";
 import type { Plot } from "./model";
 import { isNamed } from "./scales";
 import { spaceOnRight, TimePlot } from "./time_plot";
@@ -34,7 +34,7 @@ class Entry {
     readonly trace: Trace,
     isOneOfSeveral: boolean,
   ) {
-    const { name } = trace.signal;
+    const name = trace.signal.name.replace(/^probe\./, "");
     this.name = button(name, `Why does ${name} have this value?`, () => store.wonder(trace.number));
     this.name.className = "name";
     this.element.className = "entry";
@@ -51,12 +51,17 @@ class Entry {
   }
 
   /** Shows the value at the pointer, or else at the current instant. */
-  show(pointed: number | null | undefined): void {
+  show(pointed: Pointed | null): void {
     const { store, trace } = this;
     const { signal, number } = trace;
-    if (pointed !== undefined) {
-      this.value.textContent = formatPoint(signal, pointed);
-      this.other.textContent = this.apart.textContent = "";
+    if (pointed) {
+      const other = pointed.other(trace);
+      this.value.textContent = formatPoint(signal, pointed.value(trace));
+      this.other.textContent =
+        other === null
+          ? ""
+          : `${store.otherWord}: ${withoutUnit(signal, formatPoint(signal, other))}`;
+      this.apart.textContent = "";
       return;
     }
     const cell = store.instant?.cells[number] ?? "";
@@ -65,7 +70,7 @@ class Entry {
     const apart = marked === undefined ? null : difference(signal, marked, cell);
     this.value.textContent = formatCell(signal, cell);
     this.other.textContent =
-      other === cell ? "" : `${store.otherWord}: ${formatCell(signal, other)}`;
+      other === cell ? "" : `${store.otherWord}: ${withoutUnit(signal, formatCell(signal, other))}`;
     this.apart.textContent = apart === null ? "" : `Δ ${apart}`;
   }
 }
@@ -118,7 +123,7 @@ export class Strip {
   /** Shows the plot's signals, if they have changed. Returns whether they have. */
   update(): boolean {
     const { plot, store } = this;
-    const now = `${plot.isXy} ${plot.signals.join()} ${spaceOnRight(store)}`;
+    const now = `${plot.isXy} ${plot.signals.join()} ${spaceOnRight(store)} ${store.otherName}`;
     this.add.ariaPressed = String(store.target === plot);
     if (now === this.shown) return false;
     this.shown = now;
@@ -184,6 +189,7 @@ export class Strip {
         saveTable(store, name, plot.signals),
       ),
     );
+    if (store.hasOthers) this.tools.append(this.largest());
     if (plot.signals.length > 1) {
       const xy = button("XY", "Plot the other signals over the first one", () => {
         plot.isXy = !plot.isXy;
@@ -192,6 +198,37 @@ export class Strip {
       xy.ariaPressed = String(plot.isXy);
       this.tools.append(xy);
     }
+    if (plot.isXy)
+      this.tools.append(
+        button("Swap", "Use the next signal as the horizontal axis", () => {
+          plot.signals = [...plot.signals.slice(1), ...plot.signals.slice(0, 1)];
+          store.changed("plotted");
+        }),
+      );
+  }
+
+  /** A button that goes to the largest difference from the other recording. */
+  private largest(): HTMLElement {
+    const { store, plot } = this;
+    const place = document.createElement("span");
+    const said = document.createElement("output");
+    const [first] = plot.signals;
+    const find = button(
+      "Largest difference",
+      "Go to the largest difference of the first signal in the visible range",
+      () => {
+        const signal = first === undefined ? undefined : store.program.signals[first];
+        if (first === undefined || !signal) return;
+        findLargest(store, first, (found) => {
+          said.textContent = found
+            ? ` ${formatPoint(signal, found.largest)}; root mean square ${formatPoint(signal, found.rms)}`
+            : " none";
+          if (found) store.goToTime(found.time);
+        });
+      },
+    );
+    place.append(find, said);
+    return place;
   }
 
   private savePicture(name: string): void {
@@ -199,13 +236,18 @@ export class Strip {
     if (!picture) return;
     savePicture(
       name,
-      this.entries.map(({ trace }) => ({
-        text:
-          trace.signal.unit === ""
-            ? trace.signal.name
-            : `${trace.signal.name} [${trace.signal.unit}]`,
-        colour: lineColour(this.store.colourOf(trace.number)),
-      })),
+      [
+        ...this.entries.map(({ trace }) => ({
+          text:
+            trace.signal.unit === ""
+              ? trace.signal.name
+              : `${trace.signal.name} [${trace.signal.unit}]`,
+          colour: lineColour(this.store.colourOf(trace.number)),
+        })),
+        ...(this.store.hasOthers
+          ? [{ text: `dashed: ${this.store.otherName}`, colour: colour("dim") }]
+          : []),
+      ],
       this.plot.isXy ? [picture] : [picture, this.axis],
     );
   }
@@ -235,7 +277,7 @@ export class Strip {
   private readOut(): void {
     const { pointed } = this.body;
     this.element.classList.toggle("pointed", pointed !== null);
-    for (const entry of this.entries) entry.show(pointed ? pointed.value(entry.trace) : undefined);
+    for (const entry of this.entries) entry.show(pointed);
     this.pointedAt.textContent = pointed ? `at ${pointed.time.toFixed(3)} s` : "";
   }
 

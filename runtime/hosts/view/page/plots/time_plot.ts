@@ -285,7 +285,11 @@ export class TimePlot implements Body {
     if (!plot || left < 0 || typeof idx !== "number") return null;
     const time = plot.posToVal(left, "x");
     const near = plot.posToVal(left + close, "x") - time;
-    return { time, value: (trace) => trace.at(time, near) };
+    return {
+      time,
+      value: (trace) => trace.at(time, near),
+      other: (trace) => (trace.others.length > 0 ? trace.at(time, near, trace.others) : null),
+    };
   }
 
   end(): void {

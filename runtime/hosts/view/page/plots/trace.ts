@@ -82,7 +82,7 @@ export class Trace {
 
   /** Returns the value that the signal has at a time: its last value before it; for an event, the
    * nearest one within `close` seconds. */
-  at(seconds: number, close: number): number | null {
+  at(seconds: number, close: number, values = this.values): number | null {
     let low = 0,
       high = this.times.length;
     while (low < high) {
@@ -90,17 +90,17 @@ export class Trace {
       if ((this.times[middle] ?? 0) <= seconds) low = middle + 1;
       else high = middle;
     }
-    if (this.signal.kind !== "event") return this.values[low - 1] ?? null;
+    if (this.signal.kind !== "event") return values[low - 1] ?? null;
     let best: number | null = null,
       apart = close;
     for (let i = low - 1; i >= 0 && seconds - (this.times[i] ?? 0) <= apart; i--)
-      if (this.values[i] !== null) {
-        best = this.values[i] ?? null;
+      if (values[i] !== null) {
+        best = values[i] ?? null;
         apart = seconds - (this.times[i] ?? 0);
         break;
       }
     for (let i = low; i < this.times.length && (this.times[i] ?? 0) - seconds < apart; i++)
-      if (this.values[i] !== null) return this.values[i] ?? null;
+      if (values[i] !== null) return values[i] ?? null;
     return best;
   }
 }

@@ -21,6 +21,9 @@ interface Axis {
   readonly to: number;
 }
 
+/** Time and coordinates. */
+type Points = (readonly [number, number, number])[];
+
 const place = ({ low, high, from, to }: Axis, x: number) =>
   from + ((x - low) / (high - low)) * (to - from);
 
@@ -31,8 +34,9 @@ export class XyPlot implements Body {
   private readonly canvas = document.createElement("canvas");
   private readonly still = document.createElement("canvas").getContext("2d");
   private height = 100;
-  /** For each vertical signal: times and points. */
-  private points: (readonly [number, number, number])[][] = [];
+  /** For each vertical signal: times and points; and those of the other recording. */
+  private points: Points[] = [];
+  private others: Points[] = [];
 
   constructor(
     private readonly store: Store,
@@ -62,7 +66,7 @@ export class XyPlot implements Body {
   private show(): void {
     const [across, ...up] = this.traces;
     if (!across) return;
-    this.points = up.map((trace) => {
+    const join = (xs: (number | null)[], trace: Trace, ys: (number | null)[]): Points => {
       const times = [...new Set([...across.times, ...trace.times])].sort((a, b) => a - b);
       let i = 0,
         j = 0;
@@ -70,18 +74,20 @@ export class XyPlot implements Body {
         // Both signals hold their values until the next instant.
         while ((across.times[i + 1] ?? Infinity) <= time) i++;
         while ((trace.times[j + 1] ?? Infinity) <= time) j++;
-        const x = across.values[i],
-          y = trace.values[j];
+        const x = xs[i],
+          y = ys[j];
         return typeof x === "number" && typeof y === "number" ? [[time, x, y] as const] : [];
       });
-    });
+    };
+    this.points = up.map((trace) => join(across.values, trace, trace.values));
+    this.others = up.map((trace) => join(across.others, trace, trace.others));
     this.drawStill();
     this.moved();
   }
 
   private axes(): [Axis, Axis] {
     const { fixed } = this.model;
-    const all = this.points.flat();
+    const all = [...this.points, ...this.others].flat();
     const [left, most] = around(all.map(([, x]) => x));
     const [low, high] = fixed ?? around(all.map(([, , y]) => y));
     const width = this.element.clientWidth;
@@ -117,6 +123,20 @@ export class XyPlot implements Body {
     context.textAlign = "left";
   }
 
+  /** Names the horizontal axis; the header names the other signals. */
+  private drawName(context: CanvasRenderingContext2D, x: Axis): void {
+    const [across] = this.traces;
+    const { name = "", unit = "" } = across?.signal ?? {};
+    const title = name.replace(/^probe\./, "") + (unit === "" ? "" : ` [${unit}]`);
+    context.textAlign = "right";
+    context.fillStyle = colour("text");
+    context.lineWidth = 3;
+    context.strokeStyle = colour("panel");
+    context.strokeText(`${title} →`, x.to, this.height - bottom - 5);
+    context.fillText(`${title} →`, x.to, this.height - bottom - 5);
+    context.textAlign = "left";
+  }
+
   private drawStill(): void {
     const { still: context, element, height } = this;
     if (!context || element.clientWidth === 0) return;
@@ -129,13 +149,20 @@ export class XyPlot implements Body {
     context.rect(x.from, y.to, x.to - x.from, y.from - y.to);
     context.clip();
     context.lineWidth = 1.5;
-    this.points.forEach((points, i) => {
-      context.strokeStyle = lineColour(this.store.colourOf(this.traces[i + 1]?.number ?? 0));
-      context.beginPath();
-      for (const [, px, py] of points) context.lineTo(place(x, px), place(y, py));
-      context.stroke();
-    });
+    for (const [all, dash] of [
+      [this.others, [5, 4]],
+      [this.points, []],
+    ] as const) {
+      context.setLineDash(dash);
+      all.forEach((points, i) => {
+        context.strokeStyle = lineColour(this.store.colourOf(this.traces[i + 1]?.number ?? 0));
+        context.beginPath();
+        for (const [, px, py] of points) context.lineTo(place(x, px), place(y, py));
+        context.stroke();
+      });
+    }
     context.restore();
+    this.drawName(context, x);
   }
 
   build(height: number): void {

@@ -1,13 +1,17 @@
 // The data of a run in a saved page.
-import type { Claims, Instant, Program } from "../protocol";
+import type { Claims, Contacts, Instant, Program, WhatIf } from "../protocol";
 
 export interface SavedRun {
   readonly program: Program;
   readonly claims: Claims;
+  readonly contacts: Contacts["all"];
   readonly times: readonly number[];
   readonly dts: readonly number[];
   /** For each signal: the instants at which its cell changes, each followed by the cell. */
   readonly cells: readonly (readonly (number | string)[])[];
+  /** The values of the other recording or the edited program; null where there is none. */
+  readonly others?: readonly (readonly (number | string | null)[])[];
+  readonly whatIf?: WhatIf;
   /** For a simulated run: the true state of the robots at each instant. */
   readonly truth: readonly Instant["truth"][];
 }

@@ -1,4 +1,6 @@
 // Saves the run with the page as one file, which opens without a viewer.
+import type { Kept } from "../kept";
+import { spell } from "../plots/model";
 import type { Instant } from "../protocol";
 import type { Store } from "../store";
 import { mostInstants, pack, type SavedRun } from "./format";
@@ -15,9 +17,10 @@ function wanted({ program, range }: Store): [number, number] {
   return [at(range[0]), Math.min(at(range[0]) + mostInstants, at(range[1]) + 1)];
 }
 
-async function collect(store: Store, say: (text: string) => void): Promise<SavedRun> {
+async function collect(store: Store, kept: Kept, say: (text: string) => void): Promise<SavedRun> {
   const [first, end] = wanted(store);
   const signals = store.program.signals.map((): (number | string)[] => []);
+  const others = store.program.signals.map((): (number | string | null)[] => []);
   const times: number[] = [],
     dts: number[] = [],
     truth: Instant["truth"][] = [];
@@ -33,6 +36,10 @@ async function collect(store: Store, say: (text: string) => void): Promise<Saved
         const changes = signals[i];
         if (changes && changes.at(-1) !== cell) changes.push(k, cell);
       });
+      instant.others?.forEach((cell, i) => {
+        const changes = others[i];
+        if (changes && (changes.length === 0 || changes.at(-1) !== cell)) changes.push(k, cell);
+      });
     }
   }
   const { program } = store;
@@ -40,19 +47,22 @@ async function collect(store: Store, say: (text: string) => void): Promise<Saved
     program: {
       ...program,
       live: false,
-      at: times[0] ?? 0,
+      at: store.instant?.time ?? times[0] ?? 0,
       start: times[0] ?? 0,
       end: times.at(-1) ?? 0,
       instants: times.length,
       replayed: times.length,
       sees: false,
       console: [],
-      kept: "",
+      kept: kept.text({ range: [...store.range], plots: spell(store.plots, program) }),
     },
     claims: { is: "claims", all: store.claims },
+    contacts: store.contacts,
     times,
     dts,
     cells: signals,
+    ...(store.hasOthers ? { others } : {}),
+    ...(store.whatIf?.there ? { whatIf: store.whatIf } : {}),
     truth,
   };
 }
@@ -92,6 +102,7 @@ function size(bytes: number): string {
 
 export function startSaving(
   store: Store,
+  kept: Kept,
   button: HTMLButtonElement,
   dialog: HTMLDialogElement,
 ): void {
@@ -113,8 +124,8 @@ export function startSaving(
       run.times.length < store.program.instants ? " of the part that the plots show" : "";
     say(
       `The program, its ${run.times.length} instants${part} and this page: ` +
-        `${size(content.size)}. The file opens in a browser, without frobc. It cannot search, ` +
-        "explain values, or run edited programs.",
+        `${size(content.size)}. The file opens in a browser, without frobc, and shows this view. It ` +
+        "cannot search, explain values, or run edited programs.",
     );
     save.hidden = false;
     save.onclick = () => {
@@ -129,7 +140,7 @@ export function startSaving(
   button.onclick = () => {
     save.hidden = true;
     dialog.showModal();
-    collect(store, say)
+    collect(store, kept, say)
       .then(async (run) => {
         offer(await build(run), run);
       })

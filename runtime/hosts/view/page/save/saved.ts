@@ -28,6 +28,7 @@ export class Saved implements Link {
       this.run = run;
       this.answer(run.program, "");
       this.answer(run.claims, "");
+      if (run.whatIf) this.answer(run.whatIf, "");
     });
     // There is no viewer with which the page could lose contact.
     setInterval(() => this.answer({ is: "beat", time: 0 }, ""), 100);
@@ -62,6 +63,8 @@ export class Saved implements Link {
     if (word === "path") return this.path(run, a, b, d);
     if (word === "way") return this.way(run, a, c);
     if (word === "claims") return run.claims;
+    if (word === "contacts")
+      return { is: "contacts", count: run.contacts.length, all: run.contacts };
     const why = "a saved page cannot do this: use frobc view with the recording";
     return word === "find" ? { is: "found", why } : { is: "refused", why };
   }
@@ -79,7 +82,10 @@ export class Saved implements Link {
   }
 
   private cell({ cells }: SavedRun, signal: number, k: number): string {
-    const changes = cells[signal] ?? [];
+    return String(this.value(cells[signal] ?? [], k) ?? "");
+  }
+
+  private value(changes: readonly (number | string | null)[], k: number): number | string | null {
     let low = 0,
       high = changes.length / 2;
     while (high - low > 1) {
@@ -87,7 +93,7 @@ export class Saved implements Link {
       if (Number(changes[2 * middle]) <= k) low = middle;
       else high = middle;
     }
-    return String(changes[2 * low + 1] ?? "");
+    return changes[2 * low + 1] ?? null;
   }
 
   private instant(run: SavedRun, k: number): Instant {
@@ -98,9 +104,15 @@ export class Saved implements Link {
       time: run.times[k] ?? 0,
       dt: run.dts[k] ?? 0,
       cells: run.cells.map((_, signal) => this.cell(run, signal, k)),
+      ...(run.others ? { others: run.others.map((each) => this.other(each, k)) } : {}),
       recent: this.recent(run, k),
       ...(truth ? { truth } : {}),
     };
+  }
+
+  private other(changes: readonly (number | string | null)[], k: number): string | null {
+    const value = this.value(changes, k);
+    return value === null ? null : String(value);
   }
 
   private recent(run: SavedRun, k: number): Instant["recent"] {
@@ -112,11 +124,12 @@ export class Saved implements Link {
     return signals.flatMap((signal, number) => {
       if (signal.side !== "input" || signal.kind !== "event") return [];
       for (let i = k; i >= 0 && (run.times[i] ?? 0) > since; i--) {
-        const value = numberOf(signal, this.cell(run, number, i));
+        const cell = this.cell(run, number, i);
+        const value = numberOf(signal, cell);
         if (value === null) continue;
         const [x, y, heading] =
           run.truth[i]?.[0] ?? pose.map((each) => Number(this.cell(run, each, i) || NaN));
-        return [[number, value, x ?? null, y ?? null, heading ?? null] as const];
+        return [[number, value, x ?? null, y ?? null, heading ?? null, cell] as const];
       }
       return [];
     });
@@ -126,6 +139,7 @@ export class Saved implements Link {
     const first = this.at(run, from),
       end = Math.min(run.times.length, this.at(run, to) + 2);
     const of = run.program.signals[signal];
+    const others = run.others?.[signal];
     return {
       is: "series",
       signal,
@@ -135,11 +149,20 @@ export class Saved implements Link {
       values: Array.from({ length: end - first }, (_, i) =>
         of ? numberOf(of, this.cell(run, signal, first + i)) : null,
       ),
+      ...(others && of
+        ? {
+            others: Array.from({ length: end - first }, (_, i) =>
+              numberOf(of, this.other(others, first + i) ?? ""),
+            ),
+          }
+        : {}),
     };
   }
 
   private path(run: SavedRun, x: number, y: number, from: number): Path {
     const place = (signal: number, k: number) => Number(this.cell(run, signal, k) || NaN);
+    const other = (signal: number, k: number) =>
+      Number(this.other(run.others?.[signal] ?? [], k) ?? NaN);
     return {
       is: "path",
       x,
@@ -149,6 +172,9 @@ export class Saved implements Link {
       points: run.times
         .slice(from)
         .map((time, i) => [time, place(x, from + i), place(y, from + i)]),
+      ...(run.others
+        ? { others: run.times.map((time, k) => [time, other(x, k), other(y, k)] as const) }
+        : {}),
     };
   }
 

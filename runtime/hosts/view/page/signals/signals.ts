@@ -107,7 +107,11 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
     rows[number] = row;
     group.add(row, ...(isMode ? [modesOf(store, signal, number)] : []));
   });
-  list.append(...[...groups.values()].map(({ element }) => element));
+  const none = document.createElement("p");
+  none.className = "empty";
+  none.textContent = "No signal has this in its name.";
+  none.hidden = true;
+  list.append(...[...groups.values()].map(({ element }) => element), none);
   startRoving(list);
 
   const matching = () => filter.value.trim().toLowerCase();
@@ -142,6 +146,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   };
   filter.oninput = () => {
     for (const group of groups.values()) group.filter(matching());
+    none.hidden = [...groups.values()].some(({ element }) => !element.hidden);
   };
   filter.onkeydown = (event) => {
     const first = [...groups.values()]

@@ -79,6 +79,15 @@ export class Lines {
     this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
   }
 
+  /** Shows this instance of the signal function of these lines, if they have signals of it. */
+  choose(file: string, first: number, last: number, instance: string): void {
+    for (const line of this.between(file, first, last)) {
+      const instances = this.files.get(file)?.get(line) ?? new Map<string, number[]>();
+      const at = [...instances.keys()].indexOf(instance);
+      if (at >= 0) this.chosen.set(Lines.key(instances), at);
+    }
+  }
+
   /** Returns whether an instance runs: then some signal has a value. An instance that contains only
    * events, which have no value at most instants, counts as running. */
   private runs(instance: string): boolean {

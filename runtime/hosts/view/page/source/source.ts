@@ -48,6 +48,8 @@ const look = EditorView.theme({
     whiteSpace: "nowrap",
     background: "linear-gradient(to right, transparent, var(--panel) 1.5ch)",
   },
+  // They let the text shine through while the pointer is on the text.
+  ".cm-line:hover .values:not(:hover)": { opacity: "0.15" },
   ".values button": {
     font: "12px var(--mono)",
     color: "var(--text)",
@@ -270,9 +272,23 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       }),
     });
   };
+  /** Shows the program itself, at the lines that were visible. */
+  const selectOwn = () => {
+    const at =
+      current === sources[0] ? view.lineBlockAtHeight(view.scrollDOM.scrollTop).from : null;
+    select(sources[0]);
+    return at;
+  };
+  const scrollTo = (at: number | null) => {
+    if (at !== null && at <= view.state.doc.length)
+      view.dispatch({
+        selection: { anchor: at },
+        effects: EditorView.scrollIntoView(at, { y: "start", yMargin: 0 }),
+      });
+  };
   const bar = new WhatIfBar(store, {
     begin: (text) => {
-      select(sources[0]);
+      const at = selectOwn();
       const undo = undoing();
       const keys = keymap.of([
         {
@@ -292,7 +308,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
         {
           key: "Escape",
           run: () => {
-            bar.discard();
+            bar.close();
             return true;
           },
         },
@@ -303,11 +319,12 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
         effects: writing.reconfigure([keys, undo.extension, input, tinted]),
         ...(text === null ? {} : { changes: { from: 0, to: length, insert: text } }),
       });
+      scrollTo(at);
       view.focus();
     },
     text: () => view.state.doc.toString(),
     end: () => {
-      select(sources[0]);
+      scrollTo(selectOwn());
     },
   });
 
@@ -315,7 +332,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const tab = document.createElement("button");
     tab.textContent = source.name;
     tab.onclick = () => {
-      if (store.isEditing) bar.discard();
+      if (store.isEditing) bar.close();
       select(source);
     };
     tabs.append(tab);
@@ -330,6 +347,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   store.on("plotted", update);
   store.on("place", () => {
     const { place } = store;
+    if (place?.instance !== undefined)
+      lines.choose(place.file, place.line, place.last, place.instance);
     if (!store.isEditing && place && place.file !== current?.name)
       select(sources.find((source) => source.name === place.file) ?? current);
     update();

@@ -28,7 +28,7 @@ export class WhatIfBar {
     this.button.textContent = "What if …";
     this.button.title = "Edit the program, and run it on the same inputs (e)";
     this.button.id = "what-if";
-    this.button.onclick = () => (store.isEditing ? this.discard() : this.begin());
+    this.button.onclick = () => (store.isEditing ? this.close() : this.begin());
     this.params = new ParamFields(store.program.params, () => this.run("what-if"));
     const press = (name: string, title: string, act: () => void) => {
       const button = document.createElement("button");
@@ -43,7 +43,7 @@ export class WhatIfBar {
       press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)", () =>
         this.run("drive"),
       ),
-      press("Discard", "Restore the original program (Escape)", () => this.discard()),
+      press("Discard", "Restore the original program", () => this.discard()),
     );
     const hint = document.createElement("p");
     hint.textContent =
@@ -57,10 +57,12 @@ export class WhatIfBar {
   }
 
   /** Continues with a text that was edited before, or starts with the program's own. */
-  begin(text: string | null = null): void {
+  begin(text: string | null = this.store.edited): void {
     this.store.isEditing = true;
     this.element.hidden = false;
-    this.said.textContent = "";
+    this.said.classList.remove("bad");
+    this.said.textContent =
+      text === null ? "" : "This is your edited program. Run it to compare its values.";
     this.params.reset();
     this.button.ariaPressed = "true";
     this.editor.begin(text);
@@ -78,12 +80,19 @@ export class WhatIfBar {
     this.store.askWhatIf(how, text, settings);
   }
 
-  discard(): void {
+  /** Ends editing, but keeps the edited text for the next time. */
+  close(): void {
     this.store.isEditing = false;
     this.element.hidden = true;
     this.button.ariaPressed = "false";
+    this.button.textContent = this.store.edited === null ? "What if …" : "What if … (edited)";
     this.editor.end();
     this.store.dropWhatIf();
+  }
+
+  discard(): void {
+    this.store.edited = null;
+    this.close();
   }
 
   private show(): void {
@@ -96,7 +105,14 @@ export class WhatIfBar {
     else if (!there) this.said.textContent = "";
     else if (first === undefined)
       this.said.textContent = `${where}Its outputs are the same at all instants.`;
-    else
-      this.said.textContent = `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}.`;
+    else {
+      const go = document.createElement("button");
+      go.textContent = "Go there";
+      go.onclick = () => this.store.goTo(first);
+      this.said.replaceChildren(
+        `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}. `,
+        go,
+      );
+    }
   }
 }

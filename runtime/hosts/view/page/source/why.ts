@@ -107,7 +107,8 @@ export class WhyPanel {
     const last = this.way.at(-1);
     if (!why || why.signal !== last?.signal || why.k !== last.k) return;
     this.render();
-    this.store.show(why.file === "" ? null : why);
+    const { instance } = this.signal(why.signal);
+    this.store.show(why.file === "" ? null : { ...why, instance });
   }
 
   // Returns a signal by its number.
@@ -132,7 +133,13 @@ export class WhyPanel {
     head.append(back);
     this.element.replaceChildren(head);
     if (!why) {
-      head.append(span("hint", "Click a value to see where it came from."), close);
+      head.append(
+        span(
+          "hint",
+          "Click a value or a signal to see where it came from; close this panel to plot signals again.",
+        ),
+        close,
+      );
       return;
     }
     const signal = this.signal(why.signal);
@@ -146,7 +153,7 @@ export class WhyPanel {
   }
 
   private since({ since, k }: Why): HTMLElement {
-    if (since.k === k && !since.longer) return span("hint", "since this instant");
+    if (since.k === k && !since.longer) return span("hint", "changed at this instant");
     const { longer } = since;
     const made = button(
       `since instant ${since.k}${longer ? " or longer" : ""}`,

@@ -68,6 +68,19 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     }
   };
 
+  /** Marks the collisions of a simulated robot at the top. */
+  const drawContacts = () => {
+    context.fillStyle = colour("bad");
+    for (const [time] of store.contacts) {
+      const x = place(time);
+      context.beginPath();
+      context.moveTo(x - 4, 0);
+      context.lineTo(x + 4, 0);
+      context.lineTo(x, 7);
+      context.fill();
+    }
+  };
+
   /** Draws the occurrences of an event. */
   const drawEvents = (series: Series, y: number) => {
     context.fillStyle = colour("accent");
@@ -193,6 +206,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     drawAxis(bottom);
     for (const claim of store.claims) drawViolations(claim, bottom);
     drawRows();
+    drawContacts();
   };
 
   const drawMoving = () => {
@@ -274,5 +288,6 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("range", draw);
   store.on("spans", draw);
   store.on("claims", draw);
+  store.on("contacts", draw);
   onTheme(draw);
 }
