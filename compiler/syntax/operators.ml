@@ -132,7 +132,15 @@ let compared_twice first (operand : term) second =
         name.text name.text (shown second)
   | _ -> "compare two at a time: `a < b && b < c`"
 
-let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
+(* `0.2[m] < d && d < …` for a chain of comparisons *)
+let both_compared (left : term) first (operand : term) second quote =
+  match (quote left.span, quote operand.span) with
+  | Some left, Some operand ->
+      Printf.sprintf "compare two at a time: `%s %s %s && %s %s …`" left (shown first) operand
+        operand (shown second)
+  | _ -> compared_twice first operand second
+
+let reject_two (left : term) (first : Ir.qualified) operand (second : Ir.qualified) =
   match written_in_words operand with
   | Some (word, symbol, at) ->
       Reject.diagnostic
@@ -140,13 +148,14 @@ let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
         |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word)
         |> Diagnostic.write at symbol)
   | None ->
-      Reject.diagnostic
-        (Diagnostic.error ~code:"E0113" ~at:second.span
-           "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
-        |> Diagnostic.label ~at:first.span "after this one"
-        |> Diagnostic.hint
-             (if fst (precedence second) = comparison_level then compared_twice first operand second
-              else "put parentheses around the part to compute first"))
+      Reject.with_text (fun quote ->
+          Diagnostic.error ~code:"E0113" ~at:second.span
+            "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
+          |> Diagnostic.label ~at:first.span "after this one"
+          |> Diagnostic.hint
+               (if fst (precedence second) = comparison_level then
+                  both_compared left first operand second quote
+                else "put parentheses around the part to compute first"))
 
 let in_parentheses (first : Span.t) (last : Span.t) =
   let place at = Span.make ~file:first.file ~start:at ~stop:at in
@@ -177,7 +186,7 @@ let rec reduce stack operand level side next =
       if b.level > level || (b.level = level && b.side = Left && side = Left) then
         reduce rest (apply b.left b.operator operand) level side next
       else if b.level = level && not (b.side = Right && side = Right) then
-        reject_two b.operator operand next
+        reject_two b.left b.operator operand next
       else (stack, operand)
   | Unary at :: rest ->
       if minus_level > level || (minus_level = level && side = Left) then

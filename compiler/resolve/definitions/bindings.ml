@@ -201,7 +201,7 @@ let report_pattern (scope : Scope.t) item =
              x.text x.text name.text
        | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
            Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
-             (String.uncapitalize_ascii name.text)
+             (Name_in_text.lower_case name.text)
        | Pattern _ | Name _ | Function_name _ ->
            "define each name separately, or match the pattern in a `let` or `where`")
   |> Context.emit scope.context

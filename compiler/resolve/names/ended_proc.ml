@@ -58,6 +58,23 @@ let without_name program (name : name) =
         }
   | Some _ | None -> None
 
+let is_in_second_where (program : program) (name : name) =
+  let is_it (d : declaration) =
+    match d.desc with
+    | Binding
+        {
+          right =
+            {
+              body = Plain { desc = Proc { body = Output { equations = _ :: _; _ }; _ }; _ };
+              where = _ :: _ as where;
+            };
+          _;
+        } ->
+        List.exists (fun (d : declaration) -> contains d.span name.span) where
+    | _ -> false
+  in
+  List.exists is_it program.declarations
+
 (* {1 [switch]} *)
 
 let quote ~text (at : Span.t) =

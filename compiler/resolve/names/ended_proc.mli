@@ -11,6 +11,9 @@ type hint = {
 val without_name : Syntax.Ir.program -> Syntax.Ir.name -> hint option
 (** The hint if the innermost [proc] around the name has [_] in place of an input. *)
 
+val is_in_second_where : Syntax.Ir.program -> Syntax.Ir.name -> bool
+(** Is the name in the [where] of a definition whose body is a [proc] with a [where] of its own? *)
+
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
 (** The hint if the name is an input of the first argument of a [switch], and is used in another
     argument: as a separate argument for the event, or in the next mode. [text]: the source text of

@@ -102,6 +102,22 @@ let call ~text (span : Span.t) =
     if String.equal written name || String.starts_with ~prefix:(name ^ " ") written then None
     else Some (on_line span first stop, written)
 
+let lower_case name =
+  let is_capital c = Character.is_upper c || Character.is_digit c || c = '_' in
+  if not (String.for_all is_capital name) then String.uncapitalize_ascii name
+  else
+    match String.split_on_char '_' (String.lowercase_ascii name) with
+    | first :: rest -> String.concat "" (first :: List.map String.capitalize_ascii rest)
+    | [] -> name
+
+let field ~text (span : Span.t) =
+  let line = line_of text span in
+  let point = Span.column span.stop - 1 in
+  let stop = forward Character.is_name line (point + 1) in
+  if char_at line point = '.' && stop > point + 1 then
+    Some (on_line span (Span.column span.start - 1) stop)
+  else None
+
 let equation ~text (span : Span.t) =
   let line = String.trim (line_of text span) in
   let start = forward Character.is_name line 0 in
@@ -154,6 +170,26 @@ let definition ~text (span : Span.t) =
       let first = List.hd above in
       (String.sub first 0 (forward Character.is_name first 0), List.mem "where" words))
     (up [] (List.rev before))
+
+let divided_difference ~text (span : Span.t) =
+  let line = line_of text span in
+  let slash = backward (Char.equal ' ') line (Span.column span.start - 1) - 1 in
+  let closing = backward (Char.equal ' ') line slash - 1 in
+  let rec opening i depth =
+    match char_at line i with
+    | '\000' -> None
+    | ')' -> opening (i - 1) (depth + 1)
+    | '(' -> if depth = 1 then Some i else opening (i - 1) (depth - 1)
+    | _ -> opening (i - 1) depth
+  in
+  if char_at line slash <> '/' || char_at line closing <> ')' then None
+  else
+    Option.bind (opening closing 0) (fun first ->
+        let inside = String.sub line (first + 1) (closing - first - 1) in
+        match String.split_on_char '-' inside with
+        | [ x; _ ] when String.trim x <> "" ->
+            Some (on_line span first (Span.column span.stop - 1), Source.grouped (String.trim x))
+        | _ -> None)
 
 let application ~text (span : Span.t) =
   let line = line_of text span in

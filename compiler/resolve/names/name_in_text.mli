@@ -36,6 +36,12 @@ val call : text:string -> Span.t -> (Span.t * string) option
 (** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
     Frob, if that does not begin with the name. *)
 
+val lower_case : string -> string
+(** The name of a value for such a constructor: [speed] for [Speed], [maxSpeed] for [MAX_SPEED]. *)
+
+val field : text:string -> Span.t -> Span.t option
+(** The place of the name together with the field after it, as in [math.sin]. *)
+
 val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)
 
@@ -46,6 +52,10 @@ val replaced : name:string -> by:string -> string -> (int * string) option
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
     contains a [where]. *)
+
+val divided_difference : text:string -> Span.t -> (Span.t * string) option
+(** The quotient [(x - y) / dt] that ends with the name [dt]: its place and [x], in parentheses if
+    it needs them as an argument. *)
 
 val application : text:string -> Span.t -> (Span.t * string list) option
 (** The application of the name to arguments on its line, each a name, a number or in parentheses:

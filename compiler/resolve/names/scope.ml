@@ -236,6 +236,14 @@ let power_in_text t (name : Syntax.Ir.name) =
   | _ -> None
 
 (* `len a`, as a factor or divisor of Floats *)
+(* `(x - xBefore) / dt` *)
+let rate_in_text t (name : Syntax.Ir.name) =
+  if not (List.mem name.text [ "dt"; "deltaTime"; "delta_t" ]) then None
+  else
+    Option.map
+      (fun (whole, x) -> (whole, "derivative " ^ x))
+      (Name_in_text.divided_difference ~text:t.text name.span)
+
 let length_in_text t (name : Syntax.Ir.name) =
   match (name.text, Name_in_text.application ~text:t.text name.span) with
   | ("len" | "sizeof"), Some (whole, [ argument ]) ->
@@ -248,13 +256,20 @@ let length_in_text t (name : Syntax.Ir.name) =
       Some (whole, if is_factor then Printf.sprintf "toFloat (%s)" text else text)
   | _ -> None
 
+(* `math.sin(x)`, which is parsed as a field of `math` *)
+let of_a_module t (name : Syntax.Ir.name) =
+  if not (List.mem name.text [ "math"; "np"; "numpy" ]) then None
+  else Option.bind (Name_in_text.field ~text:t.text name.span) (Name_in_text.call ~text:t.text)
+
 let call_in_text t space (name : Syntax.Ir.name) =
   if not (String.equal space.noun "name") then None
   else
     match Name_in_text.call ~text:t.text name.span with
     | Some call -> Some call
-    | None -> (
-        match power_in_text t name with Some power -> Some power | None -> length_in_text t name)
+    | None ->
+        List.find_map
+          (fun rule -> rule t name)
+          [ power_in_text; length_in_text; rate_in_text; of_a_module ]
 
 let clamp_module = ", with `import Control`"
 
@@ -289,7 +304,7 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
          && Name_in_text.starts_an_equation ~text:t.text name.text ->
       Diagnostic.hint
         (Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
-           (String.uncapitalize_ascii name.text))
+           (Name_in_text.lower_case name.text))
         diagnostic
       |> Option.some
   | None when String.equal space.noun "name" && following = '"' ->
@@ -430,13 +445,17 @@ let with_suggestion t space ~locals (name : Syntax.Ir.name) diagnostic =
   | Some _ | None -> suggested
 
 (* A signal of a `proc` in this definition that ends before the name. *)
-let of_this_proc (signal : Proc_signals.t) ~of_proc diagnostic =
+let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where diagnostic =
   Diagnostic.label ~at:signal.name.span
     (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)
     diagnostic
   |>
   match Lazy.force of_proc with
   | Some hint when not signal.of_do -> of_ended_proc hint
+  | None when (not signal.of_do) && second_where ->
+      Diagnostic.hint
+        "this second `where` belongs to the whole definition, so it cannot use signals: move its \
+         equations into the first `where`"
   | Some _ | None ->
       Diagnostic.hint
         (if signal.of_do then
@@ -494,7 +513,9 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
           (Printf.sprintf "it is imported under its module's name: write `%s`" text)
           diagnostic
         |> Diagnostic.write name.span text
-    | _, _, Some signal -> of_this_proc signal ~of_proc diagnostic
+    | _, _, Some signal ->
+        let second_where = Ended_proc.is_in_second_where t.syntax name in
+        of_this_proc signal ~of_proc ~second_where diagnostic
     | _ :: _, _, None -> diagnostic
     | [], None, None when Lazy.force of_proc <> None ->
         of_ended_proc (Option.get (Lazy.force of_proc)) diagnostic
@@ -555,7 +576,15 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name)
      |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ]
    else
      match Other_languages.qualifier qualifier.text with
-     | Some hint -> Diagnostic.hint hint diagnostic
+     | Some hint -> (
+         let whole = { qualifier.span with stop = name.span.stop } in
+         match Name_in_text.call ~text:t.text whole with
+         | Some (at, text) when Syntax.Other_notation.expression text <> None ->
+             Diagnostic.hint
+               (Printf.sprintf "mathematical functions are built in: write `%s`" text)
+               diagnostic
+             |> Diagnostic.write at (Source.grouped text)
+         | Some _ | None -> Diagnostic.hint hint diagnostic)
      | None ->
          let imported =
            lazy

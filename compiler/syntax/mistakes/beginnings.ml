@@ -44,6 +44,23 @@ let is_forever line =
 
 let forever = "to repeat the tasks of this block, write `forever $ do` in place of this line"
 
+(* The number of rounds in `for i in range(4)`, `for i in 1..4` or `for (i = 0; i < 4; i++)`. *)
+let rounds line =
+  let is_for =
+    List.exists (fun w -> String.starts_with ~prefix:w (String.trim line)) [ "for "; "for(" ]
+  in
+  let separate c = if Basis.Character.is_digit c then c else ' ' in
+  let numbers = List.filter (( <> ) "") (String.split_on_char ' ' (String.map separate line)) in
+  let is_counted =
+    String.contains line '.' || String.contains line '(' || String.contains line ':'
+  in
+  match List.rev numbers with last :: _ when is_for && is_counted -> Some last | _ -> None
+
+let repeated rounds =
+  Printf.sprintf
+    "to run the tasks of this block %s times, write `repeatT %s $ do` in place of this line" rounds
+    rounds
+
 let waiting =
   "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \
    that occurs 1 s after the start"

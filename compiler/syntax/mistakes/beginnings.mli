@@ -12,6 +12,12 @@ val of_record : string
 val declare_a_record : string -> string
 (** The hint to declare a record in this way. *)
 
+val rounds : string -> string option
+(** The number of rounds of the loop that begins on this line, if it is a counted loop. *)
+
+val repeated : string -> string
+(** The hint for a loop with this number of rounds in a task. *)
+
 val waiting : string
 (** The hint that explains how to wait. *)
 

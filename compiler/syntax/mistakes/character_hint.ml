@@ -190,6 +190,47 @@ let types_a_parameter text start at =
   && String.contains line '('
   && not (String.exists (function '=' | '{' | '"' -> true | _ -> false) line)
 
+let end_of_line text at =
+  Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
+
+(* The text up to a closing bracket without its opening one. *)
+let without_closing text =
+  let rec last i depth =
+    if i >= String.length text then i
+    else
+      match text.[i] with
+      | '(' -> last (i + 1) (depth + 1)
+      | ')' -> if depth = 0 then i else last (i + 1) (depth - 1)
+      | _ -> last (i + 1) depth
+  in
+  String.trim (String.sub text 0 (last 0 0))
+
+(* `if c then a else b` for `if c: a else: b` around the colon. *)
+let chosen_inline text at =
+  let open Basis.Let_syntax.Option in
+  let start = line_start text at in
+  let line = String.sub text start (end_of_line text at - start) in
+  let find part from =
+    let n = String.length part in
+    let rec go i =
+      if i + n > String.length line then None
+      else if String.equal (String.sub line i n) part then Some i
+      else go (i + 1)
+    in
+    go from
+  in
+  let colon = at - start in
+  let* first = find "if " 0 in
+  let* last = find " else" colon in
+  let rest = without_closing (String.sub line (last + 5) (String.length line - last - 5)) in
+  let rest =
+    if rest <> "" && rest.[0] = ':' then String.sub rest 1 (String.length rest - 1) else rest
+  in
+  let* condition = Other_notation.expression (String.sub line (first + 3) (colon - first - 3)) in
+  let* value = Other_notation.expression (String.sub line (colon + 1) (last - colon - 1)) in
+  let* other = Other_notation.expression rest in
+  Some (Printf.sprintf "if %s then %s else %s" condition value other)
+
 let is_constructor word =
   word <> "" && Basis.Character.is_upper word.[0] && String.for_all Basis.Character.is_name word
 
@@ -205,6 +246,7 @@ let of_colon text at =
       hint
         (match Other_definition.of_python text start with
         | Some d -> Other_definition.advice d
+        | None when String.equal (of_def words) "main" -> Other_definition.of_main
         | None -> Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
   | "if" :: _ when chosen text start <> None -> hint (of_choice ^ Option.get (chosen text start))
   | ("assert" | "assume") :: _ ->
@@ -215,6 +257,11 @@ let of_colon text at =
   | "while" :: _ ->
       hint
         "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"
+  | "for" :: _
+    when ends_line
+         && char_at text start = ' '
+         && Beginnings.rounds (String.concat " " words) <> None ->
+      hint (Beginnings.repeated (Option.get (Beginnings.rounds (String.concat " " words))))
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
   | _ when is_a_range text at ->
       hint
@@ -259,7 +306,11 @@ let of_colon text at =
   | _ when ends_line -> hint of_block
   | _ when joins text start at && not (List.mem "if" words) ->
       hint "an array has a fixed size: write all its elements, as in `[x, 0, 0]`"
-  | _ when List.mem "if" words -> hint "put `then` after the condition: `if c then a else b`"
+  | _ when List.mem "if" words ->
+      hint
+        (match chosen_inline text at with
+        | Some choice -> Printf.sprintf "write `%s`" choice
+        | None -> "put `then` after the condition: `if c then a else b`")
   | _ -> of_field text at
 
 (* {1 Other characters} *)
@@ -416,6 +467,14 @@ let of_character ~text ~at character =
           only (Printf.sprintf "write `%s`" negation)
       | Some (negation, _) -> both (Printf.sprintf "write `%s`" negation) "not "
       | None -> both "write `not b` for the opposite of `b`" "not ")
+  | "?", None when next = '?' ->
+      let rest = String.trim (String.sub text (at + 2) (end_of_line text at - at - 2)) in
+      let value = ending text (at - 1) Basis.Character.is_name in
+      let default = List.hd (String.split_on_char ' ' (without_closing rest)) in
+      only
+        (if value = "" || default = "" then
+           "use `fromMaybe x m`, where `x` replaces a missing value"
+         else Printf.sprintf "use `fromMaybe %s %s`" default value)
   | "?", None ->
       only
         (Printf.sprintf "use `%s`" (Option.value (ternary text at) ~default:"if c then a else b"))

@@ -218,9 +218,12 @@ let computed_index found =
   | Some name, Some text when is_a_name found.before && text <> "" && not (holds_a_unit found) -> (
       let name = word_before found name.stop.pos_cnum in
       match Other_notation.expression text with
+      | Some ("t - 1" | "k - 1" | "n - 1") -> Some (Printf.sprintf "delay 0 %s" name)
       | Some index -> Some (Printf.sprintf "(at %s 0 %s)" (Basis.Source.grouped index) name)
       | None -> None)
   | _ -> None
+
+let is_delayed = String.starts_with ~prefix:"delay "
 
 let bracket_after_name found =
   match found.token.token with
@@ -231,6 +234,12 @@ let bracket_after_name found =
            |> Diagnostic.hint
                 "remove the unit if the value has one already; to give a plain number a unit, \
                  multiply: `x * 1[m]`"
+         else if Option.fold (computed_index found) ~none:false ~some:is_delayed then
+           no_index found
+           |> Diagnostic.hint
+                (Printf.sprintf
+                   "for the value one instant ago, write `%s`, where 0 is the initial value"
+                   (Option.get (computed_index found)))
          else if computed_index found <> None then
            no_index found
            |> Diagnostic.hint

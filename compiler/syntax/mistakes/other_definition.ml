@@ -179,8 +179,13 @@ let of_matlab text at =
           )
       | _ -> None)
 
+let of_main =
+  "define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows \
+   signals, `main = reactimateTask t` for one that runs a task `t`"
+
 let advice t =
   match t.signature with
+  | _ when String.starts_with ~prefix:"main " t.equation -> of_main
   | Some signature ->
       Printf.sprintf "write a signature, `%s`, and below it an equation, `%s`" signature t.equation
   | None -> Printf.sprintf "define a function by an equation: `%s`" t.equation

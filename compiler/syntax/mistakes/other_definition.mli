@@ -16,6 +16,9 @@ val of_python : string -> int -> t option
 val of_matlab : string -> int -> t option
 (** The function of MATLAB that begins at this offset: [function y = f(x)]. *)
 
+val of_main : string
+(** The hint for a function [main]. *)
+
 val advice : t -> string
 (** The hint to write the signature, if there is one, and the equation. *)
 

@@ -53,9 +53,16 @@ let apply name arguments =
         (String.concat ", " several) name (String.concat " " several)
 
 (* The place of the output expression. *)
-let rec output_of (e : Ir.expr) =
+let rec output_of (program : Ir.program) (e : Ir.expr) =
+  let is_it (g : Ir.Global.t) (d : Ir.definition) =
+    d.name = g && String.equal g.module_ program.main_module
+  in
   match e.desc with
-  | Apply (_, argument) -> output_of argument
+  | Apply (_, argument) -> output_of program argument
+  | Global (g, _) -> (
+      match List.find_opt (is_it g) program.definitions with
+      | Some { value = { desc = Proc { output; _ }; _ }; _ } -> output.span
+      | Some _ | None -> e.span)
   | Proc { output; _ } -> output.span
   | _ -> e.span
 
@@ -78,12 +85,12 @@ let refusal program ~closed (d : Ir.definition) =
   in
   match kind d.scheme.ty with
   | (Signal_function { output } | Program { output }) when sets_output program d output ->
-      refuse ~at:(output_of d.value)
+      refuse ~at:(output_of program d.value)
         (Printf.sprintf "its output is a function, `%s`, not the output of a robot" (Show.ty output))
         "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v \
          omega)`"
   | Program { output = Function _ | Number _ | Bool | Tuple _ } ->
-      refuse ~at:(output_of d.value)
+      refuse ~at:(output_of program d.value)
         (Printf.sprintf "its type is `%s`, whose output is not the output of a robot" ty)
         "use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Program _) when closed || is_closed d -> None

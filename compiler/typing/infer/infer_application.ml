@@ -261,7 +261,10 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
             List.exists lacks instance.required
           in
           let order =
-            match Argument_order.exchanged ~unfit ~parameters ~given ~position:failed with
+            match
+              if Bare_number.is_per_millisecond (words ctx) argument.value then None
+              else Argument_order.exchanged ~unfit ~parameters ~given ~position:failed
+            with
             | Some other -> Some (Argument_order.exchange failed other ~of_:(List.length arguments))
             | None -> Argument_order.rotated ~unfit ~parameters ~given
           in

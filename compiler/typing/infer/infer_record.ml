@@ -169,6 +169,48 @@ let through ctx words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
            d)
   | _ -> None
 
+(* By convention, the names of robots' input records end in `Input`. *)
+let is_an_input ty =
+  match Type.expand ty with
+  | Data { tycon; _ } -> String.ends_with ~suffix:"Input" tycon.name
+  | _ -> false
+
+let is_a_tuple ty = match Type.expand ty with Tuple [ _; _ ] -> true | _ -> false
+
+(* `p.x`, where `p` is a pair of coordinates. *)
+let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
+  let elements =
+    match (Bare_number.value words record).desc with
+    | Tuple [ a; b ] -> (Show.quote words a.span, Show.quote words b.span)
+    | _ -> (None, None)
+  in
+  match (name.text, elements) with
+  | ("x" | "y"), (Some x, Some y) ->
+      Diagnostic.hint
+        (Printf.sprintf
+           "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import \
+            Geometry`"
+           x y)
+        d
+  | _ ->
+      Diagnostic.hint
+        (Printf.sprintf "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
+           (Option.value (Show.quote words record.span) ~default:"p"))
+        d
+
+(* `i.scan`, where `i` is the input of a robot. *)
+let of_an_input (record : Resolve.Ir.expr) d =
+  let i = match record.desc with Local x -> x.name | _ -> "i" in
+  Diagnostic.hint
+    (Printf.sprintf
+       "a robot's sensors are signal functions of its input: write `frontSonar %s` for the \
+        distance in front, `sonars %s` for all sonars"
+       i i)
+    d
+
+let is_input_of_a_proc ctx (record : Resolve.Ir.expr) =
+  match record.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
@@ -212,7 +254,11 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
               match through ctx words name ~record ty d with
               | Some d -> d
               | None -> (
-                  match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))))
+                  match as_a_function ctx name ~record d with
+                  | Some d -> d
+                  | None when is_a_tuple ty -> of_a_tuple words name record d
+                  | None when is_an_input ty -> of_an_input record d
+                  | None -> usual ()))))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Handles a record whose type is unknown, perhaps because of another error. *)
@@ -224,6 +270,7 @@ let no_such_field ctx (name : Syntax.Ir.name) ~record =
         in
         match as_a_function ctx name ~record d with
         | Some d -> d
+        | None when is_input_of_a_proc ctx record -> of_an_input record d
         | None -> suggest name (Environment.field_names ctx.reader.environment) d)
 
 let several_records ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =

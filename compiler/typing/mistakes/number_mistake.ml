@@ -331,6 +331,7 @@ let likely words ~subject ~expected units =
         if Unit_conversion.is_operand expected then None
         else Formula_mistake.root words ~subject ~expected units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
+      (fun () -> Wrong_unit_mistake.superfluous_function words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.gain words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.constant words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.parameter words ~subject ~expected units);

@@ -22,10 +22,52 @@ let encloses found =
        (between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum))
        '|'
 
+(* The value and the first pattern of `match s with | 0 -> …` or `match s { 0 => … }`, if the token
+   is in the first branch. *)
+let of_match found =
+  let first = start_of_definition found in
+  let before = String.sub found.text first (found.token.start.pos_cnum - first) in
+  let words =
+    List.filter (( <> ) "")
+      (String.split_on_char ' ' (String.concat " " (String.split_on_char '\n' before)))
+  in
+  let rec value taken = function
+    | ("with" | "{") :: rest -> Some (List.rev taken, rest)
+    | "match" :: _ | [] -> None
+    | word :: rest when String.length word > 1 && String.ends_with ~suffix:"{" word ->
+        Some (List.rev (String.sub word 0 (String.length word - 1) :: taken), rest)
+    | word :: rest -> value (word :: taken) rest
+  in
+  let rec after = function
+    | ("match" | "case") :: rest -> (
+        match after rest with None -> value [] rest | found -> found)
+    | _ :: rest -> after rest
+    | [] -> None
+  in
+  match after words with
+  | Some ((_ :: _ as value), rest)
+    when List.length value <= 6 && not (List.exists (fun w -> List.mem w [ "of"; "=" ]) value) ->
+      let pattern =
+        match (List.filter (( <> ) "|") rest, found.token.token) with
+        | p :: _, _ -> p
+        | [], (NUMBER _ | UPPER _ | LOWER _) -> written found found.token
+        | [], BAR -> (
+            let at = found.token.stop.pos_cnum in
+            match String.split_on_char ' ' (between found at (end_of_line found at)) with
+            | p :: _ when p <> "" -> p
+            | _ -> "1")
+        | [], _ -> "1"
+      in
+      Some
+        (Printf.sprintf "write `case %s of`, and each branch on a line below it, as in `%s -> …`"
+           (String.concat " " value) pattern)
+  | Some _ | None -> None
+
 let matched found =
   match (found.token.token, found.before) with
-  | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
-      Some "use `case x of`, and each branch as `pattern -> value`"
+  | (BAR | ARROW | DOUBLE_ARROW | NUMBER _ | UPPER _ | LOWER _ | UNDERSCORE), Some _
+    when innermost_block found.context <> Of ->
+      of_match found
   | _ -> None
 
 (* The rest of the line from the last `=`, `->`, `(` or `,` before the token. *)
@@ -42,8 +84,28 @@ let expression_around found =
       | '>' when char_at found (i - 2) = '-' -> i
       | _ -> start (i - 1) depth
   in
+  let stop = end_of_line found bol in
+  let rec last i depth =
+    if i >= stop then stop
+    else
+      match found.text.[i] with
+      | '(' -> last (i + 1) (depth + 1)
+      | ')' -> if depth = 0 then i else last (i + 1) (depth - 1)
+      | _ -> last (i + 1) depth
+  in
   let first = start found.token.start.pos_cnum 0 in
-  between found first (end_of_line found first)
+  between found first (last first 0)
+
+(* `when c then a else b` *)
+let when_for_if found =
+  match found.token.token with
+  | THEN when not (opens_with Layout.If found.context || opens_with Layout.Then found.context) ->
+      let line = expression_around found in
+      Option.map (Printf.sprintf "use `%s`")
+        (if String.starts_with ~prefix:"when " line then
+           Other_notation.expression ("if " ^ String.sub line 5 (String.length line - 5))
+         else None)
+  | _ -> None
 
 let after_value found =
   match (found.token.token, found.before) with

@@ -3,6 +3,9 @@
 val matched : Found.rule
 (** [match x with], as in OCaml. *)
 
+val when_for_if : Found.rule
+(** [when c then a else b]. *)
+
 val after_value : Found.rule
 (** [x if c else y], as in Python. *)
 

@@ -130,6 +130,11 @@ let applies_a_function text =
 let statement found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when of_a_proc found && (not (in_brackets found.context)) && value_after found <> "" ->
+      Some
+        (Printf.sprintf "in a `do`, write an equation with `let`: `let %s = %s`"
+           (written found name) (value_after found))
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
     when innermost_block found.context = Do
          && (not (in_brackets found.context))
          && not (of_a_proc found) ->
@@ -195,5 +200,8 @@ let two_names found =
 
 let comparison found =
   match found.token.token with
+  | EQUAL when List.mem (first_word found) [ "test"; "trial" ] && found.before <> None ->
+      let rest = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
+      Some (Printf.sprintf "to compare, write `== %s`" (if rest = "" then "…" else rest))
   | EQUAL when compares found.context -> Some "use `==` to compare; `=` defines a name"
   | _ -> None

@@ -25,6 +25,30 @@ let mathematics found =
       Some "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
   | _ -> None
 
+let of_library = function
+  | "rclpy" | "rospy" | "rclcpp" | "roscpp" | "geometry_msgs" | "sensor_msgs" | "nav_msgs"
+  | "std_msgs" | "tf" | "tf2" | "tf2_ros" ->
+      Some "remove this line: `frobc run --ros2` runs a program as a node of ROS 2"
+  | "time" | "datetime" ->
+      Some
+        "remove this line: time is built in; write `time ()` for the time since the start of the \
+         program"
+  | "sys" | "os" | "threading" | "asyncio" | "typing" | "dataclasses" | "enum" | "collections" ->
+      Some "remove this line: Frob has no such module"
+  | "serial" | "gpiozero" | "RPi" | "pigpio" | "smbus" ->
+      Some "remove this line: the host of the program connects the robot; write `import Robot`"
+  | "random" ->
+      Some "write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1"
+  | "cv2" | "picamera" -> Some "write `import Vision` instead"
+  | _ -> None
+
+(* A module of Python, such as `rclpy`. *)
+let of_python found =
+  match (found.token.token, found.before) with
+  | (LOWER _ | QUALIFIED_LOWER _), Some { token = IMPORT; _ } ->
+      of_library (List.hd (String.split_on_char '.' (written found found.token)))
+  | _ -> None
+
 let capital found =
   match (found.token.token, found.before) with
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } ->

@@ -6,6 +6,12 @@ val path : Found.rule
 val mathematics : Found.rule
 (** [import math], whose functions are built in. *)
 
+val of_library : string -> string option
+(** The hint for such a module of Python. *)
+
+val of_python : Found.rule
+(** [import rclpy], a module of Python. *)
+
 val capital : Found.rule
 (** A module name that begins with a lower-case letter. *)
 

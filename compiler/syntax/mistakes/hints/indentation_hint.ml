@@ -112,9 +112,7 @@ let equation line =
 
 (* `proc i -> { v = 1; return f v }`: the output, followed by a `where` with the equations.
    [closing]: the brackets that close after the braces. *)
-let with_where found ~closing lines =
-  let bol = found.token.start.pos_bol in
-  let head = between found bol found.token.start.pos_cnum in
+let with_where ~head ~closing lines =
   let ends suffix = String.ends_with ~suffix head in
   match List.rev lines with
   | last :: (_ :: _ as equations) when ends "->" || ends "=" -> (
@@ -145,11 +143,12 @@ let without_braces found =
       let parts = String.split_on_char ';' inside in
       let lines = List.concat_map (String.split_on_char '\n') parts in
       let lines = List.filter (( <> ) "") (List.map String.trim lines) in
+      let head = between found found.token.start.pos_bol found.token.start.pos_cnum in
       let closing = between found after (end_of_line found after) in
       let closing = if String.for_all (( = ) ')') closing then closing else "" in
       match lines with
-      | _ when with_where found ~closing lines <> None ->
-          Option.get (with_where found ~closing lines)
+      | _ when with_where ~head ~closing lines <> None ->
+          Option.get (with_where ~head ~closing lines)
       | _ when String.length inside >= 80 -> by_indentation
       | [ first; second ] -> Printf.sprintf "%s`%s`, and below it `%s`" on_lines first second
       | first :: second :: _ ->
@@ -157,6 +156,27 @@ let without_braces found =
       | [ line ] -> Printf.sprintf "remove the braces, which are only for records: `%s`" line
       | [] -> by_indentation)
   | Some _ | None -> by_indentation
+
+(* Equations below `proc i ->`, and the output below them. *)
+let equations_before_output found =
+  let lines = String.split_on_char '\n' found.text in
+  let number = found.token.start.pos_lnum in
+  let line i = if i < 1 then "" else Option.value (List.nth_opt lines (i - 1)) ~default:"" in
+  let indentation text =
+    let rec go i = if i < String.length text && text.[i] = ' ' then go (i + 1) else i in
+    go 0
+  in
+  let own = indentation (line number) in
+  let rec block i =
+    let text = line i in
+    if String.trim text <> "" && indentation text = own then String.trim text :: block (i + 1)
+    else []
+  in
+  let head = line (number - 1) in
+  match found.token.token with
+  | EQUAL when own > indentation head && not (in_brackets found.context) ->
+      with_where ~head:(String.trim head) ~closing:"" (block number)
+  | _ -> None
 
 let of_where found =
   match (found.token.token, found.before) with

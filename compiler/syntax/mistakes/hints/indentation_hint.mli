@@ -3,6 +3,9 @@
 val of_where : Found.rule
 (** A `where` at the left margin. *)
 
+val equations_before_output : Found.rule
+(** Equations below `proc i ->`, and the output below them. *)
+
 val not_indented : Found.rule
 (** A definition that continues at the left margin. *)
 

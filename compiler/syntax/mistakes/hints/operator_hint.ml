@@ -147,9 +147,33 @@ let member found =
   match (found.token.token, found.before) with
   | ARROW, Some ({ token = LOWER _; _ } as name)
     when is_adjacent found name && not (is_blank (after found)) ->
+      let record = written found name in
+      let field = part found (word_from found found.token.stop.pos_cnum) in
       Some
-        "use `r.speed` for a field; to read a sensor, apply its signal function, as in `frontSonar \
-         i`"
+        (if field = "" then
+           "use `r.speed` for a field; to read a sensor, apply its signal function, as in \
+            `frontSonar i`"
+         else if List.mem record [ "i"; "input"; "robot"; "this"; "self" ] then
+           Printf.sprintf "to read a sensor, write `%s i`; for a field, `%s.%s`" field record field
+         else
+           Printf.sprintf
+             "write `%s.%s` for a field; to read a sensor, apply its signal function, as in `%s i`"
+             record field field)
+  | _ -> None
+
+(* `0,3[m/s]` *)
+let decimal_comma found =
+  match (found.token.token, found.before) with
+  | COMMA, Some ({ token = NUMBER _; _ } as number)
+    when is_adjacent found number && Basis.Character.is_digit (after found) ->
+      let rest = rest_of_line found found.token.stop.pos_cnum in
+      let is_of_a_literal c = not (List.mem c [ ' '; ')'; ','; ';' ]) in
+      let rec stop i =
+        if i < String.length rest && is_of_a_literal rest.[i] then stop (i + 1) else i
+      in
+      Some
+        (Printf.sprintf "a decimal point is a `.`: write `%s.%s`" (written found number)
+           (String.sub rest 0 (stop 0)))
   | _ -> None
 
 let negated found =

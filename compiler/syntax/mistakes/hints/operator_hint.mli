@@ -18,6 +18,9 @@ val negated : Found.t -> (string * int) option
 val disjunction : Found.rule
 (** [a | b], as in C. *)
 
+val decimal_comma : Found.rule
+(** [0,3], with a comma in place of the decimal point. *)
+
 val before_point : Found.rule
 (** [.5], without a digit before the point. *)
 

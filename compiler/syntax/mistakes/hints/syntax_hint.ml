@@ -17,7 +17,7 @@ let python_import found =
       | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
       | _ -> false)
   in
-  if module_ = "" || not (is_name module_) then "Control (limit)"
+  if module_ = "" || not (is_name module_) then "Robot"
   else
     let module_ = String.capitalize_ascii module_ in
     if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
@@ -52,13 +52,26 @@ let beginning found =
   | "from" when found.token.token = IMPORT ->
       Some
         ( start,
-          if List.mem (first_module found bol) [ "math"; "cmath"; "numpy" ] then
+          let line = between found bol start.pos_cnum in
+          let module_ =
+            match String.split_on_char ' ' line with
+            | _ :: module_ :: _ -> List.hd (String.split_on_char '.' module_)
+            | _ -> first_module found bol
+          in
+          if List.mem module_ [ "math"; "cmath"; "numpy" ] then
             "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
+          else if Import_hint.of_library module_ <> None then
+            Option.get (Import_hint.of_library module_)
           else Printf.sprintf "use `import %s`" (python_import found) )
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
       let line = between found start.pos_bol (end_of_line found start.pos_bol) in
-      let hint = if Beginnings.is_forever line then Some Beginnings.forever else None in
+      let hint =
+        match Beginnings.rounds line with
+        | _ when Beginnings.is_forever line -> Some Beginnings.forever
+        | Some rounds when innermost_block found.context = Do -> Some (Beginnings.repeated rounds)
+        | Some _ | None -> None
+      in
       let hint = match hint with Some hint -> Some hint | None -> Beginnings.of_word word in
       Option.map (fun hint -> (start, hint)) hint
 
@@ -81,13 +94,23 @@ let habits =
 
 let imports =
   Import_hint.
-    [ path; mathematics; capital; Declaration_hint.choices; of_haskell; with_points; hiding ]
+    [
+      path;
+      mathematics;
+      of_python;
+      capital;
+      Declaration_hint.choices;
+      of_haskell;
+      with_points;
+      hiding;
+    ]
 
 let declarations =
   Declaration_hint.
     [
       Choice_hint.matched;
       Choice_hint.after_value;
+      Choice_hint.when_for_if;
       Choice_hint.double_arrow;
       Choice_hint.membership;
       Equation_hint.split_by_value;
@@ -110,6 +133,7 @@ let declarations =
 
 let equations_and_fields =
   [
+    Indentation_hint.equations_before_output;
     Equation_hint.changed;
     Equation_hint.in_a_choice;
     Equation_hint.keyword_argument;
@@ -155,6 +179,7 @@ let expressions =
 let general =
   [
     Operator_hint.negation;
+    Operator_hint.decimal_comma;
     Operator_hint.before_point;
     Operator_hint.after_point;
     Operator_hint.comment;

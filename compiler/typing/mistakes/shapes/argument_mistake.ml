@@ -223,9 +223,12 @@ let more_missing_than_expected fact =
       |> hint
            (match (given - wanted, fact.given, Option.map arguments_of fact.subject) with
            | 1, Function (parameter, _), Some (_ :: _ as written) ->
-               Printf.sprintf "`%s` lacks its %s argument, %s" head
+               Printf.sprintf "`%s` lacks its %s argument, %s%s" head
                  (ordinal (List.length written + 1))
                  (Show.described fact.words parameter)
+                 (match (Type.expand parameter, source fact) with
+                 | Number _, Some text -> Printf.sprintf ": write `%s 0`, for example" text
+                 | _ -> "")
            | lacking, _, _ -> Printf.sprintf "`%s` lacks %s" head (count lacking))
       |> Option.some
   | _ -> None
@@ -271,6 +274,23 @@ let lambda_with_too_few_parameters fact =
 
 let missing_in_an_operand fact =
   match (fact.wanted, fact.given, other_operand fact) with
+  | ( Function (from, _),
+      Number _,
+      Some
+        {
+          desc =
+            Apply { head = { desc = Global { name = ("max" | "min") as name; _ }; _ }; argument; _ };
+          span;
+        } )
+    when Array_mistake.is_array from ->
+      let xs = Option.fold (Show.quote fact.words argument.span) ~none:"xs" ~some:Source.grouped in
+      let cure = Printf.sprintf "%simumBy id %s" name xs in
+      error ~code:"E0301" ~at:span "`%s` takes two values, not an array" name
+      |> hint
+           (Printf.sprintf "for the %s of all elements, write `%s`"
+              (if String.equal name "min" then "least" else "greatest")
+              cure)
+      |> write span cure |> Option.some
   | Function _, Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
     when missing_arguments fact.wanted = 1 ->
       Option.map

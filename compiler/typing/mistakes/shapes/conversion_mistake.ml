@@ -41,6 +41,17 @@ let by_a_constructor fact =
           Some (hinted fact (Printf.sprintf "use %s to convert this value" (alternatives makers))))
   | _ -> None
 
+let capital_choice fact =
+  match fact.subject with
+  | Some { desc = Global { name; _ } | Local { name; _ }; _ } ->
+      let meant = String.capitalize_ascii name in
+      if List.mem meant (Show.choices fact.words fact.expected.ty) then
+        Some
+          (hinted fact (Printf.sprintf "did you mean `%s`?" meant)
+          |> Basis.Diagnostic.write fact.at meant)
+      else None
+  | Some _ | None -> None
+
 let to_a_choice fact =
   match fact.expected.because with
   | Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _ -> (

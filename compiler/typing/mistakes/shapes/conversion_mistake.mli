@@ -9,5 +9,8 @@ val of_a_text : Shape_fact.rule
 val by_a_constructor : Shape_fact.rule
 (** A value where the expected type has a constructor for such values. *)
 
+val capital_choice : Shape_fact.rule
+(** A name in place of the constructor that differs only in its first letter. *)
+
 val to_a_choice : Shape_fact.rule
 (** A value where an enumeration with few cases is expected. *)

@@ -12,6 +12,7 @@ let of_activities =
     Task_mistake.task_or_signal_function;
     Task_mistake.function_of_the_input;
     Task_mistake.statement_without_task;
+    Task_mistake.of_an_array;
     Signal_function_mistake.in_place_of_a_test;
     Unrun_mistake.program_without_input;
     Unrun_mistake.program_in_place_of_a_signal_function;
@@ -29,6 +30,7 @@ let of_activities =
    functions of whole arrays come first, because an additional argument would not help there. *)
 let of_functions =
   [
+    Conversion_mistake.capital_choice;
     Output_mistake.statement;
     Output_mistake.not_made;
     Output_mistake.speeds;

@@ -42,8 +42,47 @@ let condition_of_an_event fact =
       |> Option.some
   | _ -> None
 
+(* A function of the program that runs a signal function, as in `drive i = f (frontSonar i)`. *)
+let as_a_proc fact =
+  let rec runs (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head = { desc = Global g; _ } as head; argument; _ } ->
+        (match Option.map Type.expand (Show.declared_type fact.words g) with
+        | Some (Signal_function _) -> true
+        | _ -> false)
+        || runs head || runs argument
+    | Apply { head; argument; _ } -> runs head || runs argument
+    | If { condition; then_; else_ } -> List.exists runs [ condition; then_; else_ ]
+    | Negate e | Field { record = e; _ } -> runs e
+    | _ -> false
+  in
+  match (fact.subject, fact.given) with
+  | Some { desc = Global g; _ }, Function (a, b) -> (
+      match Show.binding fact.words g with
+      | Some { parameters = [ p ]; body = { guards = [ { condition = None; value } ]; where }; _ }
+        when runs value
+             || List.exists
+                  (fun (group : Resolve.Ir.binding_group) ->
+                    List.exists
+                      (fun (b : Resolve.Ir.binding) ->
+                        List.exists (fun (g : Resolve.Ir.guarded) -> runs g.value) b.body.guards)
+                      group.bindings)
+                  where.groups ->
+          let type_ t = Source.grouped (Show.type_ fact.words t) in
+          Option.map
+            (fun x ->
+              Printf.sprintf
+                "`%s` runs signal functions, so it must be one itself: write `%s :: SF %s %s`, and \
+                 `%s = proc %s -> …`"
+                g.name g.name (type_ a) (type_ b) g.name x)
+            (Show.quote fact.words p.span)
+      | Some _ | None -> None)
+  | _ -> None
+
 let function_not_lifted fact =
   match (fact.wanted, fact.given, source fact) with
+  | Signal_function _, Function _, _ when as_a_proc fact <> None ->
+      Some (hint (Option.get (as_a_proc fact)) (no_signal_function fact))
   | Signal_function _, Function _, Some text ->
       let text = "arr " ^ Source.grouped text in
       no_signal_function fact

@@ -93,9 +93,21 @@ let hint_for_a_pair fact =
           "" )
     | _ -> (x, raw fact "(output, event)", Printf.sprintf ", and run that on `%s`" x)
   in
-  Printf.sprintf
-    "`%s` needs a signal function that returns the pair: write `%s (proc %s -> %s) …`%s" callee
-    callee x pair run
+  let others =
+    match fact.expected.because with
+    | Parameter { given = _ :: others; _ } -> all (List.map quote others)
+    | _ -> None
+  in
+  match others with
+  | Some (_ :: _ as others) when not (String.equal run "") ->
+      Printf.sprintf "`%s` needs a signal function that returns the pair: write `%s`" callee
+        (String.concat " "
+           ((callee :: [ Printf.sprintf "(proc %s -> %s)" x pair ])
+           @ List.map Source.grouped others @ [ x ]))
+  | Some _ | None ->
+      Printf.sprintf
+        "`%s` needs a signal function that returns the pair: write `%s (proc %s -> %s) …`%s" callee
+        callee x pair run
 
 let next_mode fact =
   match (fact.expected.because, fact.wanted, fact.given) with

@@ -120,6 +120,40 @@ let statement_without_task fact =
       |> Option.some
   | _ -> None
 
+(* `[forward 1[m], turnBy 90[deg]]` in place of a task *)
+let of_an_array fact =
+  match fact.given with
+  | Data { arguments = [ _; element ]; _ }
+    when Environment.is_task fact.wanted && Array_mistake.is_array fact.found
+         && Environment.is_task element ->
+      let written =
+        match fact.subject with
+        | Some { desc = Local x; _ } -> Show.definition fact.words x
+        | Some ({ desc = Global g; _ } as e) -> (
+            match Show.binding fact.words g with
+            | Some { parameters = []; body = { guards = [ { value; _ } ]; _ }; _ } -> Some value
+            | Some _ | None -> Some e)
+        | subject -> subject
+      in
+      let tasks =
+        match written with
+        | Some { desc = Array tasks; _ } ->
+            all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) tasks)
+        | Some _ | None -> None
+      in
+      Some
+        (hinted fact
+           (match tasks with
+           | Some (first :: second :: _) ->
+               Printf.sprintf
+                 "to run tasks one after the other, write a `do`, and below it each task on a line \
+                  of its own: `%s`, `%s`"
+                 first second
+           | _ ->
+               "to run tasks one after the other, write a `do`, and below it each task on a line \
+                of its own"))
+  | _ -> None
+
 let beside_each_other fact =
   match fact.expected.because with
   | (Parameter { callee = Some ("||" | "&&"); _ } | Operand { operator = "||" | "&&"; _ })

@@ -11,6 +11,9 @@ val function_of_the_input : Shape_fact.rule
 val statement_without_task : Shape_fact.rule
 (** A statement of a [do] that is a value. *)
 
+val of_an_array : Shape_fact.rule
+(** An array of tasks in place of a task. *)
+
 val beside_each_other : Shape_fact.rule
 (** Tasks combined by a Boolean operator. *)
 

@@ -141,6 +141,12 @@ let written_factor words e =
   in
   factors words ~select e
 
+let is_per_millisecond words e =
+  match literal words e with
+  | Some { unit_ = Some _; at; _ } ->
+      Option.fold (Show.quote words at) ~none:false ~some:(String.ends_with ~suffix:"[ms^-1]")
+  | Some _ | None -> false
+
 let gain words e =
   let is_of_a_gain (u : Resolve.Ir.unit_) =
     let is_negative ((f : Resolve.Ir.unit_factor), (power : Syntax.Ir.rational)) =

@@ -29,6 +29,9 @@ val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The same for numbers, written in the expression or named, whose unit has only negative exponents
     apart from angles, such as [1/s] and [rad/(m s)]. *)
 
+val is_per_millisecond : Show.words -> Resolve.Ir.expr -> bool
+(** Is it a number in [[ms^-1]], which was probably meant as metres per second? *)
+
 val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, or the expression itself. *)
 

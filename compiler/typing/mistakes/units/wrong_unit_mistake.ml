@@ -54,6 +54,31 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
   if is_open (wanted, given) then None
   else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
 
+let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given) =
+  let of_side (e, (wanted, _)) =
+    let e : Resolve.Ir.expr = Bare_number.value words e in
+    match e.desc with
+    | Apply
+        {
+          head = { desc = Global { name = ("integral" | "derivative") as name; _ }; _ };
+          argument;
+          style = Juxtaposed;
+        } -> (
+        match (Formula.unit_of words argument, Formula.text words argument) with
+        | Some u, Some text when Units.equal u wanted ->
+            Some
+              (fun d ->
+                hint
+                  (Printf.sprintf "remove `%s`: `%s` is in `%s` already" name text
+                     (Show.measure words wanted))
+                  d
+                |> fix (Printf.sprintf "write `%s`" text) [ (e.span, Source.grouped text) ])
+        | _ -> None)
+    | _ -> None
+  in
+  if is_open (wanted, given) || is_one wanted then None
+  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+
 (* {1 Gains and constants} *)
 
 (* The unit as the text in a literal. A gain that was written with [rad] keeps it. *)

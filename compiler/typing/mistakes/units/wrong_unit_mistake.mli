@@ -12,6 +12,14 @@ val superfluous_factor :
   (Diagnostic.t -> Diagnostic.t) option
 (** [sqrt (x ^ 2 + y ^ 2) * 1[m]] where a length is needed. *)
 
+val superfluous_function :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** [integral v] or [derivative x] where [v] or [x] is needed. *)
+
 val gain :
   Show.words ->
   subject:Resolve.Ir.expr option ->

@@ -83,7 +83,7 @@ A class with a method: reported once.
   3 |     v = if i->frontSonar < 0.5[m] then 0 else 0.2[m/s])
     |             ^^
     |
-    = hint: use `r.speed` for a field; to read a sensor, apply its signal function, as in `frontSonar i`
+    = hint: to read a sensor, write `frontSonar i`; for a field, `i.frontSonar`
   
   1 error
   [1]

@@ -125,7 +125,7 @@ A function passed as an argument lacks one of its own arguments.
     |                                   |
     |                                   argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
     |
-    = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s)
+    = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s): write `setVelTR 0.3[m/s] 0`, for example
   
   1 error
   [1]

@@ -413,8 +413,8 @@ A consistent definition, and a signature that does not match it:
   2 | f = proc v -> integral v
     |               ^^^^^^^^^^ this is `Float[m]`
     |
+    = hint: remove `integral`: `v` is in `m/s` already
     = hint: if this is the right result, write the signature as `f :: SF Velocity Float[m]`
-    = hint: multiply by a gain, as in `0.5[1/s] * (integral v)`, or, for the rate of change, write `derivative (integral v)`
   
   1 error
   [1]

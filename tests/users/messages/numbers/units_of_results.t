@@ -42,8 +42,8 @@ The signature may be wrong:
   4 | odometer = proc i -> integral (velocity i)
     |                      ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
     |
+    = hint: remove `integral`: `velocity i` is in `m/s` already
     = hint: if this is the right result, write the signature as `odometer :: SF RobotInput Float[m]`
-    = hint: multiply by a gain, as in `0.5[1/s] * (integral (velocity i))`, or, for the rate of change, write `derivative (integral (velocity i))`
   
   1 error
   [1]

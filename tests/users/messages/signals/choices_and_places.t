@@ -115,7 +115,7 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
   5 |         | Idle -> 0
     |         ^
     |
-    = hint: use `case x of`, and each branch as `pattern -> value`
+    = hint: write `case m of`, and each branch on a line below it, as in `Idle -> …`
   
   1 error
   [1]

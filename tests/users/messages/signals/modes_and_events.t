@@ -164,7 +164,7 @@ Switches whose event is an argument, and events used as values.
     |         |
     |         argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: `switch` needs a signal function that returns the pair: write `switch (proc i -> (0.2[m/s], edge (bumped i))) …`, and run that on `i`
+    = hint: `switch` needs a signal function that returns the pair: write `switch (proc i -> (0.2[m/s], edge (bumped i))) (\_ -> 0) i`
   
   1 error
   [1]

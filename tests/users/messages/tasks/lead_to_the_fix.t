@@ -108,3 +108,69 @@ A patrol that may never pause:
   1 error
   [1]
   $ sed 's:    patrol:    sleepT 10[ms] restingOutput\n&:' patrol.frob > pasted.frob && frobc check pasted.frob
+
+Counted loops:
+
+  $ cat > counted.frob <<'FROB'
+  > import Robot
+  > mission = do
+  >     for i in range(4):
+  >         forward 1[m]
+  >         turnBy 90[deg]
+  > main = reactimateTask (watching mission)
+  > FROB
+  $ frobc check counted.frob
+  error[E0103]: unexpected character `:`
+   --> counted.frob:3:22
+    |
+  3 |     for i in range(4):
+    |                      ^
+    |
+    = hint: to run the tasks of this block 4 times, write `repeatT 4 $ do` in place of this line
+  
+  1 error
+  [1]
+  $ sed 's:for i.*:repeatT 4 $ do:' counted.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > counted_in_c.frob <<'FROB'
+  > import Robot
+  > mission = do
+  >     for i in 1..4 do
+  >         forward 1[m]
+  >         turnBy 90[deg]
+  > main = reactimateTask (watching mission)
+  > FROB
+  $ frobc check counted_in_c.frob
+  error[E0110]: Frob has no `for`
+   --> counted_in_c.frob:3:5
+    |
+  3 |     for i in 1..4 do
+    |     ^^^
+    |
+    = hint: to run the tasks of this block 4 times, write `repeatT 4 $ do` in place of this line
+  
+  1 error
+  [1]
+  $ sed 's:for i.*:repeatT 4 $ do:' counted_in_c.frob > pasted.frob && frobc check pasted.frob
+
+Tasks in an array:
+
+  $ cat > array.frob <<'FROB'
+  > import Robot
+  > mission = [forward 1[m], turnBy 90[deg]]
+  > main = reactimateTask (watching mission)
+  > FROB
+  $ frobc check array.frob
+  error[E0301]: expected `Task (Watched a) b c`, found `Array 2 (Task d e Bool)`
+   --> array.frob:3:33
+    |
+  3 | main = reactimateTask (watching mission)
+    |                        -------- ^^^^^^^
+    |                        |
+    |                        argument 1 of `watching` is `Task (Watched a) b c`
+    |
+    = hint: to run tasks one after the other, write a `do`, and below it each task on a line of its own: `forward 1[m]`, `turnBy 90[deg]`
+  
+  1 error
+  [1]
+  $ sed 's:\[forward 1.m., turnBy 90.deg..:do\n    forward 1[m]\n    turnBy 90[deg]:' array.frob > pasted.frob && frobc check pasted.frob
