@@ -64,7 +64,7 @@ def visit(page):
     page.all("#stop")[0].click()
     page.wait(lambda: page.text("#follow") == "The run is over")
     check("it is stopped", not page.all("#stop")[0].is_displayed())
-    page.wait(lambda: page.text("#state") == "replayed: outputs as recorded")
+    page.wait(lambda: page.text("#state") == "the replay has the same outputs")
     page.press(Keys.HOME)
     page.at(0)
     check("and can be looked at afterwards", True)

@@ -95,7 +95,9 @@ function showProgress(): void {
     else if (program.live && program.instants === 0) showState("no instant yet", true);
     else if (program.live) showState("live: outputs as computed", true);
     else if (!isWhole) showState("replaying …", true);
-    else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
+    else if (!program.compared) showState("replayed", true);
+    else if (program.recording === "") showState("the replay has the same outputs", true);
+    else showState("replayed: outputs as recorded", true);
   }
 }
 

@@ -188,7 +188,10 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     look,
     shown,
     EditorView.updateListener.of(({ docChanged, viewportChanged }) => {
-      if (docChanged && store.isEditing) store.edited = view.state.doc.toString();
+      if (docChanged && store.isEditing) {
+        const text = view.state.doc.toString();
+        store.edited = text === sources[0]?.text ? null : text;
+      }
       if (docChanged) store.changed("edited");
       if (viewportChanged) requestAnimationFrame(scrolled);
     }),
