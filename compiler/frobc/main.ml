@@ -139,13 +139,25 @@ let export =
       "Write a library folder for PlatformIO, named after the program: library.json, the C code in \
        $(b,src), and in $(b,examples) a main program for boards with the Arduino framework."
     in
-    Arg.(required & opt (some string) None & info [ "platformio" ] ~docv:"DIR" ~doc)
+    Arg.(value & opt (some string) None & info [ "platformio" ] ~docv:"DIR" ~doc)
   in
-  command "export" ~doc:"export a robot program as a library for other build tools"
+  let package =
+    let doc =
+      "Write a ROS 2 package for $(b,colcon build): package.xml, CMakeLists.txt and a launch file, \
+       which you may edit, and in $(b,src) the C code of the program and of its node. Later \
+       exports to the same folder replace only $(b,src)."
+    in
+    Arg.(value & opt (some string) None & info [ "ros2" ] ~docv:"DIR" ~doc)
+  in
+  command "export" ~doc:"export a robot program as a library or package for other build tools"
     Term.(
-      const (fun general entry sources folder file ->
-          Tools.Export.platformio general ~entry ~sources ~folder file)
-      $ general $ entry $ sources $ folder $ file)
+      const (fun general entry sources folder package file ->
+          match (folder, package) with
+          | Some folder, None -> Tools.Export.platformio general ~entry ~sources ~folder file
+          | None, Some folder -> Tools.Ros_package.export general ~entry ~sources ~folder file
+          | None, None | Some _, Some _ ->
+              Reporting.wrong_use "say what to export: use either --platformio DIR or --ros2 DIR")
+      $ general $ entry $ sources $ folder $ package $ file)
 
 let report =
   let states =

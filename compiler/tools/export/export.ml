@@ -78,6 +78,13 @@ let copies_of_own ~into files =
   let* copies = List.fold_left add (Ok []) files in
   Ok (List.rev_map (fun (_, name, text) -> (into / name, text)) copies)
 
+let own_files ~into ~sources ~folders generated =
+  let open Basis.Let_syntax.Result in
+  let* headers = headers_of ~sources ~folders generated in
+  copies_of_own ~into
+    (List.map (fun file -> (file, Filename.basename file)) sources
+    @ List.map (fun (h : Own_headers.t) -> (h.path, h.name)) headers)
+
 (* Whether the export may write to the folder: it is new, empty, or the result of an earlier
    export. *)
 let is_ours ~folder ~name =
@@ -97,12 +104,7 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~folders gene
            "%s already exists and is not an export of %s: move it away, or use another folder"
            folder name)
   in
-  let* headers = headers_of ~sources ~folders generated in
-  let* own =
-    copies_of_own ~into:source
-      (List.map (fun file -> (file, Filename.basename file)) sources
-      @ List.map (fun (h : Own_headers.t) -> (h.path, h.name)) headers)
-  in
+  let* own = own_files ~into:source ~sources ~folders generated in
   let* runtime =
     all (List.map (fun (from, into) -> copies_of from (source / into)) (runtime_folders resources))
   in

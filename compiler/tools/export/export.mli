@@ -5,3 +5,18 @@ val platformio :
 (** Writes a library folder for PlatformIO: [library.json]; in [src/], the generated C, the user's
     own C files [sources], and the runtime with its drivers; in [examples/], a folder with the
     program's name and a main program for Arduino boards. Returns the exit status. *)
+
+(** {1 For other exports} *)
+
+val copies_of : string -> string -> ((string * string) list, string) result
+(** [copies_of source target]: the files directly in a folder, with their paths in another folder
+    and their contents. *)
+
+val own_files :
+  into:string ->
+  sources:string list ->
+  folders:string list ->
+  (string * string) list ->
+  ((string * string) list, string) result
+(** The user's C files [sources], and the headers that they and the generated files include, with
+    their new paths and contents. All of them are in one folder. *)

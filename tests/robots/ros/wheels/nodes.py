@@ -48,12 +48,16 @@ def robot(**options):
 class Run:
     """A program that runs as a node."""
 
-    def __init__(self, *options, patient=True, program="ahead.frob"):
+    def __init__(self, *options, patient=True, program="ahead.frob", executable=None):
         self.errors = open(os.path.join(FOLDER, "errors"), "w+", encoding="utf-8")
         OPEN.append(self.abandon)
         # frobc replaces itself by the program.
         self.process = subprocess.Popen(
-            [FROBC, "run", "--ros2", os.path.join(FOLDER, program)]
+            (
+                [os.path.join(FOLDER, "with"), executable]
+                if executable
+                else [FROBC, "run", "--ros2", os.path.join(FOLDER, program)]
+            )
             + (PATIENT if patient else [])
             + list(options),
             stdout=subprocess.PIPE,
@@ -460,6 +464,40 @@ def test_simulator_and_program():
     assert run.process.returncode == 0, errors
     summary, _ = served.end()
     assert 0.6 < distance(summary) < 2, (summary, output, errors)
+
+
+def test_package():
+    """colcon builds an exported package, and its node drives a robot."""
+    workspace = os.path.join(FOLDER, "workspace")
+    shutil.rmtree(workspace, ignore_errors=True)
+    package = os.path.join(workspace, "src", "ahead")
+    subprocess.run(
+        [FROBC, "export", os.path.join(FOLDER, "ahead.frob"), "--ros2", package], check=True
+    )
+    prefix = os.environ["AMENT_PREFIX_PATH"]
+    built = subprocess.run(
+        [os.path.join(prefix, "bin", "colcon"), "--log-base", "log", "build"],
+        cwd=workspace,
+        capture_output=True,
+        text=True,
+        env={
+            **os.environ,
+            "PATH": os.path.join(prefix, "bin") + ":" + os.environ["PATH"],
+            "CMAKE_PREFIX_PATH": prefix,
+            # The libraries of the wheels refer to Python.
+            "LDFLAGS": "-Wl,--allow-shlib-undefined",
+        },
+    )
+    assert built.returncode == 0, built.stdout[-2000:] + built.stderr[-2000:]
+    share = os.path.join(workspace, "install", "ahead", "share", "ahead")
+    assert os.path.exists(os.path.join(share, "launch", "ahead.launch.py"))
+    base = robot()
+    node = os.path.join(workspace, "install", "ahead", "lib", "ahead", "ahead")
+    run = Run("--patience", "1", "--set", "late=1", patient=False, executable=node)
+    base.until_driving()
+    run.end()
+    base.until_stopped()
+    base.close()
 
 
 class Recorder:

