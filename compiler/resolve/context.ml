@@ -37,6 +37,7 @@ let emit t diagnostic =
   if is_of_unknown diagnostic then t.unknown <- diagnostic :: t.unknown
   else Diagnostic.emit t.sink diagnostic
 
+let holds_many t = List.compare_length_with t.unknown 1_000 >= 0
 let is_told t is_it = List.exists is_it t.unknown
 
 let fresh t name span : Ir.Local.t =

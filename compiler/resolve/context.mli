@@ -10,6 +10,9 @@ val create : Diagnostic.sink -> t
 val emit : t -> Diagnostic.t -> unit
 (** Emits the diagnostic, but holds back one about an unknown name until {!tell}. *)
 
+val holds_many : t -> bool
+(** Are at least 1,000 diagnostics held back? *)
+
 val is_told : t -> (Diagnostic.t -> bool) -> bool
 (** Does a held-back diagnostic satisfy the predicate? *)
 

@@ -548,10 +548,15 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
       { imports; listed; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
-let report_unknown t space ~locals ~signals name =
-  match unit_in_text t space name with
-  | Some measure -> report_unit t name measure
-  | None -> report_unknown_name t space ~locals ~signals name
+let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
+  if Context.holds_many t.context then
+    (* Advice reads the source text, and nobody reads that much advice. *)
+    Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
+    |> Context.emit t.context
+  else
+    match unit_in_text t space name with
+    | Some measure -> report_unit t name measure
+    | None -> report_unknown_name t space ~locals ~signals name
 
 (* `Mode.Drive`, where `Mode` is a type and not a module. *)
 let is_of_a_type t (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
