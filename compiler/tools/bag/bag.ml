@@ -1,6 +1,22 @@
+(* The profile in the header of an MCAP file, after the magic bytes, the opcode and two lengths. *)
+let profile path =
+  let read channel =
+    let head = really_input_string channel 21 in
+    let length = Int32.to_int (String.get_int32_le head 17) in
+    if String.starts_with ~prefix:"\x89MCAP0\r\n\x01" head && length >= 0 && length < 100 then
+      Some (really_input_string channel length)
+    else None
+  in
+  match open_in_bin path with
+  | exception Sys_error _ -> None
+  | channel ->
+      Fun.protect
+        ~finally:(fun () -> close_in_noerr channel)
+        (fun () -> try read channel with End_of_file | Sys_error _ -> None)
+
 let is_bag path =
   Filename.check_suffix path ".db3"
-  || Filename.check_suffix path ".mcap"
+  || (Filename.check_suffix path ".mcap" && profile path = Some "ros2")
   || (Sys.file_exists path && Sys.is_directory path)
 
 let read ~program bag =

@@ -2,7 +2,7 @@
     its instants, so a bag contains a recording of it. *)
 
 val is_bag : string -> bool
-(** Whether this path is a bag: a folder, or a file [.db3] or [.mcap]. *)
+(** Whether this path is a bag: a folder, a file [.db3], or an MCAP file that ROS 2 has written. *)
 
 val recording : program:string -> string -> (string, string) result
 (** The recording of the program in the bag, as a temporary file; the path itself if it is not a

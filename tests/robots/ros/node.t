@@ -169,7 +169,7 @@ A program reads the lidar and the inertial measurement unit, and drives to half
 a metre before the wall: 0.3 m, as distances count from the robot's front.
 
   $ run_approach () {
-  >   wants='[ "$(tail -1 log.csv | cut -d, -f2 | awk "{ print (\$1 > 0.25) }")" = 1 ]'
+  >   wants='[ "$(tail -1 log.csv | cut -d, -f2 | awk "{ print (\$1 > 0.25 && \$1 < 0.31) }")" = 1 ]'
   >   in_time run_once approach.frob $patient --for 3s --record log.csv; wants=
   > }
   $ faults= ; run_approach; cat messages
