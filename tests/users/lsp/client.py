@@ -140,9 +140,14 @@ class Client:
             },
         )
 
-    def told(self, uri):
-        """Returns the diagnostics of the current text."""
-        while self.versions.get(uri) != self.texts[uri][1] or uri not in self.diagnostics:
+    def told(self, uri, are_there=lambda diagnostics: True):
+        """Returns the diagnostics of the current text. After a change of another file, waits until
+        `are_there` holds for them."""
+        while (
+            self.versions.get(uri) != self.texts[uri][1]
+            or uri not in self.diagnostics
+            or not are_there(self.diagnostics[uri])
+        ):
             message = self.receive()
             assert message is not None, "no diagnostics: status %s" % self.process.poll()
             self.note(message)
