@@ -56,6 +56,7 @@ let data = function
   | "null" | "nil" | "none" | "nullptr" ->
       Some
         "write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`"
+  | "new" -> Some "remove `new`: a constructor alone makes a value, as in `Vec2 1[m] 2[m]`"
   | "with" -> Some "remove `with`: a copy of the record `p` with another field `x` is `p { x = 1 }`"
   | "fromJust" -> Some "use `fromMaybe x m`, where `x` replaces a missing value"
   | "isJust" | "isNothing" ->
@@ -226,7 +227,10 @@ let robot = function
       Some
         "describe a colour for the camera as a range: `ColourRange { hueFrom = 340[deg], hueTo = \
          20[deg], … }`, with `import Vision`"
-  | "stop" | "halt" | "stopMotors" -> Some "use `restingOutput` for a robot at rest"
+  | "stop" | "halt" | "stopMotors" ->
+      Some
+        "use `restingOutput` for a robot at rest; in a task, `sleepT 1[s] restingOutput` rests for \
+         a time"
   | _ -> None
 
 let value name = List.find_map (fun hint -> hint name) [ number; data; activity; signal_function ]

@@ -234,6 +234,23 @@ let chosen_inline text at =
 let is_constructor word =
   word <> "" && Basis.Character.is_upper word.[0] && String.for_all Basis.Character.is_name word
 
+(* `lambda x, y: x + y` *)
+let of_lambda text at words =
+  let rec after = function
+    | word :: rest when word = "lambda" || String.ends_with ~suffix:"(lambda" word -> rest
+    | _ :: rest -> after rest
+    | [] -> []
+  in
+  let name word = String.concat "" (String.split_on_char ',' word) in
+  let names = List.map name (after words) in
+  let is_name w = w <> "" && String.for_all Basis.Character.is_name w in
+  let parameters =
+    if names <> [] && List.for_all is_name names then String.concat " " names else "x"
+  in
+  let body = Other_definition.body_of_lambda text (at + 1) in
+  Printf.sprintf "write an anonymous function as `\\%s -> %s`" parameters
+    (Option.value body ~default:"…")
+
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
@@ -281,21 +298,7 @@ let of_colon text at =
             -> Float`"
            (List.hd (String.split_on_char '(' name)))
   | _ when List.exists (fun w -> w = "lambda" || String.ends_with ~suffix:"(lambda" w) words ->
-      let rec after = function
-        | word :: rest when word = "lambda" || String.ends_with ~suffix:"(lambda" word -> rest
-        | _ :: rest -> after rest
-        | [] -> []
-      in
-      let name word = String.concat "" (String.split_on_char ',' word) in
-      let names = List.map name (after words) in
-      let is_name w = w <> "" && String.for_all Basis.Character.is_name w in
-      let parameters =
-        if names <> [] && List.for_all is_name names then String.concat " " names else "x"
-      in
-      let body = Other_definition.body_of_lambda text (at + 1) in
-      hint
-        (Printf.sprintf "write an anonymous function as `\\%s -> %s`" parameters
-           (Option.value body ~default:"…"))
+      hint (of_lambda text at words)
   | [ pattern ] when is_constructor pattern && not ends_line ->
       {
         hint = Some (Printf.sprintf "write `->` after a pattern of a `case`: `%s -> …`" pattern);
@@ -309,7 +312,7 @@ let of_colon text at =
   | _ when List.mem "if" words ->
       hint
         (match chosen_inline text at with
-        | Some choice -> Printf.sprintf "write `%s`" choice
+        | Some choice -> Printf.sprintf "use `%s`" choice
         | None -> "put `then` after the condition: `if c then a else b`")
   | _ -> of_field text at
 

@@ -79,7 +79,9 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
        Diagnostic.(
          error ~code:"E0321" ~at:written.span
            "a type cannot contain a scaled unit, because values are stored in base units"
-         |> hint (Printf.sprintf "write `%s` here; use scaled units only after literals" text)
+         |> hint
+              (Printf.sprintf "write `%s` here%s; use scaled units only after literals" text
+                 (if Units.equal measure Units.one then ", or `Angle` as the whole type" else ""))
          |> write written.span text)
      in
      match Diagnostic.last t.sink with

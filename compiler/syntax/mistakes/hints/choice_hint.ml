@@ -59,7 +59,7 @@ let of_match found =
         | [], _ -> "1"
       in
       Some
-        (Printf.sprintf "write `case %s of`, and each branch on a line below it, as in `%s -> …`"
+        (Printf.sprintf "use `case %s of`, and each branch on a line below it, as in `%s -> …`"
            (String.concat " " value) pattern)
   | Some _ | None -> None
 

@@ -127,8 +127,29 @@ let applies_a_function text =
       && (outside 0 0 || List.hd (List.rev words) = "do" || not (List.exists is_formula words))
   | _ -> false
 
+(* The number in the line `while n < 4 …` below `n = 0`. *)
+let counted_below found name =
+  let at = end_of_line found found.token.start.pos_cnum in
+  let rest = String.sub found.text at (String.length found.text - at) in
+  let is_loop line =
+    match String.split_on_char ' ' (String.trim line) with
+    | "while" :: variable :: _ -> String.equal variable name
+    | _ -> false
+  in
+  match List.find_opt is_loop (String.split_on_char '\n' rest) with
+  | Some line -> Beginnings.rounds ("for " ^ String.trim line ^ ":")
+  | None -> None
+
 let statement found =
   match (found.token.token, found.before) with
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when innermost_block found.context = Do && counted_below found (written found name) <> None ->
+      let rounds = Option.get (counted_below found (written found name)) in
+      Some
+        (Printf.sprintf
+           "a task has no variables that change: to repeat the tasks %s times, write `repeatT %s $ \
+            do` in place of the `while`, and remove this line"
+           rounds rounds)
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when of_a_proc found && (not (in_brackets found.context)) && value_after found <> "" ->
       Some

@@ -43,6 +43,64 @@ let typed found =
       else Some "write a `,` between two fields"
   | _ -> None
 
+(* The type with this field that the program declares. *)
+let declares found field =
+  let has line =
+    let blank c = if Basis.Character.is_name c then c else ' ' in
+    let words = String.split_on_char ' ' (String.map blank line) in
+    String.starts_with ~prefix:"data " line && List.mem field words
+  in
+  match List.find_opt has (String.split_on_char '\n' found.text) with
+  | Some line -> (
+      match String.split_on_char ' ' line with _ :: name :: _ -> Some name | _ -> None)
+  | None -> None
+
+let without_constructor found =
+  let at = found.token.start.pos_cnum in
+  match Other_definition.in_braces found.text at with
+  | Some (inside, _) when inside <> "" && String.length inside < 80 ->
+      let field = String.trim (List.hd (String.split_on_char '=' inside)) in
+      let name =
+        match (declares found field, field) with
+        | Some name, _ -> name
+        | None, ("x" | "y") -> "Vec2"
+        | None, ("position" | "heading") -> "Pose"
+        | None, ("kp" | "ki" | "kd" | "largest") -> "Pid"
+        | None, _ -> "Config"
+      in
+      Printf.sprintf "put the constructor of the type before the braces, as in `%s { %s }`" name
+        (String.concat " " (String.split_on_char '\n' inside))
+  | Some _ | None -> "write the constructor before the braces, as in `Pose { heading = 0 }`"
+
+let constructor_of_data found =
+  match (found.token.token, found.before) with
+  | LBRACE, Some { token = EQUAL; _ } when first_word found = "data" -> (
+      let head = between found found.token.start.pos_bol found.token.start.pos_cnum in
+      match
+        ( String.split_on_char ' ' head,
+          Other_definition.in_braces found.text found.token.start.pos_cnum )
+      with
+      | _ :: name :: _, Some (inside, _) when String.length inside < 100 ->
+          Some
+            (Printf.sprintf "put the constructor before the braces: `data %s = %s { %s }`" name name
+               (String.concat " " (String.split_on_char '\n' inside)))
+      | _ -> None)
+  | _ -> None
+
+let type_before_name found =
+  match (found.token.token, found.before) with
+  | (UPPER _ | LOWER _), Some { token = LBRACE | COMMA; _ }
+    when opens_with Layout.Brace found.context && first_word found = "data" -> (
+      let at = found.token.start.pos_cnum in
+      let rec stop i =
+        if List.mem (char_at found i) [ ','; '}'; '\n'; ';' ] then i else stop (i + 1)
+      in
+      match String.split_on_char ' ' (String.trim (between found at (stop at))) with
+      | [ type_; name ] when name <> "" && Basis.Character.is_lower name.[0] ->
+          Some (Printf.sprintf "in a field, the type comes after the name: `%s :: %s`" name type_)
+      | _ -> None)
+  | _ -> None
+
 let of_a_copy = "for a copy of the record with other fields, write "
 let is_of_a_copy hint = String.starts_with ~prefix:of_a_copy hint
 

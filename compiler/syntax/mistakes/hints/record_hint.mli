@@ -15,6 +15,15 @@ val without_comma : Found.rule
 val typed : Found.rule
 (** A field with `::`, in a value or after another field. *)
 
+val without_constructor : Found.t -> string
+(** The hint for a record value that lacks its constructor. *)
+
+val constructor_of_data : Found.rule
+(** [data P = { x :: Float }], without a constructor. *)
+
+val type_before_name : Found.rule
+(** [data P = P { Float x }], a field as in C. *)
+
 val changed_copy : Found.rule
 (** [{ r | speed = 1 }] or [{ r with speed = 1 }]. *)
 

@@ -140,6 +140,8 @@ let equations_and_fields =
     Equation_hint.changed_field;
     Equation_hint.statement;
     Record_hint.changed_copy;
+    Record_hint.constructor_of_data;
+    Record_hint.type_before_name;
     Record_hint.without_names;
     Record_hint.with_points;
     Record_hint.in_a_unit;
@@ -218,8 +220,7 @@ let usual found =
       | _ -> None)
   | DOUBLE_ARROW when opens_with Layout.Paren found.context && not (names_before found "::") ->
       Some (Expression_hint.arrow_function found)
-  | LBRACE when opens_fields found "=" ->
-      Some "write the constructor before the braces, as in `Pose { heading = 0 }`"
+  | LBRACE when opens_fields found "=" -> Some (Record_hint.without_constructor found)
   | LBRACE when opens_fields found "::" && first_word found = "type" ->
       Some (Beginnings.declare_a_record "data Pose = Pose { heading :: Angle }")
   | LBRACE -> Some (Indentation_hint.without_braces found)

@@ -449,12 +449,24 @@ let in_place_of_a_number fact =
 let of_a_truth fact =
   if event_wanted fact && fact.given = Bool then
     let b = grouped fact "b" in
+    let carries_a_number =
+      match fact.wanted with
+      | Data { arguments = [ value ]; _ } -> (
+          match Type.expand value with Number _ -> true | _ -> false)
+      | _ -> false
+    in
     Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
     |> Diagnostic.hint
-         (Printf.sprintf
-            "use `edge %s`, which occurs when it becomes True, or `when %s`, which occurs whenever \
-             it is True; use `tag` to add a value"
-            b b)
+         (if carries_a_number then
+            Printf.sprintf
+              "use `tag (edge %s) x`, which occurs with the value of `x` when the condition \
+               becomes True"
+              b
+          else
+            Printf.sprintf
+              "use `edge %s`, which occurs when it becomes True, or `when %s`, which occurs \
+               whenever it is True; use `tag` to add a value"
+              b b)
     |> Option.some
   else None
 

@@ -119,6 +119,28 @@ let by_its_use fact =
            (Show.described fact.words (Signal_function (input, output))))
   | _ -> None
 
+(* `drive = switch go drive`, whose last argument decides the type of `drive`. *)
+let next_mode fact =
+  match (fact.expected.because, fact.subject) with
+  | ( Uses { name; _ },
+      Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Apply { head; argument = mode; _ }; _ };
+                argument = { desc = Global { name = next; _ } | Local { name = next; _ }; _ };
+                _;
+              };
+          _;
+        } )
+    when String.equal name next -> (
+      match (head.desc, Show.quote fact.words mode.span) with
+      | Global { name = ("switch" | "dSwitch") as switch; _ }, Some mode ->
+          Some (Printf.sprintf "%s %s (\\_ -> %s)" switch (Source.grouped mode) next)
+      | _ -> None)
+  | _ -> None
+
 let in_place_of_a_function fact =
   match (fact.wanted, fact.given) with
   | Function _, Signal_function _ ->
@@ -131,7 +153,15 @@ let in_place_of_a_function fact =
            let text = "\\_ -> " ^ raw fact "…" in
            hint (Printf.sprintf "write a function that ignores its argument: `%s`" text) d
            |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
-         else Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
+         else
+           match next_mode fact with
+           | Some text ->
+               hint
+                 (Printf.sprintf
+                    "the second argument of `switch` is a function of the event's value: use `%s`"
+                    text)
+                 d
+           | None -> Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
   | _ -> None
 
 (* `x > 0 &&& x < 1` *)

@@ -44,6 +44,23 @@ let input words t =
   | Type.Signal_function (input, _) -> Option.value (Show.signal words input) ~default:"x"
   | _ -> "x"
 
+(* The event in the output of the mode, if it is `after` or `every`. *)
+let event_of fact =
+  let value =
+    match fact.subject with
+    | Some { desc = Global g; _ } -> (
+        match Show.binding fact.words g with
+        | Some { parameters = []; body = { guards = [ { value; _ } ]; _ }; _ } -> Some value
+        | Some _ | None -> None)
+    | subject -> subject
+  in
+  match value with
+  | Some { desc = Proc { body = { output = { desc = Tuple [ _; event ]; _ }; _ }; _ }; _ } -> (
+      match (Plain_name.of_head event, Show.quote fact.words event.span) with
+      | Some ("after" | "every"), Some text -> Some text
+      | _ -> None)
+  | _ -> None
+
 (* A signal function whose output is not a pair, or is a pair without an event. *)
 let hint_for_an_output fact wanted given =
   if is_pair wanted && not (is_pair given) then
@@ -58,7 +75,10 @@ let hint_for_an_output fact wanted given =
   else
     match in_place_of_the_event wanted given with
     | Some other when is_unrun_event other ->
-        Some "run the event's signal function on a signal, as in `after 5[s] ()`"
+        Some
+          (match event_of fact with
+          | Some event -> Printf.sprintf "run the event's signal function on `()`: `%s ()`" event
+          | None -> "run the event's signal function on a signal, as in `after 5[s] ()`")
     | Some other when Type.expand other = Bool -> Some by_an_event
     | _ -> None
 

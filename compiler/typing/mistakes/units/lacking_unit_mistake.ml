@@ -37,6 +37,15 @@ let rec mentions names (e : Resolve.Ir.expr) =
   | Negate e -> mentions names e
   | _ -> false
 
+(* Is it the product of a number and another value, rather than a formula of numbers alone? *)
+let is_product_with_value words e =
+  match Formula.factors (Bare_number.value words e) with
+  | [ (a, _); (b, _) ] -> (
+      match (Bare_number.literal words a, Bare_number.literal words b) with
+      | Some { name = None; _ }, None | None, Some { name = None; _ } -> true
+      | _ -> false)
+  | _ -> false
+
 (* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
    contain `pi` or `time`, because their numbers usually have no unit. *)
 let of_a_literal words ~likely ~subject ~expected (wanted, given) =
@@ -49,7 +58,10 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
            && not (power < 0 && String.equal number.digits "2") -> (
         let unit_ = needed units power in
         match number.unit_ with
-        | None when not (is_one wanted || is_one given) ->
+        | None
+          when (not (is_one wanted || is_one given))
+               || is_one given && is_product_with_value words e
+                  && not (is_one wanted || is_operand expected) ->
             let text = Printf.sprintf "%s[%s]" number.digits (Show.measure words unit_) in
             let what = if power > 0 then "factor" else "divisor" in
             let is_elsewhere =
@@ -238,16 +250,16 @@ let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
 (* `v * r` in place of `v / r`, for an input or a parameter [r]. *)
 let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
   match Option.bind subject Formula.binary with
-  | Some ((("*" | "/") as operator), a, ({ desc = Local b; _ } as divisor)) -> (
+  | Some ((("*" | "/") as operator), a, ({ desc = Local _ | Global _; _ } as divisor)) -> (
       let squared u = Units.multiply u u in
       let inverse u =
         if String.equal operator "*" then Units.divide given (squared u)
         else Units.multiply given (squared u)
       in
-      match (Formula.unit_of words divisor, Formula.text words a) with
-      | Some u, Some a when (not (is_one u)) && Units.equal (inverse u) wanted ->
+      match (Formula.unit_of words divisor, Formula.text words a, Formula.text words divisor) with
+      | Some u, Some a, Some b when (not (is_one u)) && Units.equal (inverse u) wanted ->
           let text =
-            Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b.name
+            Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b
           in
           Some (hint (Printf.sprintf "write `%s`, which has that unit" text))
       | _ -> None)

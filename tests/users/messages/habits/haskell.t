@@ -356,7 +356,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   7 |     e = stop
     |         ^^^^
     |
-    = hint: use `restingOutput` for a robot at rest
+    = hint: use `restingOutput` for a robot at rest; in a task, `sleepT 1[s] restingOutput` rests for a time
   
   9 errors
   [1]

@@ -56,7 +56,7 @@ Choices:
   3 |     v = if bumped i: 0 else: 0.3[m/s]
     |                    ^
     |
-    = hint: write `if bumped i then 0 else 0.3[m/s]`
+    = hint: use `if bumped i then 0 else 0.3[m/s]`
   
   1 error
   [1]
@@ -94,7 +94,7 @@ Choices:
   3 |     | 0 -> 1
     |     ^
     |
-    = hint: write `case n of`, and each branch on a line below it, as in `0 -> …`
+    = hint: use `case n of`, and each branch on a line below it, as in `0 -> …`
   
   1 error
   [1]
@@ -114,7 +114,7 @@ Choices:
   3 |     0 => 1,
     |     ^
     |
-    = hint: write `case n of`, and each branch on a line below it, as in `0 -> …`
+    = hint: use `case n of`, and each branch on a line below it, as in `0 -> …`
   
   1 error
   [1]
@@ -522,3 +522,113 @@ A constructor that starts with a small letter, if a function has that name:
   1 error
   [1]
   $ sed 's:== forward:== Forward:' constructor.frob > pasted.frob && frobc check pasted.frob
+
+Records that lack a part:
+
+  $ cat > braces.frob <<'FROB'
+  > import Geometry
+  > goal :: Point2
+  > goal = { x = 1[m], y = 2[m] }
+  > FROB
+  $ frobc check braces.frob
+  error[E0110]: expected the value of the definition after `=`, found `{`
+   --> braces.frob:3:8
+    |
+  3 | goal = { x = 1[m], y = 2[m] }
+    |        ^
+    |
+    = hint: put the constructor of the type before the braces, as in `Vec2 { x = 1[m], y = 2[m] }`
+  
+  1 error
+  [1]
+  $ sed 's:= {:= Vec2 {:' braces.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > own_record.frob <<'FROB'
+  > data Gains = Gains { left :: Float, right :: Float }
+  > gains = { left = 1, right = 2 }
+  > FROB
+  $ frobc check own_record.frob
+  error[E0110]: expected the value of the definition after `=`, found `{`
+   --> own_record.frob:2:9
+    |
+  2 | gains = { left = 1, right = 2 }
+    |         ^
+    |
+    = hint: put the constructor of the type before the braces, as in `Gains { left = 1, right = 2 }`
+  
+  1 error
+  [1]
+  $ sed 's:^gains = {:gains = Gains {:' own_record.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > without_constructor.frob <<'FROB'
+  > data Gains = { left :: Float, right :: Float }
+  > FROB
+  $ frobc check without_constructor.frob
+  error[E0110]: expected the name of a constructor, starting with a capital letter, found `{`
+   --> without_constructor.frob:1:14
+    |
+  1 | data Gains = { left :: Float, right :: Float }
+    |              ^
+    |
+    = hint: put the constructor before the braces: `data Gains = Gains { left :: Float, right :: Float }`
+  
+  1 error
+  [1]
+  $ sed 's:= {:= Gains {:' without_constructor.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > type_first.frob <<'FROB'
+  > data Gains = Gains { Float left, Float right }
+  > FROB
+  $ frobc check type_first.frob
+  error[E0110]: expected the name of a field, found `Float`
+   --> type_first.frob:1:22
+    |
+  1 | data Gains = Gains { Float left, Float right }
+    |                      ^^^^^
+    |
+    = hint: in a field, the type comes after the name: `left :: Float`
+  
+  1 error
+  [1]
+  $ sed -e 's:Float left:left \:\: Float:' -e 's:Float right:right \:\: Float:' type_first.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > new.frob <<'FROB'
+  > import Geometry
+  > goal = new Vec2(1[m], 2[m])
+  > FROB
+  $ frobc check new.frob
+  error[E0205]: unknown name `new`
+   --> new.frob:2:8
+    |
+  2 | goal = new Vec2(1[m], 2[m])
+    |        ^^^
+    |
+    = hint: remove `new`: a constructor alone makes a value, as in `Vec2 1[m] 2[m]`
+  
+  1 error
+  [1]
+  $ sed 's:new Vec2(1.m., 2.m.):Vec2 1[m] 2[m]:' new.frob > pasted.frob && frobc check pasted.frob
+
+A loop with a counter:
+
+  $ cat > counter.frob <<'FROB'
+  > import Robot
+  > mission = do
+  >     n = 0
+  >     while n < 4 do
+  >         forward 1[m]
+  >         n = n + 1
+  > main = reactimateTask (watching mission)
+  > FROB
+  $ frobc check counter.frob
+  error[E0110]: expected `<-`, `-<`, or the end of this statement, found `=`
+   --> counter.frob:3:7
+    |
+  3 |     n = 0
+    |       ^
+    |
+    = hint: a task has no variables that change: to repeat the tasks 4 times, write `repeatT 4 $ do` in place of the `while`, and remove this line
+  
+  1 error
+  [1]
+  $ sed -e '/ n = /d' -e 's:while.*:repeatT 4 $ do:' counter.frob > pasted.frob && frobc check pasted.frob

@@ -287,7 +287,7 @@ condition.
   2 | main = proc x -> if x > 1: 2 else 3
     |                          ^
     |
-    = hint: write `if x > 1 then 2 else 3`
+    = hint: use `if x > 1 then 2 else 3`
   
   1 error
   [1]

@@ -10,7 +10,7 @@ Declarations with the punctuation or the capitals of another language.
   1 | data Stick = { ahead :: Float }
     |              ^
     |
-    = hint: as in `data Side = LeftSide | RightSide` or `data Gains = Gains { p :: Float, i :: Float }`
+    = hint: put the constructor before the braces: `data Stick = Stick { ahead :: Float }`
   
   1 error
   [1]

@@ -482,3 +482,90 @@ A speed and a turn rate for an output:
   1 error
   [1]
   $ sed 's:(min \(.*\), 0.2.*:roMake (setVelTR (min \1) 0.2[rad/s]):' pair.frob > pasted.frob && frobc check pasted.frob
+
+A gain without a unit, for an angle:
+
+  $ cat > heading.frob <<'FROB'
+  > import Robot
+  > drive = proc i -> roMake (setVelTR 0.2[m/s] omega) where
+  >     omega = 0.5 * (robotPose i).heading
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check heading.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> heading.frob:2:45
+    |
+  2 | drive = proc i -> roMake (setVelTR 0.2[m/s] omega) where
+    |                           --------          ^^^^^ this is `Float`
+    |                           |
+    |                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+  3 |     omega = 0.5 * (robotPose i).heading
+    |             --- this factor has no unit
+    |
+    = hint: if the factor `0.5` has a unit, write it: `0.5[1/s]`
+  
+  1 error
+  [1]
+  $ sed 's:0.5 \*:0.5[1/s] *:' heading.frob > pasted.frob && frobc check pasted.frob
+
+A scale without a unit:
+
+  $ cat > ticks.frob <<'FROB'
+  > toMeters :: Int -> Distance
+  > toMeters n = toFloat n * 0.01
+  > FROB
+  $ frobc check ticks.frob
+  error[E0320]: expected the unit `m`, found none
+   --> ticks.frob:2:14
+    |
+  1 | toMeters :: Int -> Distance
+    |             --------------- the signature of `toMeters` requires `Distance` (m)
+  2 | toMeters n = toFloat n * 0.01
+    |              ^^^^^^^^^^^^^^^^ this is `Float`
+    |
+    = hint: if the factor `0.01` has a unit, write it: `0.01[m]`
+  
+  1 error
+  [1]
+  $ sed 's:0.01:0.01[m]:' ticks.frob > pasted.frob && frobc check pasted.frob
+
+A product in place of a quotient, with a constant:
+
+  $ cat > wheel.frob <<'FROB'
+  > radius = 0.05[m]
+  > wheel :: Velocity -> AngularVelocity
+  > wheel v = v * radius
+  > FROB
+  $ frobc check wheel.frob
+  error[E0320]: expected the unit `1/s`, found `m^2/s`
+   --> wheel.frob:3:11
+    |
+  2 | wheel :: Velocity -> AngularVelocity
+    |          --------------------------- the signature of `wheel` requires `AngularVelocity` (1/s)
+  3 | wheel v = v * radius
+    |           ^^^^^^^^^^ this is `Float[m^2/s]`
+    |
+    = hint: write `v / radius`, which has that unit
+  
+  1 error
+  [1]
+  $ sed 's:v \* radius:v / radius:' wheel.frob > pasted.frob && frobc check pasted.frob
+
+Degrees in a type:
+
+  $ cat > degrees.frob <<'FROB'
+  > threshold :: Float[deg]
+  > threshold = 10[deg]
+  > FROB
+  $ frobc check degrees.frob
+  error[E0321]: a type cannot contain a scaled unit, because values are stored in base units
+   --> degrees.frob:1:20
+    |
+  1 | threshold :: Float[deg]
+    |                    ^^^
+    |
+    = hint: write `1` here, or `Angle` as the whole type; use scaled units only after literals
+  
+  1 error
+  [1]
+  $ sed 's:Float.deg.:Angle:' degrees.frob > pasted.frob && frobc check pasted.frob

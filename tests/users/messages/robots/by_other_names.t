@@ -71,7 +71,7 @@ Names from other systems:
   8 |     stop
     |     ^^^^
     |
-    = hint: use `restingOutput` for a robot at rest
+    = hint: use `restingOutput` for a robot at rest; in a task, `sleepT 1[s] restingOutput` rests for a time
   
   5 errors
   [1]

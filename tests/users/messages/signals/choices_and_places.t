@@ -115,7 +115,7 @@ There are no assignments, in any branch; a choice by constructors is a `case`:
   5 |         | Idle -> 0
     |         ^
     |
-    = hint: write `case m of`, and each branch on a line below it, as in `Idle -> …`
+    = hint: use `case m of`, and each branch on a line below it, as in `Idle -> …`
   
   1 error
   [1]
@@ -239,7 +239,7 @@ With any number of such mistakes; other mistakes are still reported:
   3 | main = proc v -> { left = v, right = v }
     |                  ^
     |
-    = hint: write the constructor before the braces, as in `Pose { heading = 0 }`
+    = hint: put the constructor of the type before the braces, as in `Motor { left = v, right = v }`
   
   1 error
   [1]

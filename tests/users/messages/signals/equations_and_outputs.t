@@ -209,3 +209,83 @@ Metres per second as `ms^-1`:
   1 error
   [1]
   $ sed 's:ms^-1:m/s:' per_second.frob > pasted.frob && frobc check pasted.frob
+
+A condition in place of an event with a number:
+
+  $ cat > held.frob <<'FROB'
+  > import Robot
+  > drive = proc i -> roMake (setVelTR v 0) where
+  >     v = hold 0.3[m/s] (bumped i)
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check held.frob
+  error[E0301]: expected `Event Float[m/s]`, found `Bool`
+   --> held.frob:3:24
+    |
+  3 |     v = hold 0.3[m/s] (bumped i)
+    |         ---- --------  ^^^^^^^^
+    |         |    |
+    |         |    because this is `Float[m/s]`
+    |         argument 2 of `hold` is `Event Float[m/s]`
+    |
+    = hint: use `tag (edge (bumped i)) x`, which occurs with the value of `x` when the condition becomes True
+  
+  1 error
+  [1]
+  $ sed 's:(bumped i):(tag (edge (bumped i)) 0):' held.frob > pasted.frob && frobc check pasted.frob
+
+The event of a mode, which needs `()`:
+
+  $ cat > after.frob <<'FROB'
+  > import Robot
+  > back = proc _ -> (roMake (setVelTR (-0.1[m/s]) 0), after 1[s])
+  > drive = switch back (\_ -> proc _ -> roMake (setVelTR 0 0))
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check after.frob
+  error[E0301]: expected `SF a (b, Event c)`, found `SF a (b, SF d (Event ()))`
+   --> after.frob:3:16
+    |
+  3 | drive = switch back (\_ -> proc _ -> roMake (setVelTR 0 0))
+    |         ------ ^^^^
+    |         |
+    |         argument 1 of `switch` is `SF a (b, Event c)`
+    |
+    = hint: run the event's signal function on `()`: `after 1[s] ()`
+  
+  1 error
+  [1]
+  $ sed 's:after 1.s.:& ():' after.frob > pasted.frob && frobc check pasted.frob
+
+A mode that continues as itself:
+
+  $ cat > itself.frob <<'FROB'
+  > import Robot
+  > go = proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i))
+  > drive = switch go drive
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check itself.frob
+  error[E0304]: expected a function, found a signal function: `SF a b`
+   --> itself.frob:3:9
+    |
+  3 | drive = switch go drive
+    | -----   ^^^^^^^^^^^^^^^
+    | |
+    | elsewhere `drive` is used as `() -> SF a b`
+    |
+    = hint: the second argument of `switch` is a function of the event's value: use `switch go (\_ -> drive)`
+  
+  error[E0304]: expected a signal function, found a function: `() -> SF c d`
+   --> itself.frob:4:24
+    |
+  4 | main = reactimateRobot drive
+    |        --------------- ^^^^^
+    |        |
+    |        argument 1 of `reactimateRobot` is `SF a b`
+    |
+    = hint: use `arr` to turn a function into a signal function: `arr drive`
+  
+  2 errors
+  [1]
+  $ sed 's:go drive:go (\\_ -> drive):' itself.frob > pasted.frob && frobc check pasted.frob

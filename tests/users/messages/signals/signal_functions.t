@@ -135,7 +135,7 @@ A Bool where an event is expected.
     |                  |    because this is `Float[u]`
     |                  argument 2 of `hold` is `Event Float[u]`
     |
-    = hint: use `edge b`, which occurs when it becomes True, or `when b`, which occurs whenever it is True; use `tag` to add a value
+    = hint: use `tag (edge b) x`, which occurs with the value of `x` when the condition becomes True
   
   1 error
   [1]
