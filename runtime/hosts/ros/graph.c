@@ -33,6 +33,24 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
     }
 }
 
+/* Reports a subscriber that wants earlier messages too. DDS connects it only to publishers that keep
+ * them, and does not report it. */
+static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
+{
+    for (size_t i = 0; i < nodes->size && !topic->told_durability; i++) {
+        const rcl_topic_endpoint_info_t *other = &nodes->info_array[i];
+        if (other->qos_profile.durability != RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL)
+            continue;
+        topic->told_durability = true;
+        fprintf(
+            stderr,
+            "warning: the node %s subscribes to %s with the durability `transient local`, so no "
+            "message gets through: old velocities are not kept. Let it subscribe with the "
+            "durability `volatile`\n",
+            other->node_name, topic->name);
+    }
+}
+
 static void look_at_input(const struct graph *g, struct input *input, const rcl_node_t *node)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();
@@ -66,6 +84,7 @@ static void look_at_velocity(struct graph *g, const rcl_node_t *node)
         return;
     }
     tell_type(&g->velocity, &nodes, "subscribes to");
+    tell_durability(&g->velocity, &nodes);
     if (rcl_topic_endpoint_info_array_fini(&nodes, &allocator) != RCL_RET_OK)
         rcl_reset_error();
 }

@@ -13,6 +13,7 @@ struct topic {
     const char *type; /* "nav_msgs/msg/Odometry" */
     bool told;        /* whether a node with another type was reported */
     bool told_silence;
+    bool told_durability; /* whether a node with an incompatible durability was reported */
 };
 
 struct inputs;

@@ -289,8 +289,11 @@ rcl_ret_t rcl_get_subscriptions_info_by_topic(const rcl_node_t *node,
     (void)allocator;
     (void)topic;
     (void)no_mangle;
-    return one(array, has("wants_stamped") || robot.stamped ? "geometry_msgs/msg/TwistStamped"
-                                                            : "geometry_msgs/msg/Twist");
+    one(array, has("wants_stamped") || robot.stamped ? "geometry_msgs/msg/TwistStamped"
+                                                     : "geometry_msgs/msg/Twist");
+    if (has("wants_old"))
+        array->info_array[0].qos_profile.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+    return RCL_RET_OK;
 }
 
 rcl_ret_t rcl_topic_endpoint_info_array_fini(rcl_topic_endpoint_info_array_t *array,

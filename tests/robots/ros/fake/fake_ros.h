@@ -90,6 +90,7 @@ typedef struct {
 typedef struct {
     const char *node_name;
     const char *topic_type;
+    rmw_qos_profile_t qos_profile;
 } rcl_topic_endpoint_info_t;
 
 typedef struct {

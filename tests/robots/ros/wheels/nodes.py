@@ -329,6 +329,19 @@ def test_other_type():
     base.close()
 
 
+def test_durability():
+    """A subscriber of velocities with another durability is reported."""
+    base = robot(cmd_vel="other")
+    old = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    base.node.create_subscription(Twist, "cmd_vel", base.command, old)
+    run = Run()
+    time.sleep(4)
+    _, errors = run.end()
+    assert "subscribes to /cmd_vel with the durability" in errors, errors
+    assert base.received == 0
+    base.close()
+
+
 def test_late_robot():
     """The robot may start after the program, and restart."""
     run = Run("--reconnect", "60s")
