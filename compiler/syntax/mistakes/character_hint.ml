@@ -38,12 +38,18 @@ let declares_a_record line =
     (List.hd (String.split_on_char ' ' (String.trim line)))
     [ "struct"; "typedef"; "class"; "record"; "interface"; "type" ]
 
+(* The largest distance at which {!definition_start} looks for the start of a definition. *)
+let farthest = 2000
+
 (* The start of the top-level definition around this offset. *)
-let rec definition_start text at =
-  let start = line_start text at in
-  match char_at text start with
-  | (' ' | '\n' | '{' | '}' | ',') when start > 0 -> definition_start text (start - 1)
-  | _ -> start
+let definition_start text at =
+  let rec back from =
+    let start = line_start text from in
+    match char_at text start with
+    | (' ' | '\n' | '{' | '}' | ',') when start > 0 && at - start < farthest -> back (start - 1)
+    | _ -> start
+  in
+  back at
 
 (* The offset of the innermost open brace. Stops at the start of the definition. *)
 let open_brace text at =

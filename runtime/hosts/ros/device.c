@@ -73,14 +73,13 @@ static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int
     topic->told[verdict] = true;
     switch (verdict) {
     case STAMPS_OLD:
-        fprintf(stderr,
-                "warning: a message on %s arrived %.3f s late; late messages do not count\n",
+        fprintf(stderr, "warning: a message on %s arrived %.3f s late; late messages are ignored\n",
                 topic->name, s(by_ns));
         break;
     case STAMPS_BACK:
     case STAMPS_AHEAD:
         fprintf(stderr,
-                "warning: the stamp of a message on %s jumped %s by %.3f s; messages do not count "
+                "warning: the stamp of a message on %s jumped %s by %.3f s; messages are ignored "
                 "until stamps have been regular for a second\n",
                 topic->name, verdict == STAMPS_BACK ? "back" : "ahead", s(by_ns));
         break;
@@ -121,7 +120,7 @@ static bool counts(struct ros_device *d, struct ros_topic *topic, const char *ba
     topic->told_silence = false;
     if (bad != NULL) {
         if (topic->told_bad != bad)
-            fprintf(stderr, "warning: a message on %s does not count: %s\n", topic->name, bad);
+            fprintf(stderr, "warning: a message on %s is ignored: %s\n", topic->name, bad);
         topic->told_bad = bad;
         return false;
     }

@@ -135,7 +135,7 @@ static void send_scan(struct inputs *inputs, const struct input *input, int sock
     const sensor_msgs__msg__LaserScan *m = &input->message.scan;
     struct ros_scan *scan = &inputs->scan;
     if (m->ranges.size > ROS_RAYS_MOST) {
-        fprintf(stderr, "warning: a message on %s does not count: it has more than %d ranges\n",
+        fprintf(stderr, "warning: a message on %s is ignored: it has more than %d ranges\n",
                 input->topic.name, ROS_RAYS_MOST);
         return;
     }

@@ -143,13 +143,13 @@ when messages are good again.
   0.200 0.000
   0.000 0.000
   $ run_node 1.2s nan=0.5; cat messages velocities
-  warning: a message on /odom does not count: its position is not a number
+  warning: a message on /odom is ignored: its position is not a number
   0.000 0.000
   0.200 0.000
   0.000 0.000
   $ speeds="0 0.2 0 0.2 0"
   $ run_node 2s back=0.5; sed "s/by [0-9.]* s/by N s/" messages; cat velocities
-  warning: the stamp of a message on /odom jumped back by N s; messages do not count until stamps have been regular for a second
+  warning: the stamp of a message on /odom jumped back by N s; messages are ignored until stamps have been regular for a second
   warning: the clock of the messages on /odom was set; they count again
   0.000 0.000
   0.200 0.000
@@ -158,7 +158,7 @@ when messages are good again.
   0.000 0.000
   $ speeds="0 0.2 0"
   $ run_node 2.2s old=1.2; grep late messages | sed "s/[0-9.]* s late/N s late/"; cat velocities
-  warning: a message on /odom arrived N s late; late messages do not count
+  warning: a message on /odom arrived N s late; late messages are ignored
   0.000 0.000
   0.200 0.000
   0.000 0.000
@@ -183,7 +183,7 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
   1
   $ faults=no_angle=0.3; wants='grep -q warning messages'
   $ in_time run_once approach.frob $patient --for 1s; wants=; cat messages
-  warning: a message on /scan does not count: its angles are not numbers, or angle_increment is 0
+  warning: a message on /scan is ignored: its angles are not numbers, or angle_increment is 0
 
 Without a robot, the program waits; it names the topic.
 

@@ -261,6 +261,10 @@ let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
           let text =
             Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b
           in
-          Some (hint (Printf.sprintf "write `%s`, which has that unit" text))
+          Some
+            (fun d ->
+              hint (Printf.sprintf "write `%s`, which has that unit" text) d
+              |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
+                     write e.span text))
       | _ -> None)
   | _ -> None
