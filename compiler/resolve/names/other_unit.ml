@@ -151,7 +151,8 @@ let explain ~is_unit ~text (span : Span.t) name =
     | Some (digits, whole) -> Option.map (fun x -> (digits, x, whole)) (float_of_string_opt digits)
     | None -> None
   in
-  if is_celsius name || is_fahrenheit name then
+  if name = "per" then Some (Diagnostic.hint "write `/` for \"per\", as in `0.3[m/s]`")
+  else if is_celsius name || is_fahrenheit name then
     Some
       (fun d ->
         let d = temperature name literal d in

@@ -75,7 +75,20 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
             | _ -> "take the signal in a `proc`: `proc x -> …`"
           in
           Diagnostic.hint hint diagnostic
-      | _ -> diagnostic)
+      | _ -> (
+          let texts =
+            List.filter_map (fun (p : Resolve.Ir.pattern) -> Show.quote words p.span) parameters
+          in
+          match (name, expected.because) with
+          | Some name, Signature _ when List.length texts = List.length parameters ->
+              Diagnostic.hint
+                (Printf.sprintf
+                   "the signature needs a type for each parameter (`%s`) and one for the result: \
+                    `%s :: %s -> …`"
+                   (String.concat "`, `" texts) name
+                   (String.concat " -> " (List.map (fun _ -> "…") texts)))
+                diagnostic
+          | _ -> diagnostic))
 
 (* `f (x, y) = …` with a signature that takes separate parameters. *)
 let as_several parameters allowed (expected : Expected.t) =

@@ -142,8 +142,24 @@ let without_brackets words (wanted, given) diagnostic =
   else diagnostic
 
 (* A delay by a time, as in Yampa's [delay q]. *)
-let by_time ~(expected : Expected.t) diagnostic =
+let by_time words ~(expected : Expected.t) diagnostic =
   match expected.because with
+  | Parameter { callee = Some "delay"; position = 2; given = [ time; signal ]; _ }
+    when Option.fold (Bare_number.literal words time) ~none:false ~some:(fun n ->
+             n.Bare_number.unit_ <> None) -> (
+      let explained =
+        hint
+          "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
+      in
+      match (Show.quote words time.span, Show.quote words signal.span) with
+      | Some time, Some signal ->
+          hint
+            (Printf.sprintf
+               "to delay by a time, write `delayBy %s %s`, with `import Control`; `delay x0` \
+                delays by one instant, and `x0` is its value at the first one"
+               time (Source.grouped signal))
+            diagnostic
+      | _ -> explained diagnostic)
   | Parameter { callee = Some "delay"; position = 2; _ } ->
       hint "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
         diagnostic
@@ -330,6 +346,10 @@ let likely words ~subject ~expected units =
       (fun () ->
         if Unit_conversion.is_operand expected then None
         else Formula_mistake.root words ~subject ~expected units);
+      (fun () -> Formula_mistake.within_root words ~subject units);
+      (fun () -> Formula_mistake.rounded words ~subject units);
+      (fun () -> Formula_mistake.gain_of_rate words ~subject ~expected units);
+      (fun () -> Formula_mistake.opposite words ~subject units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.superfluous_function words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.gain words ~subject ~expected units);
@@ -377,7 +397,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     | Output _ when String.equal (Show.measure words (Units.divide wanted given)) "s" ->
         { d with hints = d.hints @ diagnostic.hints }
     | _ -> { d with hints = diagnostic.hints @ d.hints })
-    |> by_time ~expected
+    |> by_time words ~expected
     |> (fun d ->
     match
       Lacking_unit_mistake.of_a_literal words ~likely:false ~subject ~expected (wanted, given)

@@ -152,6 +152,8 @@ Too many and too few arguments.
     |        -------------- the signature of `two` requires `Float -> Float`
   8 | two x y = x
     |       ^
+    |
+    = hint: the signature needs a type for each parameter (`x`, `y`) and one for the result: `two :: … -> … -> …`
   
   4 errors
   [1]

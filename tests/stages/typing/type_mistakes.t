@@ -16,7 +16,7 @@ Numbers of another representation: the messages name the conversions.
   2 | count = 3.5
     |         ^^^
     |
-    = hint: use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`
+    = hint: write `round 3.5`, or use `floor`, `ceiling` or `truncate` instead of `round`
   
   error[E0312]: the operands of `+` are `Float` and `Int`
    --> numbers.frob:5:26

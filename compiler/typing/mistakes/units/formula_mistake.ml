@@ -130,6 +130,144 @@ let power words ~subject ~expected units =
   if not (closed units) then None
   else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected units)
 
+(* As a factor of a product; a product needs no parentheses. *)
+let as_a_factor words (e : Resolve.Ir.expr) =
+  match Formula.binary e with
+  | Some ("*", _, _) -> Formula.text words e
+  | _ -> Formula.as_factor words e
+
+(* `sqrt x`, where `x` lacks a factor with a unit *)
+let within_root words ~subject (wanted, given) =
+  match subject with
+  | Some
+      ({
+         desc =
+           Apply { head = { desc = Global { name = "sqrt"; _ }; _ }; argument; style = Juxtaposed };
+         _;
+       } :
+        Resolve.Ir.expr)
+    when closed (wanted, given) ->
+      let missing = Units.power (Units.divide wanted given) (Rational.of_int 2) in
+      let is_whole (_, power) = Rational.is_integer power in
+      (* [sqrt d] for a distance: probably the sum of squares is meant *)
+      let is_same = Units.equal missing wanted in
+      let is_decimal ((e : Resolve.Ir.expr), _) =
+        match e.desc with
+        | Number { digits; unit_ = None; _ } -> String.contains digits '.'
+        | _ -> false
+      in
+      if is_same then
+        match Formula.binary argument with
+        | Some ("+", a, b) -> (
+            match (Formula.grouped words a, Formula.grouped words b) with
+            | Some a, Some b ->
+                let text = Printf.sprintf "sqrt (%s ^ 2 + %s ^ 2)" a b in
+                Some (hint (Printf.sprintf "for the root of a sum of squares, write `%s`" text))
+            | _ -> None)
+        | _ -> None
+      else if
+        List.exists is_decimal (Formula.factors argument)
+        || not (List.for_all is_whole (Units.base_powers missing))
+      then None
+      else
+        let unit_ = Show.measure words missing in
+        Option.map
+          (fun inside ->
+            hint
+              (Printf.sprintf
+                 "a factor in `%s`%s is missing inside the root, as in `sqrt (1[%s] * %s)`" unit_
+                 (if unit_ = "m/s^2" then ", an acceleration," else "")
+                 unit_ inside))
+          (as_a_factor words argument)
+  | _ -> None
+
+(* `round x`, which keeps the unit of `x` *)
+let rounded words ~subject (wanted, given) =
+  match subject with
+  | Some
+      ({
+         desc =
+           Apply
+             {
+               head =
+                 {
+                   desc = Global { name = ("round" | "floor" | "ceiling" | "truncate") as name; _ };
+                   _;
+                 };
+               argument;
+               style = Juxtaposed;
+             };
+         span;
+       } :
+        Resolve.Ir.expr)
+    when closed (wanted, given) && Units.equal wanted Units.one ->
+      Option.map
+        (fun inside d ->
+          let text = Printf.sprintf "%s (%s / 1[%s])" name inside (Show.measure words given) in
+          hint (Printf.sprintf "divide by the unit before rounding: `%s`" text) d
+          |> write span ("(" ^ text ^ ")"))
+        (as_a_factor words argument)
+  | _ -> None
+
+(* The gain in `kp * e + kd * derivative e`, declared with the unit of another gain *)
+let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
+  let has_derivative factors =
+    let is_it ((e : Resolve.Ir.expr), _) =
+      match e.desc with
+      | Apply { head = { desc = Global { name = "derivative"; _ }; _ }; _ } -> true
+      | _ -> false
+    in
+    List.exists is_it factors
+  in
+  let of_side e (wanted, given) =
+    let factors = Formula.factors e in
+    let gain ((e : Resolve.Ir.expr), power) =
+      match (e.desc, Formula.unit_of words e) with
+      | Local x, Some u when power = 1 && not (Units.equal u Units.one) ->
+          Some (x.name, Units.multiply u (Units.divide wanted given))
+      | _ -> None
+    in
+    if not (has_derivative factors) then None
+    else
+      Option.map
+        (fun (name, u) ->
+          hint
+            (Printf.sprintf
+               "the gain of a rate of change has another unit: write `Float[%s]` for `%s` in the \
+                signature"
+               (Show.measure words u) name))
+        (List.find_map gain factors)
+  in
+  match (expected.because, subject) with
+  | Operand { operator = "+" | "-"; other; _ }, Some e when closed (wanted, given) -> (
+      match of_side e (wanted, given) with
+      | Some advice -> Some advice
+      | None -> of_side other (given, wanted))
+  | _ -> None
+
+(* `integral x` for `derivative x`, and the other way round *)
+let opposite words ~subject (wanted, given) =
+  let seconds k = String.equal (Show.measure words (Units.divide wanted given)) k in
+  match subject with
+  | Some
+      ({
+         desc =
+           Apply { head = { desc = Global { name; _ }; span; _ }; argument; style = Juxtaposed };
+         _;
+       } :
+        Resolve.Ir.expr)
+    when closed (wanted, given)
+         && ((name = "integral" && seconds "1/s^2") || (name = "derivative" && seconds "s^2")) ->
+      let other, meaning =
+        if name = "integral" then ("derivative", "the rate of change")
+        else ("integral", "the sum over time")
+      in
+      Option.map
+        (fun text d ->
+          hint (Printf.sprintf "for %s, write `%s %s`" meaning other text) d |> write span other)
+        (Formula.grouped words argument)
+  | _ -> None
+
 (* {1 A quantity and its rate} *)
 
 let rate words ~subject ~(expected : Expected.t) (wanted, given) =
@@ -137,9 +275,19 @@ let rate words ~subject ~(expected : Expected.t) (wanted, given) =
   let is_bare (e : Resolve.Ir.expr) =
     Bare_number.literal words e <> None || Bare_number.written_factor words e <> []
   in
+  (* `kd * derivative e` is a rate on purpose. *)
+  let is_differentiated e =
+    let is_it ((e : Resolve.Ir.expr), _) =
+      match e.desc with
+      | Apply { head = { desc = Global { name = "derivative"; _ }; _ }; _ } -> true
+      | _ -> false
+    in
+    List.exists is_it (Formula.factors e)
+  in
   match (expected.because, subject) with
   | Operand { operator = ("+" | "-") as operator; other; _ }, Some e
-    when closed (wanted, given) && not (is_bare other || is_bare e) -> (
+    when closed (wanted, given)
+         && not (is_bare other || is_bare e || is_differentiated e || is_differentiated other) -> (
       let rate_is_second = per_second wanted given in
       let quantity, rate = if rate_is_second then (wanted, e) else (given, other) in
       let is_it = rate_is_second || per_second given wanted in

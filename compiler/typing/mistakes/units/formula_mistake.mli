@@ -30,3 +30,32 @@ val rate :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** The sum of a quantity and its rate of change: [heading + turnRate i]. *)
+
+val within_root :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
+
+val opposite :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** [integral x] where the unit of [derivative x] is expected, or the other way round. *)
+
+val rounded :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A rounded quantity where a plain number is expected: [round (d * 100)]. *)
+
+val gain_of_rate :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A sum with [kd * derivative e], where the unit of the parameter [kd] is wrong. *)

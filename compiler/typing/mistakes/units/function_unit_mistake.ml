@@ -139,13 +139,15 @@ let quotient words ~(expected : Expected.t) =
               |> fix (Printf.sprintf "write `%s`" cure) [ (a.span, "(" ^ cure ^ ")") ])
       | Some x, Some y ->
           let cure = Printf.sprintf "div %s %s" x y in
+          (* A literal can be a Float; a variable of this function is probably an Int, too. *)
+          let divisor = match b.desc with Number _ -> y | _ -> Printf.sprintf "toFloat %s" y in
           Some
             (fun d ->
               hint
                 (Printf.sprintf
                    "for a whole number, write `%s`, which rounds down; for a number with a \
                     fraction, write `toFloat %s / %s`"
-                   cure x y)
+                   cure x divisor)
                 d
               |> fix
                    (Printf.sprintf "write `%s`" cure)

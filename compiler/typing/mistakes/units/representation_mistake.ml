@@ -37,7 +37,7 @@ let to_float words ~found (e : Resolve.Ir.expr option) =
       hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
   | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
 
-let to_int ~found (e : Resolve.Ir.expr option) =
+let to_int words ~found (e : Resolve.Ir.expr option) =
   let whole digits =
     match String.index_opt digits '.' with
     | Some point
@@ -60,7 +60,32 @@ let to_int ~found (e : Resolve.Ir.expr option) =
                "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
                 `truncate` instead of `round`"
                each)
-      | _ -> hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
+      | _ -> (
+          match Option.bind e (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
+          | Some text ->
+              let text = "round " ^ Source.grouped text in
+              fun d ->
+                hint
+                  (Printf.sprintf
+                     "write `%s`, or use `floor`, `ceiling` or `truncate` instead of `round`" text)
+                  d
+                |> fix
+                     (Printf.sprintf "write `%s`" text)
+                     [ ((Option.get e).span, "(" ^ text ^ ")") ]
+          | None ->
+              hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
+      )
+
+(* `toFloat x`, where `x` is a Float already *)
+let superfluous words ~(expected : Expected.t) (e : Resolve.Ir.expr option) =
+  match (expected.because, e) with
+  | Parameter { callee = Some "toFloat"; at; _ }, Some e ->
+      Option.map
+        (fun text d ->
+          hint (Printf.sprintf "remove `toFloat`: `%s` is a `Float` already" text) d
+          |> fix (Printf.sprintf "write `%s`" text) [ (Span.merge at e.span, Source.grouped text) ])
+        (Show.quote words e.span)
+  | _ -> None
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.representation words in
@@ -76,12 +101,15 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
         match Function_unit_mistake.power words ~expected () with
         | Some complete -> Some complete
         | None -> Function_unit_mistake.quotient words ~expected)
-    | Int, Float -> Function_unit_mistake.whole_numbers words ~expected ~found
+    | Int, Float -> (
+        match superfluous words ~expected subject with
+        | Some complete -> Some complete
+        | None -> Function_unit_mistake.whole_numbers words ~expected ~found)
     | _ -> None
   in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
   | _ when of_function <> None -> (Option.get of_function) (plain ())
-  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int ~found subject
+  | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int words ~found subject
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
@@ -92,7 +120,7 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
   | Parameter { callee = Some "/"; _ }, Float, Int ->
       plain () |> hint "to divide whole numbers, use `div`" |> to_float words ~found subject
   | _, Float, Int -> plain () |> to_float words ~found subject
-  | _, Int, Float -> plain () |> to_int ~found subject
+  | _, Int, Float -> plain () |> to_int words ~found subject
   | _ ->
       plain ()
       |> note

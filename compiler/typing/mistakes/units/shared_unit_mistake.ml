@@ -255,7 +255,9 @@ let is_to_blame words ~(subject : Resolve.Ir.expr) (wanted, given) =
         ||
         match Bare_number.written_factor words subject with
         | [ ({ unit_ = None; digits; _ }, _) ] ->
-            Bare_number.literal words subject = None && String.contains digits '.'
+            Bare_number.literal words subject = None
+            && (String.contains digits '.'
+               || String.starts_with ~prefix:"1/" (Show.measure words (Units.divide wanted given)))
         | _ -> false)
 
 let is_number_with_unit words (e : Resolve.Ir.expr) =

@@ -15,7 +15,7 @@ A number that is not an Int is not replaced by a 0:
     |                        |
     |                        argument 1 of `at` is `Int`
     |
-    = hint: use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`
+    = hint: write `round k`, or use `floor`, `ceiling` or `truncate` instead of `round`
   
   1 error
   [1]

@@ -95,7 +95,7 @@ An angular velocity is an angle divided by a time:
     |         |     because this is `Float[s]`
     |         argument 2 of `delay` is `Float[s]`
     |
-    = hint: `delay x0` delays by one instant, not by a time; `x0` is its value at the first instant
+    = hint: to delay by a time, write `delayBy 0.5[s] (0.5[1/s] * frontSonar i)`, with `import Control`; `delay x0` delays by one instant, and `x0` is its value at the first one
   
   1 error
   [1]

@@ -67,6 +67,8 @@ Semicolons, several commands, and a signature of too few parameters: one message
     |          -------------- the signature of `steer` requires `Float -> Float`
   2 | steer a b = a - b
     |         ^
+    |
+    = hint: the signature needs a type for each parameter (`a`, `b`) and one for the result: `steer :: … -> … -> …`
   
   1 error
   [1]

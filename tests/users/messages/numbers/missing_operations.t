@@ -1,0 +1,66 @@
+Formulas that lack an operation or have the wrong one, and conversions. Each program is one line
+under a signature; the test shows the message without the source, and checks the line with which the
+hint replaces it.
+
+  $ try () { # SIGNATURE LINE CORRECTED-LINE
+  >   printf 'import Control\nf :: %s\n%s\n' "$1" "$2" > program.frob
+  >   frobc check program.frob 2>&1 | grep '^error\|hint'
+  >   printf 'import Control\nf :: %s\n%s\n' "${4:-$1}" "$3" > corrected.frob; frobc check corrected.frob 2>&1 | grep '^error'
+  > }
+
+  $ try 'Distance -> Velocity' 'f d = sqrt (2 * d)' 'f d = sqrt (1[m/s^2] * 2 * d)'
+  error[E0320]: expected the unit `m/s`, found `m^(1/2)`
+    = hint: a factor in `m/s^2`, an acceleration, is missing inside the root, as in `sqrt (1[m/s^2] * 2 * d)`
+  [1]
+  $ try 'Distance -> Distance -> Distance' 'f x y = sqrt (x + y)' 'f x y = sqrt (x ^ 2 + y ^ 2)'
+  error[E0320]: expected the unit `m`, found `m^(1/2)`
+    = hint: for the root of a sum of squares, write `sqrt (x ^ 2 + y ^ 2)`
+  [1]
+  $ try 'SF Distance Velocity' 'f = proc x -> integral x' 'f = proc x -> derivative x'
+  error[E0320]: expected the unit `m/s`, found `m s`
+    = hint: for the rate of change, write `derivative x`
+    = hint: if this is the right result, write the signature as `f :: SF Distance Float[m s]`
+  [1]
+  $ try 'SF Velocity Distance' 'f = proc v -> derivative v' 'f = proc v -> integral v'
+  error[E0320]: expected the unit `m`, found `m/s^2`
+    = hint: for the sum over time, write `integral v`
+    = hint: if this is the right result, write the signature as `f :: SF Velocity Float[m/s^2]`
+  [1]
+  $ try 'SF Velocity Velocity' 'f = proc v -> delay 0.5[s] v' 'f = proc v -> delayBy 0.5[s] v'
+  error[E0320]: expected the unit `s`, found `m/s`
+    = hint: to delay by a time, write `delayBy 0.5[s] v`, with `import Control`; `delay x0` delays by one instant, and `x0` is its value at the first one
+  [1]
+  $ try 'Float[1/(m s)] -> Float[1/(m s)] -> SF Distance AngularVelocity' 'f kp kd = proc e -> kp * e + kd * derivative e' \
+  >   'f kp kd = proc e -> kp * e + kd * derivative e' 'Float[1/(m s)] -> Float[1/m] -> SF Distance AngularVelocity'
+  error[E0320]: the operands of `+` have different units: `1/s` and `1/s^2`
+    = hint: the gain of a rate of change has another unit: write `Float[1/m]` for `kd` in the signature
+  [1]
+  $ try 'Distance -> Int' 'f d = round (d * 100)' 'f d = round (d * 100 / 1[m])'
+  error[E0320]: expected no unit, found `m`
+    = hint: divide by the unit before rounding: `round (d * 100 / 1[m])`
+    = hint: if this is the right result, write the signature as `f :: Distance -> Int[m]`
+  [1]
+  $ try 'Distance -> Float' 'f d = toFloat (d / 1[m])' 'f d = d / 1[m]'
+  error[E0312]: expected `Int`, found `Float`
+    = hint: remove `toFloat`: `d / 1[m]` is a `Float` already
+  [1]
+  $ try 'Float -> Int' 'f x = max 0 (255 * x)' 'f x = round (max 0 (255 * x))'
+  error[E0312]: expected `Int`, found `Float`
+    = hint: write `round (max 0 (255 * x))`, or use `floor`, `ceiling` or `truncate` instead of `round`
+  [1]
+  $ try 'Int -> Int -> Float' 'f total n = total / n' 'f total n = toFloat total / toFloat n'
+  error[E0312]: expected `Float`, found `Int`
+    = hint: for a whole number, write `div total n`, which rounds down; for a number with a fraction, write `toFloat total / toFloat n`
+  [1]
+  $ try 'Velocity' 'f = 3[m per s]' 'f = 3[m/s]'
+  error[E0208]: unknown unit `per`
+    = hint: write `/` for "per", as in `0.3[m/s]`
+  [1]
+  $ try 'SF Distance AngularVelocity' 'f = proc d -> limit 1[rad/s] (2 * d)' 'f = proc d -> limit 1[rad/s] (2[1/m/s] * d)'
+  error[E0320]: expected the unit `1/s`, found `m`
+    = hint: if the factor `2` has a unit, write it: `2[1/m/s]`
+  [1]
+  $ try 'Float -> Float' 'f a b = (a + b) / 2' 'f a b = (a + b) / 2' 'Float -> Float -> Float'
+  error[E0302]: `f` has more than one parameter, but its type allows only one
+    = hint: the signature needs a type for each parameter (`a`, `b`) and one for the result: `f :: … -> … -> …`
+  [1]
