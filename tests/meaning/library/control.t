@@ -35,6 +35,28 @@ Limits, on Float and on Int:
   nan,nan,nan,2,3,1
   2,3,inf,2,3,2147483645
 
+Limits below zero count as 0, and of two limits that are swapped, the lower one wins:
+
+  $ cat > negative.frob << FROB
+  > import Control
+  > main :: SF (Float, Float) ((Float, Float, Int, Float), (Float, Float, Bool))
+  > main = proc (x, y) ->
+  >     ( (limit x y, deadband x y, limit (round x) (round y), clamp 1 x y)
+  >     , (slow 1 y, control 1 y, swapped 3 y) )
+  > 
+  > slow, control :: Float -> SF Float Float
+  > slow x = rateLimit (-x / 1[s])
+  > control x = pid Pid { kp = 1, ki = 1[1/s], kd = 1[s], largest = -x }
+  > swapped :: Float -> SF Float Bool
+  > swapped x = hysteresis (x + 2) x
+  > FROB
+  $ printf '%s\n' -2,7 -2,0.5 -2,-7 nan,4 -2,4 | rows in.1,in.2 | trace negative | cells
+  -0,7,0,1,7,-0,true
+  -0,0.5,0,1,7,-0,false
+  -0,-7,0,1,7,-0,false
+  nan,nan,0,nan,7,-0,true
+  -0,4,0,1,7,-0,true
+
 The first instant, the length of a step, the part of it that controllers count, and the previous
 input:
 

@@ -1,4 +1,4 @@
-"""Independent implementations of the modules Angles, Filters, Logic and Pid.
+"""Independent implementations of the modules Angles, Filters, Imu, Logic and Pid.
 
     control_models.py input SEED           prints an input with uneven steps, steps of length 0,
                                            gaps, NaN for single instants, and headings that wrap
@@ -175,6 +175,30 @@ def angles():
             mean,
             fused(time, 0, w, a),
         ]
+
+    return step
+
+
+# Inertial measurement units
+
+
+def imu():
+    """Readings arrive while the button is pressed. A reset means that there is no magnetometer."""
+    state = []  # the heading after the last reading without a NaN, and its time
+
+    def step(time, x, a, w, goal, arrives, no_compass, *_):
+        if not arrives:
+            return [state[0] if state else 0.0]
+        if not state:
+            heading = 0.0 if no_compass else a
+        else:
+            h = time - state[1]
+            heading = wrapped(state[0] + w * h)
+            if not no_compass:
+                heading = wrapped(heading + share(0.5, h) * turn(a, heading))
+        if finite(heading):
+            state[:] = [heading, time]
+        return [heading]
 
     return step
 
@@ -449,6 +473,7 @@ def controllers():
 
 MODELS = dict(
     angles=angles,
+    imu=imu,
     filters=filters,
     biquads=biquads,
     motions=motions,
@@ -456,7 +481,7 @@ MODELS = dict(
     controllers=controllers,
 )
 # Absolute differences, in double and in single precision. The model of motions is approximate.
-TOLERANCE = dict(motions=(5e-3, 1e-2), angles=(1e-9, 2e-4), biquads=(1e-9, 2e-4))
+TOLERANCE = dict(motions=(5e-3, 1e-2), angles=(1e-9, 2e-4), imu=(1e-9, 2e-4), biquads=(1e-9, 2e-4))
 
 
 def number(cell):
@@ -470,7 +495,7 @@ def differ(model, wanted, cell, tolerance):
     if math.isnan(wanted) or math.isnan(found):
         return math.isnan(wanted) != math.isnan(found)
     apart = abs(wanted - found)
-    if model == "angles" and max(abs(wanted), abs(found)) < 3.2:
+    if model in ("angles", "imu") and max(abs(wanted), abs(found)) < 3.2:
         apart = min(apart, 2 * PI - apart)
     return apart > tolerance * max(1, abs(wanted))
 

@@ -71,19 +71,19 @@ Filters continue after a NaN, and `holdFinite` replaces it:
 
   $ cat > nan.frob << 'FROB'
   > import Control
-  > main :: SF Float (Float, Float, Float, Float, Float)
+  > main :: SF Float (Float, Float, Float, Float, Float, Float)
   > main = proc x ->
   >     ( lowPass 1[s] x, rateLimit 1[1/s] x, movingAverage [1, 1] x, holdFinite 7 x
-  >     , integral (holdFinite 0 x) / 1[s] )
+  >     , integral (holdFinite 0 x) / 1[s], finiteSlope x * 1[s] )
   > FROB
   $ printf '%s\n' nan 1 2 nan 4 inf 8 | rows in | trace nan 2> /dev/null | cells
-  nan,nan,nan,7,0
-  1,1,1,1,0
-  1.5,2,1.5,2,1
-  nan,nan,nan,2,3
-  3.1666666666666665,3,3,4,5
-  inf,4,inf,4,9
-  6.3888888888888893,5,6,8,13
+  nan,nan,nan,7,0,nan
+  1,1,1,1,0,0
+  1.5,2,1.5,2,1,1
+  nan,nan,nan,2,3,nan
+  3.1666666666666665,3,3,4,5,1
+  inf,4,inf,4,9,inf
+  6.3888888888888893,5,6,8,13,2
   $ cat > pid.frob << 'FROB'
   > import Control
   > main :: SF Float (Float, Float)
@@ -93,5 +93,5 @@ Filters continue after a NaN, and `holdFinite` replaces it:
   $ printf '%s\n' 1 nan 1 1 | rows in | trace pid 2> /dev/null | cells
   1,1
   nan,nan
-  nan,nan
   2,2
+  3,3
