@@ -35,37 +35,8 @@ let number w (e : expr) =
         |> emit w.sink)
   | _ -> ()
 
-(* The positions, from 0, of the duration parameters of library functions. *)
-let durations (g : Global.t) =
-  match (g.module_, g.name) with
-  | "Prelude", ("after" | "elapsed" | "every" | "sampleEvery" | "sleepT") -> [ 0 ]
-  | "Prelude", "timeOut" -> [ 1 ]
-  | "Control", ("lowPass" | "debounce")
-  | "Filters", ("highPass" | "filteredDerivative" | "complementary")
-  | "Angles", ("lowPassAngle" | "complementaryAngle")
-  | "Logic", ("pulse" | "onDelay" | "offDelay") ->
-      [ 0 ]
-  | "Filters", "rejectJumps" -> [ 1 ]
-  | "Sources", "chirp" -> [ 2 ]
-  | "Sources", "colouredNoise" -> [ 0 ]
-  | _ -> []
-
-let duration w name (e : expr) =
-  match Constant.float w.constants e with
-  | Some x when x < 0. ->
-      Diagnostic.(
-        warning ~code:"W0309" ~at:e.span "`%s` has a negative time, which counts as zero" name
-        |> hint "write a time of at least `0[s]`"
-        |> emit w.sink)
-  | Some _ | None -> ()
-
 let rec expr w (e : expr) =
   number w e;
-  (match Constant.spine e with
-  | { desc = Global (g, _) | Primitive (g, _); _ }, (_ :: _ as arguments) ->
-      let told index = Option.iter (duration w g.name) (List.nth_opt arguments index) in
-      List.iter told (durations g)
-  | _ -> ());
   Walk.parts (expr w) e
 
 let warn sink resolved program =

@@ -1,7 +1,7 @@
 (** Warns about constants that are almost certainly mistakes.
 
     Codes: [W0307] a number that is NaN although its operands are not · [W0308] a constant [Int]
-    that wraps around · [W0309] a negative time where a duration is expected. *)
+    that wraps around. *)
 
 val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
 (** Checks the definitions of the program's own modules. Does not warn about an intended NaN,

@@ -6,89 +6,16 @@ type facts = {
   resolved : Resolve.Ir.program;
   constants : Constant.t;
   program : program;
-  values : expr Int_table.t;  (** of the variables that equations bind *)
-  headings : unit Int_table.t;  (** variables that match the heading of a pose *)
+  docs : Doc_facts.t;
+  origins : Angle_origins.t;
   plain_uses : unit Int_table.t;  (** variables with a use that does not accept whole turns *)
   mutable differences : (Local.t * (unit -> unit)) list;
       (** equations that are a difference, each with its report *)
 }
 
-(* {1 Angles that wrap} *)
-
-type kind = Heading | Rotation  (** from one heading to another, so small differences are fine *)
-
-let is_heading (c : constructor) index =
-  c.constructor = { Global.module_ = "Geometry"; name = "Pose" }
-  && match List.nth_opt c.fields index with Some (name, _) -> name = "heading" | None -> false
-
-let rec pattern facts (p : pattern) =
-  match p.desc with
-  | As (_, inner) -> pattern facts inner
-  | Tuple_of ps | Array_of ps -> List.iter (pattern facts) ps
-  | Constructed (c, ps) ->
-      List.iteri
-        (fun index (p : pattern) ->
-          match p.desc with
-          | (Bound x | As (x, _)) when is_heading c index ->
-              Int_table.replace facts.headings x.id ()
-          | _ -> pattern facts p)
-        ps
-  | _ -> ()
-
-let rec collect facts (e : expr) =
-  let binding (b : binding) =
-    match b.pattern.desc with
-    | Bound x -> Int_table.replace facts.values x.id b.value
-    | _ -> pattern facts b.pattern
-  in
-  (match e.desc with
-  | Let (bindings, _) -> List.iter binding bindings
-  | Proc { input; equations; _ } ->
-      pattern facts input;
-      List.iter binding equations
-  | Lambda (ps, _) -> List.iter (pattern facts) ps
-  | Case (_, branches) -> List.iter (fun (b : branch) -> pattern facts b.pattern) branches
-  | _ -> ());
-  Walk.parts (collect facts) e
-
-let called (e : expr) =
-  match Constant.spine e with
-  | { desc = Global (g, _) | Primitive (g, _); _ }, arguments -> Some (g, arguments)
-  | _ -> None
-
-(* The number of equations to follow. *)
-let depth = 8
-
-let rec kind facts depth (e : expr) =
-  let kind = if depth = 0 then fun _ -> None else kind facts (depth - 1) in
-  match e.desc with
-  | Field (_, c, index) when is_heading c index -> Some Heading
-  | Local (x, _) when Int_table.mem facts.headings x.id -> Some Heading
-  | Local (x, _) -> Option.bind (Int_table.find_opt facts.values x.id) kind
-  | Negate a -> kind a
-  | If (_, a, b) -> if kind a = kind b then kind a else None
-  | Run (f, input) -> (
-      match called f with
-      | Some ({ module_ = "Angles"; name }, _)
-        when List.mem name
-               [ "lowPassAngle"; "rateLimitAngle"; "movingAverageAngle"; "complementaryAngle" ] ->
-          Some Heading
-      | Some
-          (({ module_ = "Control"; name = "previous" } | { module_ = "Prelude"; name = "delay" }), _)
-        ->
-          kind input
-      | _ -> None)
-  | Apply _ -> (
-      match called e with
-      | Some ({ module_ = "Geometry"; name = "angleDiff" }, [ _; _ ]) -> Some Rotation
-      | Some ({ module_ = "Geometry"; name = "wrapAngle" | "direction" }, [ _ ])
-      | Some ({ module_ = "Angles"; name = "meanAngle" | "halfOpen" }, [ _ ])
-      | Some ({ module_ = "Prelude"; name = "atan2" }, [ _; _ ]) ->
-          Some Heading
-      | _ -> None)
-  | _ -> None
-
-let kind facts e = kind facts depth e
+let called = Angle_origins.called
+let is_heading = Angle_origins.is_heading
+let kind facts e = Angle_origins.kind facts.origins e
 
 (* {1 Reports} *)
 
@@ -126,58 +53,33 @@ let difference facts (e : expr) (a : expr) (b : expr) =
             ])
     |> emit facts.sink)
 
-let jumps name =
-  Printf.sprintf "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees" name
-
-let replaced facts (head : expr) (input : expr) name other =
+let warning facts (head : expr) (input : expr) name d =
   Diagnostic.(
     warning ~code:"W0315" ~at:head.span "`%s` of an angle that wraps" name
     |> label ~at:input.span "this angle is between -pi and pi"
-    |> note (jumps name)
-    |> hint (Printf.sprintf "write `%s` (module Angles)" other)
-    |> fix
-         (Printf.sprintf "write `%s`" other)
-         (with_import facts head.span "Angles" [ (head.span, other) ])
-    |> emit facts.sink)
+    |> note
+         (Printf.sprintf "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees"
+            name)
+    |> d |> emit facts.sink)
 
-let unwrapped facts (head : expr) (input : expr) name =
+let of_module = Printf.sprintf "`%s` (module %s)"
+
+let replaced facts (head : expr) other ~module_ =
+  Diagnostic.fix
+    (Printf.sprintf "write `%s`" other)
+    (with_import facts head.span module_ [ (head.span, other) ])
+
+let use_unwrap facts (head : expr) edits =
+  Diagnostic.fix "use `unwrap`" (with_import facts head.span "Angles" edits)
+
+let unwrapped facts head (input : expr) =
+  let input = Angle_origins.within facts.origins input in
   (* other arguments have parentheses already, outside their span *)
   let opening, closing = if is_atom input then ("(unwrap ", ")") else ("unwrap (", ")") in
-  Diagnostic.(
-    warning ~code:"W0315" ~at:head.span "`%s` of an angle that wraps" name
-    |> label ~at:input.span "this angle is between -pi and pi"
-    |> note (jumps name)
-    |> hint "make the angle continuous with `unwrap` (module Angles)"
-    |> fix "use `unwrap`"
-         (with_import facts head.span "Angles" [ (before input, opening); (after input, closing) ])
-    |> emit facts.sink)
+  if kind facts input = Some Scaled then Fun.id
+  else use_unwrap facts head [ (before input, opening); (after input, closing) ]
 
 (* {1 Filters} *)
-
-let for_angles (g : Global.t) =
-  match (g.module_, g.name) with
-  | "Prelude", "derivative" -> Some "angularRate"
-  | "Control", "lowPass" -> Some "lowPassAngle"
-  | "Control", "rateLimit" -> Some "rateLimitAngle"
-  | "Control", "movingAverage" -> Some "movingAverageAngle"
-  | "Filters", "complementary" -> Some "complementaryAngle"
-  | _ -> None
-
-let needs_continuous (g : Global.t) =
-  String.equal g.module_ "Filters"
-  && List.mem g.name
-       [
-         "highPass";
-         "lowPass2";
-         "notch";
-         "filteredDerivative";
-         "alphaBeta";
-         "rateLimitUpDown";
-         "slew";
-         "median3";
-         "median5";
-         "rejectJumps";
-       ]
 
 (* Whether a `pid` with these gains may use the derivative. *)
 let has_derivative facts (gains : expr) =
@@ -200,21 +102,53 @@ let has_derivative facts (gains : expr) =
 
 let rec head (e : expr) = match e.desc with Apply (f, _) -> head f | _ -> e
 
-let filter facts (f : expr) (input : expr) =
-  let input =
-    (* the absolute reading of a complementary filter *)
-    match (called f, input.desc) with
-    | Some ({ module_ = "Filters"; name = "complementary" }, _), Tuple [ _; reading ] -> reading
-    | _ -> input
-  in
-  match (called f, kind facts input) with
-  | Some (g, arguments), Some _ -> (
-      match (for_angles g, g, arguments) with
-      | Some other, _, _ -> replaced facts (head f) input g.name other
-      | None, { module_ = "Control"; name = "pid" }, [ gains ] ->
-          if has_derivative facts gains then unwrapped facts (head f) input g.name
-      | None, _, _ -> if needs_continuous g then unwrapped facts (head f) input g.name)
+let is_plain_pid facts (g : Global.t) arguments =
+  match (g, arguments) with
+  | { module_ = "Control"; name = "pid" }, [ gains ] -> not (has_derivative facts gains)
+  | _ -> false
+
+(* Reports a function whose input or argument wraps, unless it is meant for angles. [unwrap] is the
+   fix that makes the angle continuous, which is also right for a multiple of an angle. *)
+let check facts (f : expr) (input : expr) ~kind ~unwrap =
+  match called f with
+  | Some (g, arguments) when not (is_plain_pid facts g arguments) -> (
+      let report = warning facts (head f) input g.name in
+      match (Doc_facts.for_angles facts.docs g, kind) with
+      | None, _ | _, None -> ()
+      | Some { name = "unwrap"; _ }, _ | _, Some Angle_origins.Scaled ->
+          report (fun d ->
+              d
+              |> Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles")
+              |> unwrap)
+      | Some { name; module_; same_arguments }, Some (Heading | Rotation) ->
+          report (fun d ->
+              d
+              |> Diagnostic.hint ("write " ^ of_module name module_)
+              |> if same_arguments then replaced facts (head f) name ~module_ else Fun.id))
   | _ -> ()
+
+let run facts (f : expr) (input : expr) =
+  let inputs = match input.desc with Tuple es -> es | _ -> [ input ] in
+  match List.find_opt (fun e -> kind facts e <> None) inputs with
+  | Some angle ->
+      check facts f angle ~kind:(kind facts angle) ~unwrap:(unwrapped facts (head f) angle)
+  | None -> ()
+
+(* An application that is not a signal function. *)
+let application facts (e : expr) arguments =
+  match (e.ty, List.find_opt (fun a -> kind facts a <> None) arguments) with
+  | (Signal_function _ | Function _), _ | _, None -> ()
+  | _, Some angle ->
+      check facts e angle ~kind:(kind facts angle) ~unwrap:(unwrapped facts (head e) angle)
+
+let composition facts (f : expr) (g : expr) =
+  let rec first (g : expr) =
+    match called g with Some ({ module_ = "Prelude"; name = ">>>" }, [ g; _ ]) -> first g | _ -> g
+  in
+  let g = first g in
+  check facts g f
+    ~kind:(Angle_origins.output facts.origins f)
+    ~unwrap:(use_unwrap facts (head g) [ (before g, "unwrap >>> ") ])
 
 (* {1 The walk} *)
 
@@ -241,7 +175,7 @@ let rec expr facts place (e : expr) =
   | Local (x, _), _ -> if inner = Plain then Int_table.replace facts.plain_uses x.id ()
   | _, Some ("-", [ a; b ]) ->
       (match (kind facts a, kind facts b) with
-      | None, None | Some Rotation, None | None, Some Rotation -> ()
+      | (None | Some Scaled), (None | Some Scaled) | Some Rotation, None | None, Some Rotation -> ()
       | _ -> (
           match place with
           | Turns -> ()
@@ -276,13 +210,16 @@ let rec expr facts place (e : expr) =
       plain record;
       List.iter (field facts c) fields
   | Run (f, input), _ ->
-      filter facts f input;
+      run facts f input;
       plain f;
       let of_angles = match called f with Some (g, _) -> g.module_ = "Angles" | None -> false in
       expr facts (if of_angles then Turns else Plain) input
   | Apply _, _ -> (
       match called e with
       | Some (g, arguments) ->
+          (match (g, arguments) with
+          | { module_ = "Prelude"; name = ">>>" }, [ f; g ] -> composition facts f g
+          | _ -> application facts e arguments);
           let argument index = expr facts (if accepts_turns g index then Turns else Plain) in
           List.iteri argument arguments
       | None -> Walk.parts plain e)
@@ -296,20 +233,19 @@ and binding facts (b : binding) =
   expr facts place b.value
 
 let warn sink resolved program =
-  let table () = Int_table.create 16 in
+  let docs = Doc_facts.of_program resolved in
   let facts =
     {
       sink;
       resolved;
       constants = Constant.of_program program;
       program;
-      values = table ();
-      headings = table ();
-      plain_uses = table ();
+      docs;
+      origins = Angle_origins.of_program docs resolved program;
+      plain_uses = Int_table.create 16;
       differences = [];
     }
   in
-  Walk.own resolved (collect facts) program;
   Walk.own resolved (expr facts Plain) program;
   List.iter
     (fun ((x : Local.t), report) -> if Int_table.mem facts.plain_uses x.id then report ())

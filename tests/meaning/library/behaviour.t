@@ -19,6 +19,7 @@ The higher layer wins; each of three layers, and none:
   Just 3,Just 3,false
   Just 1,Just 1,false
   Nothing,Nothing,false
+  $ single layers
 
 `settled 0.3[s]` lets a layer through once it has wanted the robot for 0.3 s. `sticky 0.3[s]` lets
 it keep the robot for at least 0.3 s, with its last command. The numbers are the inputs of a layer
@@ -38,6 +39,7 @@ every 0.1 s, with a step of length 0 and a gap; 0 is `Nothing`:
   0,1,1,1,0,1 0,1,0,0,0,0 0,1,0,0,0,0 0,0,0,0,0,0 0,0,0,0,0,0 0,2,2,2,0,2 0,3,3,3,0,3 
   0,4,4,4,0,4 0,5,5,5,0,5 6,6,6,6,0,6 7,7,7,7,0,7 0,0,0,0,0,0 0,0,0,0,0,0 0,8,8,8,0,8 
   0,8,0,0,0,0 0,0,0,0,0,0 
+  $ single dwell
 
 A negative time counts as 0:
 
@@ -75,3 +77,4 @@ is the longest wait; the fourth is the last. 7 is the output while it waits:
         2 Left 7,Right Nothing,Left 7,Left 7
         1 Left 7,Right Nothing,Right Nothing,Right Nothing
         6 Right (Just 5),Right Nothing,Right Nothing,Right Nothing
+  $ single backoff

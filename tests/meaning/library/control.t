@@ -34,6 +34,7 @@ Limits, on Float and on Int:
   2,3,3,2,3,3
   nan,nan,nan,2,3,1
   2,3,inf,2,3,2147483645
+  $ single limits
 
 Limits below zero count as 0, and of two limits that are swapped, the lower one wins:
 
@@ -56,6 +57,7 @@ Limits below zero count as 0, and of two limits that are swapped, the lower one 
   -0,-7,0,1,7,-0,false
   nan,nan,0,nan,7,-0,true
   -0,4,0,1,7,-0,true
+  $ single negative
 
 The first instant, the length of a step, the part of it that controllers count, and the previous
 input:
@@ -70,6 +72,7 @@ input:
   >     usual = start ? 0 : step
   >     printf "%s,%.9g,%.9g,%.9g\n", start ? "true" : "false", dt, step, start ? x : before
   >   }'
+  $ single steps
 
 Filters: a first-order low-pass, also with a time constant of 0 or less, which disables it; a slope
 limit, which counts no step as longer than twice the one before; a mean.
@@ -92,6 +95,7 @@ limit, which counts no step as longer than twice the one before; a mean.
   >     printf "%.9g,%.9g,%.9g,%.9g\n", y, z, r, (x + x1 + x2 + x3) / 4
   >     x3 = x2; x2 = x1; x1 = x
   >   }'
+  $ single filters
 
 A window contains the last inputs, newest first; optionally with weights.
 
@@ -105,6 +109,7 @@ A window contains the last inputs, newest first; optionally with weights.
   2,1,0,2.5,2,1,2
   4,2,1,5.5,4,1,2
   8,4,2,11,8,1,2
+  $ single windows
 
 The fraction of the difference by which a low-pass moves in a step:
 
@@ -169,3 +174,4 @@ before, or 0.2 s:
   >     counted = (wanted > 5 && x > 0 || wanted < -5 && x < 0) ? 0 : 0.5 * x
   >     printf "%.9g\n", limit(5, wanted)
   >   }'
+  $ single controller

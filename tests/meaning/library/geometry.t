@@ -13,6 +13,7 @@ Vectors in the plane:
   3,4,3,4,6,8,0,0,0,0,5,5
   2,6,4,2,6,8,0,0,5,10,5,4.4721359549995796
   1,1,1,-1,2,0,0,0,0,1,1,1.4142135623730951
+  $ single plane
 
 Directions; the vector with a given length and angle; rotations, in degrees:
 
@@ -29,6 +30,7 @@ Directions; the vector with a given length and angle; rotations, in degrees:
   -90.000000 0.000000 -2.000000 -1.000000 0.000000
   45.000000 1.414214 1.414214 0.000000 1.414214
   0.000000 1.732051 1.000000 0.000000 0.000000
+  $ single directions
 
 Vectors in space: the cross product of x and y is z, and is perpendicular to
 both.
@@ -42,6 +44,7 @@ both.
   $ printf '%s\n' 1,0,0,0,1,0 2,3,6,1,-1,2 | rows in.1.x,in.1.y,in.1.z,in.2.x,in.2.y,in.2.z | trace space | cells
   0,0,1,0,1,0
   12,2,-5,11,7,0
+  $ single space
 
 Angles wrap into (-180, 180] degrees; the shortest turn may cross the end of the
 range:
@@ -62,6 +65,7 @@ range:
   true,true,0.5
   true,true,-0.5
   true,true,nan
+  $ single ends
 
 also after more turns than an Int can count:
 
@@ -91,3 +95,4 @@ is (0, 5), and back. The composition of a pose and its inverse is the origin.
   > trace poses | cells | tr ',' '\n' | awk '{ printf "%.6f%s", $1 + 0, NR % 8 ? " " : "\n" }' | sed 's/-0\.000000/0.000000/g'
   0.000000 5.000000 2.070796 3.000000 1.000000 0.000000 0.000000 0.000000
   1.000000 0.000000 -1.712389 -2.000000 0.000000 0.000000 0.000000 0.000000
+  $ single poses

@@ -20,6 +20,7 @@ right side.
   > FROB
   $ echo 2,1,0.05,inf,nan,4,3,7 | rows 'in[0],in[1],in[2],in[3],in[4],in[5],in[6],in[7]' | trace scan | cells | sed 's/Nothing/-/g; s/Just //g; s/Vec2 //g'
   2,1,-,5,-,4,3,5,1,1,4,3,2,1,1,1,-,5,5,5,-,4,4,3,3,3,5,2,2,1,1,-,3,3,2,1,4,-,1,"{x = 2, y = 0}","{x = 0.70710678118654757, y = 0.70710678118654746}",-,-,-,"{x = -2.8284271247461898, y = -2.8284271247461903}","{x = 1.8369701987210297e-16, y = -3}",-
+  $ single scan
 
 The bearings of directions, and the direction of a bearing:
 
@@ -33,6 +34,7 @@ The bearings of directions, and the direction of a bearing:
   0,90,180,-90,35,0,0,35,18
   0,90,180,-90,0,0,0,35,18
   0,90,180,-90,1,0,0,35,18
+  $ single bearings
 
 `latestScan` returns the newest scan until it is half a second old, including its age on arrival:
 
@@ -53,6 +55,7 @@ The bearings of directions, and the direction of a bearing:
   Just 3
   Just 3
   Nothing
+  $ single latest
 
 The distances that `byLidar` computes, before and after scans. The robot stands still; the pillar
 ahead is 0.5 m from the lidar, which is 0.1 m ahead of the middle, and walls are 1 m away on the left
@@ -86,3 +89,33 @@ and 0.7 m on the right. Objects disappear after half a second:
   0.4,0.800008805,0.500135178,0
   2.9875,3.16250385,3.03130914,0
   4.85862603,4.87091969,4.86170353,0
+  $ single senses
+
+The functions from which `byLidar` computes them. `seen` delivers objects only at instants with a
+scan, and an object that is farther away than the range of the lidar is none:
+
+  $ cat > parts.frob << 'FROB'
+  > import Capability
+  > import Geometry
+  > import Lidar
+  > data Robot = Robot { scan :: Event Distance }
+  > instance HasOdometry Robot where
+  >     robotPose _ = Pose { position = zeroVec, heading = 0 }
+  >     velocity = constant 0
+  >     turnRate = constant 0
+  > instance HasLidar Robot where
+  >     lidar i = mapE (\d -> scanOf 0 9[m] [d, 10[m], 2[m], 10[m]]) i.scan
+  > main :: SF Robot ((Distance, Distance, Distance, Int), (Array 16 Bool, Array 4 (Event Distance)), Distance, Time)
+  > main = proc i ->
+  >     ( (frontByLidar 0.2[m] (seen i), besideByLidar 0.2[m] 1 (seen i), besideByLidar 0.2[m] (-1) (seen i), events (seen i).objects)
+  >     , (map (\s -> isEvent s.echo) (sonarsByLidar i), ranges), lidarReach, lidarMemory ) where
+  >     ranges = case lidar i of
+  >         Event s -> objectRanges s
+  >         NoEvent -> generate (const NoEvent)
+  >     events = foldl (\n e -> if isEvent e then n + 1 else n) 0
+  > FROB
+  $ printf 'time,in.scan\n0,\n0.1,3\n0.2,\n' | trace parts | cells | rounded
+  5,5,5,0,false,false,false,false,false,false,false,false,false,false,false,false,false,false,false,false,,,,,5,0.5
+  2.8,1.04309305,1.04309305,18,true,true,true,false,false,false,true,true,true,true,true,false,false,false,true,true,3,,2,,5,0.5
+  2.8,1.04309305,1.04309305,0,false,false,false,false,false,false,false,false,false,false,false,false,false,false,false,false,,,,,5,0.5
+  $ single parts

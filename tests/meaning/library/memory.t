@@ -25,7 +25,9 @@ time; otherwise the output may be up to 1/63 of the time older:
   > main :: SF Int (Numbers, (Array 1 (Bool, Int), Int, Int))
   > main = proc n ->
   >     ( (delayBy 0.5[s] n, delayBy 0[s] n, delayBy 0.02[s] n, delayBy 7[s] n, delayBy 2[s] n)
-  >     , (delayBy 0.5[s] [(n > 3, n)], delayBy nothing n, delayBy (0[s] - 1[s]) n) )
+  >     , (delayBy 0.5[s] [(n > 3, n)], delayBy nothing n, delayed (-1) n) )
+  > delayed :: Float -> SF Int Int
+  > delayed q = delayBy (q * 1[s])
   > nothing :: Time
   > nothing = 0[s] / 0
   > FROB

@@ -141,7 +141,8 @@ whole, and a bad setting counts as the least one:
   > 
   > test "bad settings count as the least ones" = during 110[s] (proc () -> by 105[s] (end == Just True) where
   >     nan = 0[m] / 0
-  >     (_, end) = ideal (followPath Pursuit { lookAhead = nan, speed = -1[m/s], tolerance = -nan } path) ())
+  >     backwards v = -v * 1[m/s]
+  >     (_, end) = ideal (followPath Pursuit { lookAhead = nan, speed = backwards 1, tolerance = -nan } path) ())
   > 
   > test "a pose of NaN for an instant stops the robot for that instant" = during 20[s] (proc () -> by 15[s] (end == Just True) where
   >     nan = 0[m] / 0

@@ -116,7 +116,55 @@ let general =
     "Arrays";
     "Matrix";
     "Kalman";
+    "Driving";
+    "Lidar";
+    "Imu";
   ]
+
+(* The sentences with facts for warnings that the compiler does not understand. *)
+let sentences module_ =
+  let program = load module_ in
+  let facts = Typing.Doc_facts.of_program program in
+  let quotations marker doc =
+    let after k = String.sub doc k (String.length doc - k) in
+    match
+      List.find_opt
+        (fun k -> String.starts_with ~prefix:marker (after k))
+        (List.init (String.length doc) Fun.id)
+    with
+    | None -> 0
+    | Some k ->
+        let sentence = List.hd (String.split_on_char '.' (after k)) in
+        Int.div (List.length (String.split_on_char '`' sentence) - 1) 2
+  in
+  let wrong (g : Resolve.Ir.Global.t) doc =
+    let doc = Option.value doc ~default:"" in
+    if
+      String.equal g.module_ module_
+      && (quotations "Requires:" doc <> List.length (Typing.Doc_facts.requirements facts g)
+         || quotations "For angles that wrap" doc
+            > 0
+            <> (Typing.Doc_facts.for_angles facts g <> None))
+    then [ g.name ]
+    else []
+  in
+  let binding (b : Resolve.Ir.binding) =
+    match b.name with Top (g, _) -> wrong g b.doc | Inner _ | Destructure _ -> []
+  in
+  let data (t : Resolve.Ir.type_declaration) =
+    match t.definition with Data [ c ] -> wrong c.constructor t.doc | _ -> []
+  in
+  List.concat
+    [
+      List.concat_map (fun (p : Resolve.Ir.primitive) -> wrong p.name p.doc) program.primitives;
+      List.concat_map
+        (fun (g : Resolve.Ir.binding_group) -> List.concat_map binding g.bindings)
+        program.groups;
+      List.concat_map data program.types;
+    ]
+
+(* A test uses them through methods of classes. *)
+let primitives_of_classes = [ "consoleImu" ]
 
 let check module_ =
   let declared = declared module_ (load module_) in
@@ -127,9 +175,16 @@ let check module_ =
       (fun () -> Alcotest.(check (list string)) what [] (names suits declared))
   in
   case "without a doc comment" (fun d -> d.doc = None)
+  :: Alcotest.test_case (module_ ^ ": facts") `Quick (fun () ->
+         Alcotest.(check (list string)) "not understood" [] (sentences module_))
   ::
   (if List.mem module_ general then
-     [ case "in no test" (fun d -> d.runs && not (List.exists (occurs d.name) tests)) ]
+     [
+       case "in no test" (fun d ->
+           d.runs
+           && (not (List.mem d.name primitives_of_classes))
+           && not (List.exists (occurs d.name) tests));
+     ]
    else [])
 
 let () =

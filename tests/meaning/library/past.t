@@ -23,6 +23,7 @@ where there is a 1.
   7.000000000,true,false,false,true,false
   8.000000000,true,false,false,false,false
   9.000000000,true,false,false,true,false
+  $ single past
 
 A negative time counts as 0, and a NaN time never passes. At the first instant there is no past.
 
@@ -64,6 +65,7 @@ Verdicts also show whether the condition applied.
   8.000000000,NotAsked,Fails,Open,Holds,true
   9.000000000,NotAsked,Fails,Fails,Holds,false
   10.000000000,NotAsked,Holds,Holds,Holds,true
+  $ single claims
   $ printf '%s\n' 0,0 0,0 0,0 0,0 0,1 | rows in.1,in.2 > in.csv
   $ trace claims < in.csv | cut -d, -f5
   out.4

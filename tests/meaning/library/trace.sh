@@ -25,3 +25,23 @@ rounded() {
         print
     }'
 }
+
+# single NAME: runs NAME.frob once more in single precision, on the input of the last `trace NAME`.
+# The engines must agree. Prints the rows that are not near those in double precision.
+single() {
+    for engine in c interp; do
+        frobc trace --real float --engine $engine "$1.frob" --input input.csv --output single.$engine.csv 2>&1 |
+            grep -v '^NaN: '
+    done
+    cmp single.c.csv single.interp.csv
+    python3 - compiled.csv single.c.csv <<'END'
+import re, sys
+
+number = re.compile(r"(?<![\w.])-?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)(?![\w.])")
+for a, b in zip(*(open(name).read().splitlines() for name in sys.argv[1:]), strict=True):
+    x, y = (list(map(float, number.findall(row))) for row in (a, b))
+    near = all(p == q or p != p and q != q or abs(p - q) <= 1e-3 * max(1, abs(p)) for p, q in zip(x, y))
+    if len(x) != len(y) or not near or number.sub("", a) != number.sub("", b):
+        print(f"{a} in double precision, but {b}")
+END
+}

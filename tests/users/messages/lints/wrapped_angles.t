@@ -138,3 +138,83 @@ A heading that a pattern binds, and an equation that is also used elsewhere:
   5 |     off = goal - heading
   --
   2 warnings
+
+The angle passes through sums, multiples, conditions, and functions that store or choose values. It
+comes from the compass or a signal function in a composition. A multiple of a rotation is a command,
+so nothing is reported for `command`.
+
+  $ cat > ways.frob <<'FROB'
+  > import Control
+  > import Filters
+  > import Geometry
+  > import Imu
+  > import Pid
+  > import Robot
+  > 
+  > gains :: Pid[1, 1/s]
+  > gains = Pid { kp = 2[1/s], ki = 0, kd = 0.1, largest = 1[rad/s] }
+  > 
+  > turns :: (HasImu i, HasOdometry i) => SF (i, Bool) (Array 5 AngularVelocity, Array 12 Angle)
+  > turns = proc (i, b) ->
+  >     ( [ pid2 (pidSettings gains) (0, h), pidWith (pidSettings gains) (pidInput 0 h), pid gains (compass + 0.1)
+  >       , derivative (holdFinite 0 h), command ]
+  >     , [ (stateVariable 2[Hz] 1 h).low, median (recent h :: Array 5 Angle), mean [h, 0.1]
+  >       , lowPass 1[s] (imuHeading 2[s] i), lowPass 1[s] (h + 0.1), lowPass 1[s] (2 * h)
+  >       , lowPass 1[s] (delayBy 0.5[s] h), lowPass 1[s] (if b then h else 0), rateLimit 1[1/s] degrees
+  >       , (arr (\p -> p.heading) >>> highPass 1[s] >>> lowPass 2[s]) pose
+  >       , ((proc p -> p.heading) >>> lowPass 1[s]) pose, (slewFrom 0 1[1/s] 1[1/s^2] h).position ] )
+  >   where
+  >     pose = robotPose i
+  >     h = pose.heading
+  >     compass = fromMaybe 0 (compassHeading i)
+  >     degrees = -h / 1[deg]
+  >     command = rateLimit 2[1/s^2] (2[1/s] * angleDiff 0.3 h)
+  > FROB
+  $ frobc check ways.frob 2>&1 | grep '^warning' | sort | uniq -c
+        1 warning[W0315]: `derivative` of an angle that wraps
+        1 warning[W0315]: `highPass` of an angle that wraps
+        6 warning[W0315]: `lowPass` of an angle that wraps
+        1 warning[W0315]: `mean` of an angle that wraps
+        1 warning[W0315]: `median` of an angle that wraps
+        1 warning[W0315]: `pid2` of an angle that wraps
+        1 warning[W0315]: `pidInput` of an angle that wraps
+        1 warning[W0315]: `pid` of an angle that wraps
+        1 warning[W0315]: `rateLimit` of an angle that wraps
+        1 warning[W0315]: `slewFrom` of an angle that wraps
+        1 warning[W0315]: `stateVariable` of an angle that wraps
+  $ frobc fix --all ways.frob > fixes
+  warning[W0315]: `pidInput` of an angle that wraps
+    --> ways.frob:14:75
+     |
+  14 | …s) (0, h), pidWith (pidSettings gains) (pidInput 0 h), pid gains (unwrap (compass + 0.1))
+     |                                          ^^^^^^^^   - this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `pidInput` sees a rotation by 360 degrees
+     = hint: write `angleInput` (module Pid)
+  
+  warning[W0315]: `rateLimit` of an angle that wraps
+    --> ways.frob:18:87
+     |
+  18 |       , lowPassAngle 1[s] (delayBy 0.5[s] h), lowPassAngle 1[s] (if b then h else 0), rateLimit 1[1/s] degrees
+     |                                                                                       ^^^^^^^^^        ------- this angle is between -pi and pi
+     |
+     = note: where the angle jumps from pi to -pi, `rateLimit` sees a rotation by 360 degrees
+     = hint: make the angle continuous with `unwrap` (module Angles)
+  
+  2 warnings
+  $ frobc check ways.frob 2>&1 | grep -e '^warning' -e '-->' -e hint
+  warning[W0315]: `pidInput` of an angle that wraps
+    --> ways.frob:14:75
+     = hint: write `angleInput` (module Pid)
+  warning[W0315]: `rateLimit` of an angle that wraps
+    --> ways.frob:18:87
+     = hint: make the angle continuous with `unwrap` (module Angles)
+  $ grep -A 7 '    ( \[' ways.frob
+      ( [ pidAngle (pidSettings gains) (0, h), pidWith (pidSettings gains) (pidInput 0 h), pid gains (unwrap (compass + 0.1))
+        , angularRate (holdFinite 0 h), command ]
+      , [ (stateVariable 2[Hz] 1 (unwrap h)).low, median (recent (unwrap h) :: Array 5 Angle), meanAngle [h, 0.1]
+        , lowPassAngle 1[s] (imuHeading 2[s] i), lowPassAngle 1[s] (h + 0.1), lowPass 1[s] (2 * (unwrap h))
+        , lowPassAngle 1[s] (delayBy 0.5[s] h), lowPassAngle 1[s] (if b then h else 0), rateLimit 1[1/s] degrees
+        , (arr (\p -> p.heading) >>> unwrap >>> highPass 1[s] >>> lowPass 2[s]) pose
+        , ((proc p -> p.heading) >>> lowPassAngle 1[s]) pose, (slewFrom 0 1[1/s] 1[1/s^2] (unwrap h)).position ] )
+    where

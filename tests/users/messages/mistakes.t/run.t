@@ -633,9 +633,9 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
       |                                                                 ^^^^^^^^ `setLight` needs it
       |
-     ::: stdlib/Capability.frob:229:17
+     ::: stdlib/Capability.frob:230:17
       |
-  229 |     setLight :: Light -> o -> o
+  230 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` requires `HasLight o` here
       |
       = note: types with `HasLight`: `CreateOutput`

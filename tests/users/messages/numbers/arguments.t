@@ -100,9 +100,9 @@ A minus with spaces on both sides, or on neither, is a subtraction.
     2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
       |                         ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:215:11
+     ::: stdlib/Capability.frob:216:11
       |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
+  216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
       = hint: use `constant e` for a signal function that always returns `e`

@@ -43,9 +43,9 @@ Semicolons, several commands, and a signature of too few parameters: one message
     2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
       |                                   ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:215:11
+     ::: stdlib/Capability.frob:216:11
       |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
+  216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
       = hint: combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`

@@ -12,9 +12,9 @@ what is missing.
     2 | main = reactimateRobot $ proc i -> roMake . setVelTR 0.2[m/s] 0
       |                                             ^^^^^^^^ `setVelTR` needs it
       |
-     ::: stdlib/Capability.frob:222:17
+     ::: stdlib/Capability.frob:223:17
       |
-  222 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
+  223 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
       |                 ------------------------------------- `setVelTR` requires `DiffDrive o` here
       |
       = hint: `.` composes functions: put a function and its arguments in parentheses, as in `roMake (setVelTR v omega)`
@@ -33,9 +33,9 @@ what is missing.
     2 | main = reactimateRobot (switch (proc i -> (0.2[m/s], edge (bumped i))) (\_ -> proc _ -> roMake (setVelTR 0 0)))
       |                                                                                         ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:215:11
+     ::: stdlib/Capability.frob:216:11
       |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
+  216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
       = hint: `roMake` returns the commands for a robot: the signature, or the other outputs here, must be `RobotOutput` too, not `Float[m/s]`

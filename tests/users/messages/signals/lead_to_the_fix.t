@@ -223,9 +223,9 @@ A record as an output:
     3 | main = reactimateRobot (proc _ -> roMake (\o -> o { speed = 0.1[m/s] }) :: SF RobotInput Out)
       |                                   ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:215:11
+     ::: stdlib/Capability.frob:216:11
       |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
+  216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
       = hint: for a robot of your own, define its output at rest: `instance RobotOutput Out where restingOutput = Out { speed = 0, braked = False }`; a Pioneer has the type `RobotOutput`
@@ -272,9 +272,9 @@ Numbers as an output:
     3 | f = proc _ -> roMake (setVelTR 0.3[m/s] 0)
       |               ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:215:11
+     ::: stdlib/Capability.frob:216:11
       |
-  215 | roMake :: RobotOutput o => (o -> o) -> o
+  216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
       = hint: `roMake` returns the commands for a robot: the signature, or the other outputs here, must be `RobotOutput` too, not `(Velocity, AngularVelocity)`

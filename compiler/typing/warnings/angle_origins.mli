@@ -1,0 +1,27 @@
+(** Where angles that wrap from pi to -pi come from: the heading of a [Pose] or an [Imu], and
+    results of functions whose doc comment says that they wrap ({!Doc_facts}). *)
+
+type t
+
+val of_program : Doc_facts.t -> Resolve.Ir.program -> Ir.program -> t
+
+type kind =
+  | Heading
+  | Rotation  (** from one heading to another, so small differences are fine *)
+  | Scaled  (** a dimensionless multiple of a heading, such as its value in degrees *)
+
+val kind : t -> Ir.expr -> kind option
+(** Does an expression, or an element of it, wrap? Follows equations, and functions that return
+    their argument. *)
+
+val output : t -> Ir.expr -> kind option
+(** The same for the output of a signal function that is written as a composition. *)
+
+val within : t -> Ir.expr -> Ir.expr
+(** The angle in a multiple of it, or in a signal function that stores it. *)
+
+val is_heading : Ir.constructor -> int -> bool
+(** Is this field the heading of a [Pose] or an [Imu]? *)
+
+val called : Ir.expr -> (Resolve.Ir.Global.t * Ir.expr list) option
+(** The function or primitive that an expression applies, with its arguments. *)

@@ -1,0 +1,29 @@
+(** Facts that doc comments state about functions and records, for warnings.
+
+    The library states them where a reader looks for them, so no list in the compiler has to follow
+    it. Programs can state them too. Three sentences count:
+
+    - [Requires: `tau >= 0`, `low <= high`.] Conditions on parameters, or on fields of a record. A
+      condition compares a parameter, or the [sum] of an array, with a number in base units or with
+      another parameter, by [>=], [>], [<=] or [/=]. The names of the parameters are those in the
+      first words of the comment, [`lowPass tau`], or else those in the definition.
+    - [For angles that wrap, use `lowPassAngle` (module Angles).] The function is not suitable for
+      angles that jump from pi to -pi. The other one takes the same arguments. [see] instead of
+      [use]: it takes other arguments. With [unwrap], apply [unwrap] to the angle.
+    - A result that [wraps at pi] is such an angle. *)
+
+type t
+
+val of_program : Resolve.Ir.program -> t
+
+type term = Number of float | Parameter of int  (** position, from 0 *) | Sum of int
+type relation = At_least | Above | At_most | Differs
+type requirement = { left : term; relation : relation; right : term }
+
+val requirements : t -> Resolve.Ir.Global.t -> requirement list
+(** Of a function, or of a constructor of a record, whose fields are the parameters. *)
+
+type for_angles = { name : string; module_ : string; same_arguments : bool }
+
+val for_angles : t -> Resolve.Ir.Global.t -> for_angles option
+val wraps : t -> Resolve.Ir.Global.t -> bool
