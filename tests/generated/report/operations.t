@@ -75,9 +75,9 @@ A program whose state exceeds the memory of any machine is rejected.
    63 | main = f60
       | ^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:251:26
+     ::: stdlib/Prelude.frob:252:26
       |
-  251 | (>>>) f g = proc x -> g (f x)
+  252 | (>>>) f g = proc x -> g (f x)
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it

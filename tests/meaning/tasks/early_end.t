@@ -34,7 +34,7 @@ occurs.
       *out_2 = t1;
       if (!t1) {                                              /* line 10 */
           const double y = early_go_step(&self->go, dt, x_x, x_ahead); /* line 15 */
-          *out_1 = y;                                         /* Prelude.frob:681 */
+          *out_1 = y;                                         /* Prelude.frob:690 */
       }
   }
   $ printf '%s\n' 0,1 0.5,2 1,3 1.5,4 2,5 2,6 2,7 1,8 0,9 | rows in.x,in.ahead | trace early

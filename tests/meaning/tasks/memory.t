@@ -61,5 +61,5 @@ for the state, like hand-written code.
           } sleepT_2;
       } modes;      /* state of the modes at blink.frob:2 */
       uint8_t mode; /* active mode at blink.frob:2 */
-      bool started; /* true after the first instant at Prelude.frob:251 */
+      bool started; /* true after the first instant at Prelude.frob:252 */
   };

@@ -40,9 +40,9 @@
   way.2.k         :: Float        lap.frob:4
   way.2.x         :: Float[m]     lap.frob:5
   way.2._gear     :: Gear         lap.frob:6
-  edge.b          :: Bool         Prelude.frob:369
-  edgeFrom.before :: Bool         Prelude.frob:378
-  edgeFrom.b      :: Bool         Prelude.frob:378
+  edge.b          :: Bool         Prelude.frob:373
+  edgeFrom.before :: Bool         Prelude.frob:382
+  edgeFrom.b      :: Bool         Prelude.frob:382
   _laps.n         :: Float        lap.frob:13
 
 A name is the end of the path to a signal, or to an instance; numbers may be omitted.
@@ -151,20 +151,20 @@ In modes, signals that do not run have empty cells; `mode` is the running mode.
   main.to.mode        :: to | fro            modes.frob:11
   main.to.v           :: Float[m/s]          modes.frob:2
   main.to.near        :: Float               modes.frob:3
-  main.to.when.b      :: Bool                Prelude.frob:391
+  main.to.when.b      :: Bool                Prelude.frob:395
   main.to.fro.v       :: Float[m/s]          modes.frob:2
   main.to.fro.near    :: Float               modes.frob:3
-  main.to.fro.when.b  :: Bool                Prelude.frob:391
+  main.to.fro.when.b  :: Bool                Prelude.frob:395
   mapSF.v             :: Float[m/s]          modes.frob:2
   mapSF.to.mode       :: to | fro            modes.frob:11
   mapSF.to.v          :: Float[m/s]          modes.frob:2
   mapSF.to.goal       :: Float               modes.frob:11
   mapSF.to.near       :: Float               modes.frob:3
-  mapSF.to.when.b     :: Bool                Prelude.frob:391
+  mapSF.to.when.b     :: Bool                Prelude.frob:395
   mapSF.to.fro.v      :: Float[m/s]          modes.frob:2
   mapSF.to.fro.goal   :: Float               modes.frob:11
   mapSF.to.fro.near   :: Float               modes.frob:3
-  mapSF.to.fro.when.b :: Bool                Prelude.frob:391
+  mapSF.to.fro.when.b :: Bool                Prelude.frob:395
   $ frobc trace modes.frob --input goal.csv --probe main.to
   time,out.1,out.2[0],out.2[1],probe.main.to.mode,probe.main.to.v,probe.main.to.near
   0.000000000,1,1,1,to,1,0

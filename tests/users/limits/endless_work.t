@@ -187,9 +187,9 @@ Small code with a large state: forty nested levels of a signal function.
    43 | main = s40
       | ^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:251:26
+     ::: stdlib/Prelude.frob:252:26
       |
-  251 | (>>>) f g = proc x -> g (f x)
+  252 | (>>>) f g = proc x -> g (f x)
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
