@@ -128,6 +128,12 @@ let destructured table binders =
 let parameters item =
   match item.left with Function_name { parameters; _ } -> parameters | Name _ | Pattern _ -> []
 
+let sizes (name : Ir.binder) signature parameters =
+  match (name, signature) with
+  | Top ({ name; _ }, _), Some scheme | Inner { name; _ }, Some scheme ->
+      Sizes.of_signature ~name scheme parameters
+  | _ -> []
+
 let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
   let guards =
     match r.body with
@@ -149,6 +155,7 @@ and guarded env ~expr ~command ~guards ~where : Ir.right =
 
 and binding env ~expr ~command ~name ~signature item : Ir.binding =
   let env, parameters = Patterns.bind env (parameters item) in
+  let env = Env.with_sizes env (sizes name signature parameters) in
   let body =
     match item.right with
     | Definition r -> right env ~expr ~command r

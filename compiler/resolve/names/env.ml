@@ -8,12 +8,13 @@ type t = {
   scope : Scope.t;
   locals : variable String_map.t;
   signals : Proc_signals.t list Lazy.t option;
+  sizes : Sizes.t list;  (** of the signatures around, the innermost first *)
   top_level : Groups.t;
   top_index : int String_table.t;
 }
 
 let top scope top_level top_index =
-  { scope; locals = String_map.empty; signals = None; top_level; top_index }
+  { scope; locals = String_map.empty; signals = None; sizes = []; top_level; top_index }
 
 let beside_procs t (r : Syntax.Ir.right) =
   match t.signals with
@@ -22,6 +23,7 @@ let beside_procs t (r : Syntax.Ir.right) =
   | Some around ->
       { t with signals = Some (lazy (Proc_signals.of_body r.body @ Lazy.force around)) }
 
+let with_sizes t sizes = if sizes = [] then t else { t with sizes = sizes @ t.sizes }
 let of_module scope = top scope (Groups.create 0) (String_table.create 1)
 let scope t = t.scope
 let context t = t.scope.context
@@ -149,7 +151,12 @@ let variable t (q : Syntax.Ir.qualified) =
   | None -> (
       match String_map.find_opt q.name.text t.locals with
       | Some variable -> Some (refer_to_local variable)
-      | None -> module_level t q)
+      | None -> (
+          match Sizes.find t.sizes q.name.text with
+          | Some size when t.scope.complete && Scope.look t.scope values q.name = None ->
+              Sizes.report (context t) size q.name;
+              None
+          | Some _ | None -> module_level t q))
 
 let is_known t (name : Syntax.Ir.name) =
   String_map.mem name.text t.locals || Scope.look t.scope values name <> None

@@ -16,6 +16,9 @@ val beside_procs : t -> Syntax.Ir.right -> t
 (** The environment of a right-hand side and its [proc]s. Messages use it to recognize names that
     are signals of a [proc] elsewhere in the definition. *)
 
+val with_sizes : t -> Sizes.t list -> t
+(** The environment inside a definition with these size variables, for messages. *)
+
 val scope : t -> Scope.t
 val context : t -> Context.t
 
