@@ -368,8 +368,14 @@ let rec number (e : Resolve.Ir.expr) =
       Option.map (fun (negative, digits, unit_, at) -> (not negative, digits, unit_, at)) (number e)
   | _ -> None
 
+(* `Pid[m, m/s]` (u is `m`, v is `m/s`). *)
+let with_unit_variables words (constructor : Environment.constructor) ty units =
+  let variable (v : Ir.variable) u = Printf.sprintf "%s is `%s`" v.name (Show.measure words u) in
+  Printf.sprintf "`%s` (%s)" (Show.type_ words ty)
+    (String.concat ", " (List.map2 variable constructor.scheme.units units))
+
 (* The whole record with a unit after each number. The written units determine the units of the
-   type; if they leave some open, these become `m` and `m/s`, as an example. *)
+   type, unless it is wanted; if they leave some open, these become `m` and `m/s`, as an example. *)
 let with_units ctx (constructor : Environment.constructor) ?wanted fields =
   let environment = ctx.reader.environment in
   let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
@@ -401,14 +407,19 @@ let with_units ctx (constructor : Environment.constructor) ?wanted fields =
   List.iteri choose units;
   let field ((name : Syntax.Ir.name), number, unit_) =
     match (number, unit_) with
-    | Some (negative, digits, _, at), Some u when not (Units.is_open u) ->
+    | Some (negative, digits, written, at), Some u when not (Units.is_open u) ->
         let measure = Show.measure words u in
         let is_zero = float_of_string_opt digits = Some 0. in
         let literal =
           if is_zero || String.equal measure "1" then digits
           else Printf.sprintf "%s[%s]" digits measure
         in
-        let edit = if String.equal literal digits then None else Some (at, literal) in
+        let is_right =
+          match Option.bind written (Show.unit_written words) with
+          | Some unit_ -> Units.equal unit_ u
+          | None -> String.equal literal digits
+        in
+        let edit = if is_right then None else Some (at, literal) in
         Some (Printf.sprintf "%s = %s%s" name.text (if negative then "-" else "") literal, edit)
     | _ -> None
   in
@@ -421,18 +432,12 @@ let with_units ctx (constructor : Environment.constructor) ?wanted fields =
         (String.concat ", " (List.map fst all))
     in
     let text =
-      if is_example then
-        Printf.sprintf "give all its numbers their units: for a `%s`, for example, write `%s`"
-          (Show.type_ words result) record
-      else Printf.sprintf "give all its numbers their units: `%s`" record
+      Printf.sprintf "give all its numbers their units: for a %s%s, write `%s`"
+        (with_unit_variables words constructor result units)
+        (if is_example then ", for example" else "")
+        record
     in
-    let edits =
-      List.filter_map
-        (fun ((_, number, _), edit) ->
-          match (number, edit) with Some (_, _, None, _), Some edit -> Some edit | _ -> None)
-        (List.combine numbers (List.map snd all))
-    in
-    Some (text, edits)
+    Some (text, List.filter_map snd all)
 
 let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
@@ -452,7 +457,8 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   in
   let whole value =
     match number value with
-    | Some (_, _, None, _) when several -> lazy (with_units ctx constructor ?wanted fields)
+    | Some (_, _, written, _) when several && (written = None || wanted <> None) ->
+        lazy (with_units ctx constructor ?wanted fields)
     | _ -> lazy None
   in
   let field ((name : Syntax.Ir.name), value) =
