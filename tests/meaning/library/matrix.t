@@ -75,8 +75,8 @@ A matrix that is not positive definite has no Cholesky decomposition, and NaN st
   1,0,1,nan,0,0,0,0,1,1
   nan,0,nan,nan,0,0,0,0,-1,-1
 
-A Kalman filter of position and speed, with steps that jitter, measurements that are missing, and
-measurements that are NaN. numpy computes the textbook formulas:
+A Kalman filter of position and speed, with steps that jitter, steps of length 0, long gaps,
+measurements that are missing, and measurements that are NaN. numpy computes the textbook formulas:
 
   $ cat > kalman.frob << 'FROB'
   > import Kalman
@@ -101,7 +101,7 @@ measurements that are NaN. numpy computes the textbook formulas:
   >         seen = "Nothing" if k % 7 == 3 else "Just nan" if k % 31 == 5 else f"Just ({x + r.normal() / 2:.9f})"
   >         u = np.sin(k / 20)
   >         print(f"{t:.9f},{u:.9f},{seen}")
-  >         step = round(r.uniform(0.01, 0.2), 9) if k % 50 else 0
+  >         step = 0 if k % 50 == 0 else 6 if k % 97 == 60 else round(r.uniform(0.01, 0.2), 9)
   >         x, v, t = x + v * step + u * step**2 / 2, v + u * step, t + step
   >     sys.exit()
   > for real, most in ("double", 1e-9), ("float", 2e-3):
@@ -151,7 +151,8 @@ The parts of the filters, on numbers that are easy to check:
   19,5,12,0.5,2,8,1,1,2
 
 An extended Kalman filter, with exact derivatives in numpy: a vehicle that turns, and the distance
-and the bearing of a beacon at (3, 1).
+and the bearing of a beacon at (3, 1). Some steps have the length 0, one is a long gap, and some
+measurements are NaN, which counts as missing.
 
   $ cat > ekf.frob << 'FROB'
   > import Geometry
@@ -191,9 +192,10 @@ and the bearing of a beacon at (3, 1).
   >         u = np.array([0.5, 0.4])
   >         z = beacon(m)[0] + r.normal(size=2) * [0.2, 0.1]
   >         z[1] = (z[1] + np.pi) % (2 * np.pi) - np.pi
+  >         if k % 30 == 7: z[k % 2] = np.nan
   >         seen = f"Just [{z[0]:.9f}, {z[1]:.9f}]" if k % 5 == 2 else "Nothing"
   >         print(f'{t:.9f},{u[0]},{u[1]},"{seen}"')
-  >         step = round(r.uniform(0.05, 0.15), 9)
+  >         step = 0 if k % 40 == 2 else 3 if k == 100 else round(r.uniform(0.05, 0.15), 9)
   >         m, t = drive(m, u, step)[0], t + step
   >     sys.exit()
   > for real, most in ("double", 1e-5), ("float", 2e-2):
@@ -211,6 +213,7 @@ and the bearing of a beacon at (3, 1).
   >             expected, h = beacon(m)
   >             off = z - expected
   >             off[1] = (off[1] + np.pi) % (2 * np.pi) - np.pi
+  >         if row["in.2"] != "Nothing" and np.isfinite(off).all():
   >             k = p @ h.T @ np.linalg.inv(h @ p @ h.T + np.diag([0.04, 0.01]))
   >             m, p = m + k @ off, (np.eye(3) - k @ h) @ p
   >         worst = max(worst, np.abs(np.concatenate([m, p.ravel()]) - cells).max())

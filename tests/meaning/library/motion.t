@@ -237,11 +237,11 @@ The examples in the doc comments compile: tasks, and signal functions of a robot
   >     /^-- Example of a task: `.*`\.$/ { gsub(/^[^`]*`|`\.$/, ""); tasks = tasks "    " $0 "\n"; n++ }
   >     /^-- Example on a robot: `.*`\.$/ { gsub(/^[^`]*`|`\.$/, ""); tasks = tasks "    ask (proc i -> " $0 ")\n"; n++ }
   >     END {
-  >         printf "import Behaviour\nimport Geometry\nimport Lidar\nimport Motion\nimport Robot\n"
+  >         printf "import Behaviour\nimport Driving\nimport Geometry\nimport Imu\nimport Lidar\nimport Motion\nimport Robot\n"
   >         print "goal :: Point2\ngoal = Vec2 { x = 1[m], y = 1[m] }"
-  >         print "main :: (HasSonarRing i, HasLidar i, DiffDrive o) => Program i o"
+  >         print "main :: (HasSonarRing i, HasLidar i, HasImu i, DiffDrive o) => Program i o"
   >         printf "main = reactimateTask (watching (do\n%s    return ()))\n", tasks
   >         print n " examples" > "/dev/stderr"
   >     }' ../../../stdlib/*.frob > examples.frob
-  10 examples
+  30 examples
   $ frobc check --robot pioneer examples.frob && frobc check --robot scout examples.frob

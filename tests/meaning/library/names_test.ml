@@ -61,17 +61,28 @@ let load name =
   | Some program -> program
   | None -> Alcotest.fail (file ^ " does not load")
 
-type declared = { name : string; doc : string option; runs : bool }
+type declared = {
+  name : string;
+  doc : string option;
+  runs : bool;
+  takes_input : bool;  (** a function, a signal function or a task *)
+}
+
+let takes_input (scheme : Resolve.Ir.scheme option) =
+  match scheme with
+  | Some { ty = { desc = Function _; _ }; _ } -> true
+  | Some { ty = { desc = Named { tycon; _ }; _ }; _ } -> List.mem tycon.name [ "SF"; "Task" ]
+  | _ -> false
 
 (* The names that a module itself declares. *)
 let declared module_ (program : Resolve.Ir.program) =
   let own (g : Resolve.Ir.Global.t) = String.equal g.module_ module_ in
-  let value (g : Resolve.Ir.Global.t) doc =
-    if own g then [ { name = g.name; doc; runs = true } ] else []
+  let value ?scheme (g : Resolve.Ir.Global.t) doc =
+    if own g then [ { name = g.name; doc; runs = true; takes_input = takes_input scheme } ] else []
   in
   let of_type (t : Resolve.Ir.type_declaration) =
     if own t.tycon && t.definition <> Builtin then
-      [ { name = t.tycon.name; doc = t.doc; runs = false } ]
+      [ { name = t.tycon.name; doc = t.doc; runs = false; takes_input = false } ]
     else []
   in
   (* The comment of a class with a single method also documents the method. *)
@@ -81,15 +92,19 @@ let declared module_ (program : Resolve.Ir.program) =
   let of_class (c : Resolve.Ir.class_) =
     if not (own c.class_) then []
     else
-      { name = c.class_.name; doc = c.doc; runs = false } :: List.concat_map (method_ c) c.methods
+      { name = c.class_.name; doc = c.doc; runs = false; takes_input = false }
+      :: List.concat_map (method_ c) c.methods
   in
   let of_binding (b : Resolve.Ir.binding) =
-    match b.name with Top (g, _) -> value g b.doc | Inner _ | Destructure _ -> []
+    match b.name with
+    | Top (g, _) -> value ?scheme:b.signature g b.doc
+    | Inner _ | Destructure _ -> []
   in
+  let of_primitive (p : Resolve.Ir.primitive) = value ~scheme:p.scheme p.name p.doc in
   List.concat
     [
       List.concat_map of_type program.types;
-      List.concat_map (fun (p : Resolve.Ir.primitive) -> value p.name p.doc) program.primitives;
+      List.concat_map of_primitive program.primitives;
       List.concat_map of_class program.classes;
       List.concat_map
         (fun (g : Resolve.Ir.binding_group) -> List.concat_map of_binding g.bindings)
@@ -164,7 +179,7 @@ let sentences module_ =
     ]
 
 (* A test uses them through methods of classes. *)
-let primitives_of_classes = [ "consoleImu" ]
+let primitives_of_classes = [ "consoleImu"; "consoleLidar" ]
 
 let check module_ =
   let declared = declared module_ (load module_) in
@@ -184,6 +199,10 @@ let check module_ =
            d.runs
            && (not (List.mem d.name primitives_of_classes))
            && not (List.exists (occurs d.name) tests));
+       case "without an example" (fun d ->
+           module_ <> "Prelude" && d.takes_input
+           && (not (List.mem d.name primitives_of_classes))
+           && not (occurs "Example" (Option.value d.doc ~default:"")));
      ]
    else [])
 

@@ -25,7 +25,7 @@ each follow_ball collisions 0 0 mean_ball_distance_error 0 0.03 largest_ball_dis
 robots=create # with sensors that look down
 each line_follow collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s
 echo "motions:"
-for name in follow again wander around; do
+for name in follow again wander by_lidar around; do
   for robot in pioneer scout create; do
     test "$name $robot" = "around create" || # it has no ring of sonars
       frobc test "$run/motions/$name.frob" --robot $robot --seeds "$count" || status=1

@@ -28,6 +28,13 @@ seeds` runs the same with many more seeds.)
   1 test: all hold
   ok    drives around three pillars: 3 seeds, 60 s
   1 test: all hold
+  $ for robot in pioneer scout create; do frobc test motions/by_lidar.frob --robot $robot --seeds 2 | grep -v '^   '; done
+  ok    drives around three pillars by lidar: 2 seeds, 60 s
+  1 test: all hold
+  ok    drives around three pillars by lidar: 2 seeds, 60 s
+  1 test: all hold
+  ok    drives around three pillars by lidar: 2 seeds, 60 s
+  1 test: all hold
 
 Each task of the first ends with True, also in single precision:
 
