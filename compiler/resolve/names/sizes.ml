@@ -2,29 +2,32 @@ open Basis
 
 type t = { variable : string; of_ : string; array : string option }
 
-(* The types whose elements [length] counts, with the size as their first argument. *)
-let is_array (tycon : Ir.Global.t) =
-  match (tycon.module_, tycon.name) with
-  | _, "Array" | "Matrix", ("Vector" | "Matrix") -> true
-  | _ -> false
+(* The size variables of an array [xs] of this type, each with an array of this size. *)
+let of_array (ty : Ir.ty) xs =
+  let variable (ty : Ir.ty) array =
+    match ty.desc with Type_variable n -> [ (n, array) ] | _ -> []
+  in
+  match ty.desc with
+  | Named { tycon = { name = "Array"; _ }; arguments = n :: _; _ }
+  | Named { tycon = { module_ = "Matrix"; name = "Vector" }; arguments = [ n ]; _ } ->
+      variable n xs
+  | Named { tycon = { module_ = "Matrix"; name = "Matrix" }; arguments = [ r; c ]; _ } ->
+      variable r xs @ variable c (Printf.sprintf "(%s ! 0)" xs)
+  | _ -> []
 
 let rec size_variables (ty : Ir.ty) =
+  List.map fst (of_array ty "")
+  @
   match ty.desc with
-  | Named { tycon; arguments = { desc = Type_variable n; _ } :: rest; _ } when is_array tycon ->
-      n :: List.concat_map size_variables rest
   | Named { arguments; _ } | Tuple_type arguments -> List.concat_map size_variables arguments
   | Function (a, b) -> size_variables a @ size_variables b
   | Type_variable _ | Representation _ | Size _ -> []
 
 let rec arrays (ty : Ir.ty) (parameters : Ir.pattern list) =
   match (ty.desc, parameters) with
-  | Function (a, rest), p :: others -> (
-      match (a.desc, p.desc) with
-      | ( Named { tycon; arguments = { desc = Type_variable n; _ } :: _; _ },
-          (Bound local | As (local, _)) )
-        when is_array tycon ->
-          (n, local.name) :: arrays rest others
-      | _ -> arrays rest others)
+  | Function (a, rest), { desc = Bound local | As (local, _); _ } :: others ->
+      of_array a local.name @ arrays rest others
+  | Function (_, rest), _ :: others -> arrays rest others
   | _ -> []
 
 let of_signature ~name (scheme : Ir.scheme) parameters =

@@ -370,7 +370,9 @@ let rec number (e : Resolve.Ir.expr) =
 
 (* `Pid[m, m/s]` (u is `m`, v is `m/s`). *)
 let with_unit_variables words (constructor : Environment.constructor) ty units =
-  let variable (v : Ir.variable) u = Printf.sprintf "%s is `%s`" v.name (Show.measure words u) in
+  let variable ({ variable = v; _ } : Units.rigid) u =
+    Printf.sprintf "%s is `%s`" v.name (Show.measure words u)
+  in
   Printf.sprintf "`%s` (%s)" (Show.type_ words ty)
     (String.concat ", " (List.map2 variable constructor.scheme.units units))
 

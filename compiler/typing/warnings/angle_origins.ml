@@ -1,13 +1,14 @@
 open Basis
 open Ir
 
+type kind = Heading | Rotation | Scaled
+
 type t = {
   docs : Doc_facts.t;
   values : expr Int_table.t;  (** of the variables that equations bind *)
   headings : unit Int_table.t;  (** variables that match the heading of a pose *)
+  kinds : kind option Int_table.t;  (** of the variables that were looked up *)
 }
-
-type kind = Heading | Rotation | Scaled
 
 let is_heading (c : constructor) index =
   List.mem c.constructor
@@ -44,7 +45,8 @@ let rec collect t (e : expr) =
   Walk.parts (collect t) e
 
 let of_program docs resolved program =
-  let t = { docs; values = Int_table.create 16; headings = Int_table.create 16 } in
+  let table () = Int_table.create 16 in
+  let t = { docs; values = table (); headings = table (); kinds = table () } in
   Walk.own resolved (collect t) program;
   t
 
@@ -72,15 +74,19 @@ let either a b =
   | Some Scaled, _ | _, Some Scaled -> Some Scaled
   | Some Heading, _ | _, Some Heading -> Some Heading
 
-let rec kind depth t (e : expr) =
-  let kind e = if depth = 0 then None else kind (depth - 1) t e in
+(* The limits for an expression, and for a chain of equations. *)
+let max_depth = 8
+let max_equations = 32
+
+let rec kind ~depth ~equations t (e : expr) =
+  let kind e = if depth = 0 then None else kind ~depth:(depth - 1) ~equations t e in
   let any es = List.fold_left (fun found e -> either found (kind e)) None es in
   (* a multiple of a rotation is a command, which may jump *)
   let multiple a = match kind a with Some (Heading | Scaled) -> Some Scaled | _ -> None in
   match (e.desc, Constant.operation e) with
   | Field (_, c, index), _ when is_heading c index -> Some Heading
   | Local (x, _), _ when Int_table.mem t.headings x.id -> Some Heading
-  | Local (x, _), _ -> Option.bind (Int_table.find_opt t.values x.id) kind
+  | Local (x, _), _ -> of_variable ~equations t x
   | (Negate a | Index (a, _)), _ -> kind a
   | If (_, a, b), _ -> any [ a; b ]
   | Guards (guarded, last), _ -> any (List.map snd guarded @ Option.to_list last)
@@ -109,7 +115,23 @@ let rec kind depth t (e : expr) =
       | _ -> None)
   | _ -> None
 
-let kind = kind 12
+(* Each variable is looked up once, because its value may be a large array. *)
+and of_variable ~equations t (x : Local.t) =
+  match Int_table.find_opt t.kinds x.id with
+  | Some known -> known
+  | None when equations = 0 -> None
+  | None ->
+      (* a variable that depends on itself *)
+      Int_table.replace t.kinds x.id None;
+      let found =
+        Option.bind
+          (Int_table.find_opt t.values x.id)
+          (kind ~depth:max_depth ~equations:(equations - 1) t)
+      in
+      Int_table.replace t.kinds x.id found;
+      found
+
+let kind = kind ~depth:max_depth ~equations:max_equations
 
 let rec output t (f : expr) =
   match (f.desc, called f) with

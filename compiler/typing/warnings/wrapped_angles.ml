@@ -107,48 +107,52 @@ let is_plain_pid facts (g : Global.t) arguments =
   | { module_ = "Control"; name = "pid" }, [ gains ] -> not (has_derivative facts gains)
   | _ -> false
 
-(* Reports a function whose input or argument wraps, unless it is meant for angles. [unwrap] is the
-   fix that makes the angle continuous, which is also right for a multiple of an angle. *)
-let check facts (f : expr) (input : expr) ~kind ~unwrap =
+(* The function for angles, if a function is unsuitable for them. *)
+let for_angles facts (f : expr) =
   match called f with
-  | Some (g, arguments) when not (is_plain_pid facts g arguments) -> (
-      let report = warning facts (head f) input g.name in
-      match (Doc_facts.for_angles facts.docs g, kind) with
-      | None, _ | _, None -> ()
-      | Some { name = "unwrap"; _ }, _ | _, Some Angle_origins.Scaled ->
-          report (fun d ->
-              d
-              |> Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles")
-              |> unwrap)
-      | Some { name; module_; same_arguments }, Some (Heading | Rotation) ->
-          report (fun d ->
-              d
-              |> Diagnostic.hint ("write " ^ of_module name module_)
-              |> if same_arguments then replaced facts (head f) name ~module_ else Fun.id))
-  | _ -> ()
+  | Some (g, arguments) when not (is_plain_pid facts g arguments) ->
+      Option.map (fun other -> (g, other)) (Doc_facts.for_angles facts.docs g)
+  | _ -> None
+
+(* Reports that the input or argument of such a function wraps. [unwrap] is the fix that makes the
+   angle continuous, which is also right for a multiple of an angle. *)
+let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (input : expr) kind
+    ~unwrap =
+  warning facts (head f) input g.name (fun d ->
+      match (other, kind) with
+      | { name = "unwrap"; _ }, _ | _, Angle_origins.Scaled ->
+          Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles") d
+          |> unwrap
+      | { name; module_; same_arguments }, (Heading | Rotation) ->
+          Diagnostic.hint ("write " ^ of_module name module_) d
+          |> if same_arguments then replaced facts (head f) name ~module_ else Fun.id)
+
+let check facts (f : expr) inputs =
+  let with_kind e = Option.map (fun kind -> (e, kind)) (kind facts e) in
+  match for_angles facts f with
+  | None -> ()
+  | Some other -> (
+      match List.find_map with_kind inputs with
+      | Some (angle, kind) ->
+          report facts f other angle kind ~unwrap:(unwrapped facts (head f) angle)
+      | None -> ())
 
 let run facts (f : expr) (input : expr) =
-  let inputs = match input.desc with Tuple es -> es | _ -> [ input ] in
-  match List.find_opt (fun e -> kind facts e <> None) inputs with
-  | Some angle ->
-      check facts f angle ~kind:(kind facts angle) ~unwrap:(unwrapped facts (head f) angle)
-  | None -> ()
+  check facts f (match input.desc with Tuple es -> es | _ -> [ input ])
 
 (* An application that is not a signal function. *)
 let application facts (e : expr) arguments =
-  match (e.ty, List.find_opt (fun a -> kind facts a <> None) arguments) with
-  | (Signal_function _ | Function _), _ | _, None -> ()
-  | _, Some angle ->
-      check facts e angle ~kind:(kind facts angle) ~unwrap:(unwrapped facts (head e) angle)
+  match e.ty with Signal_function _ | Function _ -> () | _ -> check facts e arguments
 
 let composition facts (f : expr) (g : expr) =
   let rec first (g : expr) =
     match called g with Some ({ module_ = "Prelude"; name = ">>>" }, [ g; _ ]) -> first g | _ -> g
   in
   let g = first g in
-  check facts g f
-    ~kind:(Angle_origins.output facts.origins f)
-    ~unwrap:(use_unwrap facts (head g) [ (before g, "unwrap >>> ") ])
+  match (for_angles facts g, Angle_origins.output facts.origins f) with
+  | Some other, Some kind ->
+      report facts g other f kind ~unwrap:(use_unwrap facts (head g) [ (before g, "unwrap >>> ") ])
+  | _ -> ()
 
 (* {1 The walk} *)
 

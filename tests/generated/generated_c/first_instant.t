@@ -11,9 +11,9 @@ program already has, or else by a flag.
   > EOF
   $ frobc compile button.frob --lint
   $ grep 'started' button.c
-      self->started = false;                                  /* Control.frob:32 */
-      const bool start = !self->started;                      /* Control.frob:32 */
-      self->started = true;                                   /* Control.frob:32 */
+      self->started = false;                                  /* Control.frob:36 */
+      const bool start = !self->started;                      /* Control.frob:36 */
+      self->started = true;                                   /* Control.frob:36 */
       int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
   $ cat > button.csv <<'EOF'
   > time,in

@@ -69,7 +69,7 @@ input:
   > FROB
   $ model steps '{
   >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
-  >     usual = start ? 0 : step
+  >     if (step > 0) usual = step
   >     printf "%s,%.9g,%.9g,%.9g\n", start ? "true" : "false", dt, step, start ? x : before
   >   }'
   $ single steps
@@ -89,7 +89,7 @@ limit, which counts no step as longer than twice the one before; a mean.
   >     y = start ? x : y + dt / (0.5 + dt) * (x - y)
   >     z = start || dt > 0 ? x : z
   >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
-  >     usual = start ? 0 : step
+  >     if (step > 0) usual = step
   >     r = start ? x : r + limit(2 * step, x - r)
   >     if (start) x1 = x2 = x3 = x
   >     printf "%.9g,%.9g,%.9g,%.9g\n", y, z, r, (x + x1 + x2 + x3) / 4
@@ -167,7 +167,7 @@ before, or 0.2 s:
   > FROB
   $ model controller '{
   >     most = usual > 0.1 ? 2 * usual : 0.2; step = usual > 0 && dt > most ? most : dt
-  >     usual = start ? 0 : step
+  >     if (step > 0) usual = step
   >     sum = start ? 0 : limit(5, sum + step * counted)
   >     slope = start ? 0 : dt > 0 ? (x - before) / dt : slope
   >     wanted = 2 * x + sum + 0.1 * slope

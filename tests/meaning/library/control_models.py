@@ -84,7 +84,7 @@ class Clock:
             self.control = self.dt
         else:
             self.control = min(self.dt, max(0.2, 2 * self.usual))
-        self.usual = self.control
+        self.usual = self.control or self.usual
 
 
 class Held:

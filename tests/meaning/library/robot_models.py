@@ -137,15 +137,23 @@ def task(command, ends):
 
 def driving():
     """`turnTo` 200 degrees, `turnBy` 450 degrees, and `forward` 1.5 m."""
-    to, by = math.radians(200), math.radians(450)
+    to = math.radians(200)
+    left, heading = [math.radians(450)], [0.0]
+
+    def by(robot):
+        """What is left of 450 degrees. A long step may hide half a turn."""
+        left[0] -= turn(robot.heading, heading[0])
+        heading[0] = robot.heading
+        return left[0]
+
     tasks = [
         task(
             lambda r: (0.0, limited(TURN, 2 * turn(to, r.heading))),
             lambda r: abs(turn(to, r.heading)) < NEAR,
         ),
         task(
-            lambda r: (0.0, limited(TURN, 2 * (by - r.heading))),
-            lambda r: abs(by - r.heading) < NEAR,
+            lambda r: (0.0, limited(TURN, 2 * by(r))),
+            lambda r: abs(by(r)) < NEAR,
         ),
         task(
             lambda r: (limited(0.3, 1.5 - r.x), limited(TURN, 2 * turn(0, r.heading))),

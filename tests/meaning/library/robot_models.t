@@ -19,6 +19,8 @@ length, steps of length 0, and gaps.
   > attempt = untilRight (proc (fails, succeeds) -> if succeeds then Right (Just ()) else if fails then Right Nothing else Left 0)
   > FROB
   $ models behaviours
+  double.c.csv: 2000 values, 0 differ
+  float.c.csv: 2000 values, 0 differ
 
 A robot that follows the commands of three tasks exactly:
 
@@ -35,6 +37,8 @@ A robot that follows the commands of three tasks exactly:
   >     (v, omega, end) = motorsOf task (senses { pose = pose, speed = delay 0 v, turning = delay 0 omega })
   > FROB
   $ models driving
+  double.c.csv: 3600 values, 0 differ
+  float.c.csv: 3600 values, 0 differ
 
 The geometry of paths: the point at a distance along the path, the distance to the path, the next
 stop, and the curvature of pure pursuit. Only rows without NaN are compared:
@@ -52,3 +56,5 @@ stop, and the curvature of pure pursuit. Only rows without NaN are compared:
   >     off = distance here (pathPoint legs (nearestAlong legs 0 whole here))
   > FROB
   $ models paths
+  double.c.csv: 2328 values, 0 differ
+  float.c.csv: 2328 values, 0 differ

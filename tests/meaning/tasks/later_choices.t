@@ -39,11 +39,11 @@ if the time-out may be 0.
   ...
   10 |         Nothing -> return ()
      |         -------------------- `timeOut` may start itself again at its own first instant
-    ::: stdlib/Driving.frob:74:16
-  74 | driveTo goal = mkTask (proc i ->
+    ::: stdlib/Driving.frob:79:16
+  79 | driveTo goal = mkTask (proc i ->
      |                -----------------
   ...
-  86 |     blocked = when (looks && inTheWay || stuck i))
+  91 |     blocked = when (looks && inTheWay || stuck i))
      |     ---------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
      = note: no time passes between these steps at an instant at which `driveTo` occurs as soon as `timeOut` starts
      = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest

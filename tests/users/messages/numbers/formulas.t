@@ -573,7 +573,7 @@ Gains without any unit:
     |                         |
     |                         the field `ki` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[m, m/s]`, for example, write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[m/s] }`
+    = hint: give all its numbers their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[m/s] }`
   
   1 error
   [1]
@@ -597,7 +597,7 @@ The signature determines the units:
     |               |
     |               the field `kp` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[1/s] }`
+    = hint: give all its numbers their units: for a `Pid[1, 1/s]` (u is `1`, v is `1/s`), write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[1/s] }`
   
   1 error
   [1]

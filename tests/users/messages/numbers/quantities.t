@@ -185,7 +185,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[m, m/s]`, for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
+    = hint: give all its numbers their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
   
   1 error
   [1]

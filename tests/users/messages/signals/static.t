@@ -55,9 +55,9 @@ A task that continues as itself must take time.
    6 |         go
      |         ^^ `driveTo` may start itself again at its own first instant
      |
-    ::: stdlib/Driving.frob:84:5
+    ::: stdlib/Driving.frob:89:5
      |
-  84 |     arrived = atPlace goal i
+  89 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts

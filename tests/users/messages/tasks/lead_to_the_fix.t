@@ -97,9 +97,9 @@ A patrol that may never pause:
    7 |     patrol
      |     ------ and again here
      |
-    ::: stdlib/Driving.frob:84:5
+    ::: stdlib/Driving.frob:89:5
      |
-  84 |     arrived = atPlace goal i
+  89 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
