@@ -124,7 +124,7 @@ let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (in
           Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles") d
           |> unwrap
       | { name; module_; same_arguments }, (Heading | Rotation) ->
-          Diagnostic.hint ("write " ^ of_module name module_) d
+          Diagnostic.hint ((if same_arguments then "write " else "use ") ^ of_module name module_) d
           |> if same_arguments then replaced facts (head f) name ~module_ else Fun.id)
 
 let check facts (f : expr) inputs =

@@ -190,7 +190,7 @@ so nothing is reported for `command`.
      |                                          ^^^^^^^^   - this angle is between -pi and pi
      |
      = note: where the angle jumps from pi to -pi, `pidInput` sees a rotation by 360 degrees
-     = hint: write `angleInput` (module Pid)
+     = hint: use `angleInput` (module Pid)
   
   warning[W0315]: `rateLimit` of an angle that wraps
     --> ways.frob:18:87
@@ -205,7 +205,7 @@ so nothing is reported for `command`.
   $ frobc check ways.frob 2>&1 | grep -e '^warning' -e '-->' -e hint
   warning[W0315]: `pidInput` of an angle that wraps
     --> ways.frob:14:75
-     = hint: write `angleInput` (module Pid)
+     = hint: use `angleInput` (module Pid)
   warning[W0315]: `rateLimit` of an angle that wraps
     --> ways.frob:18:87
      = hint: make the angle continuous with `unwrap` (module Angles)
