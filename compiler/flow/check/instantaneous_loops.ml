@@ -42,8 +42,8 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "wait for at least 1 ns: `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "wait for at least 1 ns: `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is \
-       the output of a robot at rest"
+      "add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where \
+       `restingOutput` is the output of a robot at rest"
   | _, Statement _ ->
       "use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at \
        least one instant; `edge` would wait forever if the condition were true from the start"

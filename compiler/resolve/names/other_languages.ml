@@ -140,6 +140,10 @@ let signal_function = function
       Some
         "use `pid gains e`, with `import Control`, where `e` is the error and `gains` a record \
          `Pid { kp = …, ki = …, kd = …, largest = … }`"
+  | "ramp" | "rampTo" | "slewRate" | "slewLimit" ->
+      Some
+        "use `rateLimit 0.5[m/s^2] x`, with `import Control`, to limit how fast `x` changes; it \
+         starts with the first value of `x`"
   | "integrate" | "cumtrapz" -> Some "write `integral`"
   | "deriv" | "differentiate" -> Some "write `derivative`"
   | "until" | "untilB" ->

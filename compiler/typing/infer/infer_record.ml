@@ -211,6 +211,12 @@ let of_an_input (record : Resolve.Ir.expr) d =
 let is_input_of_a_proc ctx (record : Resolve.Ir.expr) =
   match record.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
 
+(* The constructor of the record type with this field, if this is such a type. *)
+let takes_a_record words input field =
+  match Show.fields words input with
+  | Some (constructor, fields) when List.mem field fields -> Some constructor
+  | Some _ | None -> None
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
@@ -238,6 +244,12 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
             | _ -> suggest name known d
           in
           match (Type.expand ty, Show.quote words record.span) with
+          | Function (input, _), Some f when takes_a_record words input name.text <> None ->
+              let constructor = Option.get (takes_a_record words input name.text) in
+              Diagnostic.hint
+                (Printf.sprintf "`%s` takes the record as an argument: use `%s (%s { %s = … })`" f f
+                   constructor name.text)
+                d
           | Function (input, _), Some f when Show.signal words input <> None ->
               let applied = Printf.sprintf "(%s %s)" f (Option.get (Show.signal words input)) in
               let text = Printf.sprintf "%s.%s" applied name.text in

@@ -40,6 +40,11 @@ let rec chosen (e : Resolve.Ir.expr) =
   | Number { digits; unit_; _ } -> [ (digits, unit_, e.span) ]
   | Negate e -> chosen e
   | If { then_; else_; _ } -> chosen then_ @ chosen else_
+  | Case { branches; _ } ->
+      let of_guard (g : Resolve.Ir.guarded) = chosen g.value in
+      List.concat_map
+        (fun (b : Resolve.Ir.branch) -> List.concat_map of_guard b.right.guards)
+        branches
   | _ -> []
 
 (* The literals in the definition of a name that chooses among several numbers of one unit. *)

@@ -352,7 +352,7 @@ the program that calls it, with the part that takes time.
     N |
      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
      = note: frobc found no end within 1000 steps, the maximum for one instant
-     = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+     = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -379,7 +379,7 @@ the program that calls it, with the part that takes time.
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
       = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
-      = hint: add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

@@ -62,6 +62,20 @@ let counterpart fact =
       Some ("map", "to each element of an array", at)
   | _ -> None
 
+(* `map f x`, where `x` is a single value *)
+let mapped_over_a_value fact =
+  match (fact.given, fact.expected.because) with
+  | (Number _ | Bool | String), Parameter { callee = Some "map"; position = 2; given = [ f; x ]; _ }
+    when is_array fact.expected.ty -> (
+      match (Show.quote fact.words f.span, Show.quote fact.words x.span) with
+      | Some f, Some x ->
+          Some
+            (hinted fact
+               (Printf.sprintf "`map` is for arrays: apply the function itself, as in `%s %s`"
+                  (Source.grouped f) (Source.grouped x)))
+      | _ -> None)
+  | _ -> None
+
 let mapped fact =
   Option.map
     (fun (name, of_what, place) ->

@@ -12,6 +12,9 @@ val written_as_a_tuple : Shape_fact.rule
 val of_another_size : Shape_fact.rule
 (** Two arrays with different numbers of elements. *)
 
+val mapped_over_a_value : Shape_fact.rule
+(** [map] applied to a single value. *)
+
 val mapped : Shape_fact.rule
 (** [map] applied to an event or a task, which have counterparts of it, or [mapE] applied to an
     array. *)

@@ -48,6 +48,7 @@ let of_values =
   [
     Vector_mistake.of_an_operator;
     Array_mistake.computed;
+    Array_mistake.mapped_over_a_value;
     Signal_function_mistake.conditions;
     Signal_function_mistake.constant;
     Tuple_mistake.selected;

@@ -632,3 +632,54 @@ A loop with a counter:
   1 error
   [1]
   $ sed -e '/ n = /d' -e 's:while.*:repeatT 4 $ do:' counter.frob > pasted.frob && frobc check pasted.frob
+
+A record for a function that takes one:
+
+  $ cat > gains.frob <<'FROB'
+  > import Control
+  > f :: SF Float Float
+  > f = proc e -> pid { kp = 1, ki = 0, kd = 0, largest = 1 } e
+  > FROB
+  $ frobc check gains.frob
+  error[E0310]: `Pid[u, v] -> SF Float[u] Float[v]` has no field `kp`
+   --> gains.frob:3:21
+    |
+  3 | f = proc e -> pid { kp = 1, ki = 0, kd = 0, largest = 1 } e
+    |               ---   ^^
+    |               |
+    |               this is `Pid[u, v] -> SF Float[u] Float[v]`
+    |
+    = hint: `pid` takes the record as an argument: use `pid (Pid { kp = … })`
+  
+  error[E0301]: expected `Pid[u, v]`, found `Float`
+   --> gains.frob:3:59
+    |
+  3 | f = proc e -> pid { kp = 1, ki = 0, kd = 0, largest = 1 } e
+    |               ------------------------------------------- ^
+    |               |
+    |               argument 1 of this is `Pid[u, v]`
+    |
+    = hint: write the record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+  
+  2 errors
+  [1]
+  $ sed 's:pid {\(.*\)} e:pid (Pid {\1}) e:' gains.frob > pasted.frob && frobc check pasted.frob
+
+A ramp:
+
+  $ cat > ramp.frob <<'FROB'
+  > f :: SF Float Float
+  > f = proc x -> ramp 0 x
+  > FROB
+  $ frobc check ramp.frob
+  error[E0205]: unknown name `ramp`
+   --> ramp.frob:2:15
+    |
+  2 | f = proc x -> ramp 0 x
+    |               ^^^^
+    |
+    = hint: use `rateLimit 0.5[m/s^2] x`, with `import Control`, to limit how fast `x` changes; it starts with the first value of `x`
+  
+  1 error
+  [1]
+  $ sed -e '1i import Control' -e 's:ramp 0 x:rateLimit 1[1/s] x:' ramp.frob > pasted.frob && frobc check pasted.frob

@@ -569,3 +569,52 @@ Degrees in a type:
   1 error
   [1]
   $ sed 's:Float.deg.:Angle:' degrees.frob > pasted.frob && frobc check pasted.frob
+
+A branch without a unit:
+
+  $ cat > branch.frob <<'FROB'
+  > import Robot
+  > drive = proc i -> roMake (setVelTR v 0) where
+  >     v = case bumped i of
+  >         True -> 0
+  >         False -> 0.3
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check branch.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> branch.frob:2:36
+    |
+  2 | drive = proc i -> roMake (setVelTR v 0) where
+    |                           -------- ^ this is `Float`
+    |                           |
+    |                           argument 1 of `setVelTR` is `Velocity` (m/s)
+  ...
+  5 |         False -> 0.3
+    |                  --- `v` is this number
+    |
+    = hint: write `0.3[m/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ sed 's:-> 0.3:-> 0.3[m/s]:' branch.frob > pasted.frob && frobc check pasted.frob
+
+`map` for a single value:
+
+  $ cat > single.frob <<'FROB'
+  > f :: Distance -> Distance
+  > f d = map (\x -> x * 2) d
+  > FROB
+  $ frobc check single.frob
+  error[E0301]: expected `Array m n[u]`, found `Distance` (m)
+   --> single.frob:2:25
+    |
+  2 | f d = map (\x -> x * 2) d
+    |       ---               ^
+    |       |
+    |       argument 2 of `map` is `Array m n[u]`
+    |
+    = hint: `map` is for arrays: apply the function itself, as in `(\x -> x * 2) d`
+  
+  1 error
+  [1]
+  $ sed 's:map ::' single.frob > pasted.frob && frobc check pasted.frob
