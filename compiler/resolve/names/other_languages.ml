@@ -176,6 +176,8 @@ let reading = function
   | "gyro" | "angularVelocity" | "turnSpeed" | "rotation" | "yawRate" ->
       Some (format_of_string "turnRate %s")
   | "position" -> Some (format_of_string "place %s")
+  | "battery" | "batteryLevel" | "voltage" | "getBattery" ->
+      Some (format_of_string "batteryVoltage %s")
   | "bump" | "bumper" | "collision" | "isBumped" -> Some (format_of_string "bumped %s")
   | _ -> None
 

@@ -258,7 +258,9 @@ let type_in_brackets found =
   match (found.token.token, found.before) with
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       error found "the type of an array cannot be written in brackets"
-      |> Diagnostic.hint "write the size and the type of the elements, as in `Array 4 Float`"
+      |> Diagnostic.hint
+           "write the type of the elements, and a size or, for any size, a variable: `Array 4 \
+            Float`, `Array n Float`"
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
       error found "a `[` is not allowed here"

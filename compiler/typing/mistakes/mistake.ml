@@ -40,6 +40,16 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
          && Environment.is_task expected.ty
          && Span.line (List.nth given takes).span.start > Span.line span.stop ->
       hint "put `do` before several tasks below each other" { d with hints = []; fixes = [] }
+  | Parameter { head = Some { desc = Global { name = "atan"; _ }; _ }; given = [ y; x ]; _ } ->
+      let text (e : Resolve.Ir.expr) default =
+        let is_field = match e.desc with Field _ -> true | _ -> false in
+        Option.fold (Show.quote words e.span) ~none:default
+          ~some:(if is_field then Fun.id else Source.grouped)
+      in
+      hint
+        (Printf.sprintf "`atan` takes one argument: for two sides, write `atan2 %s %s`" (text y "y")
+           (text x "x"))
+        { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
          && (takes > 1 || List.length given > takes)

@@ -353,6 +353,7 @@ let likely words ~subject ~expected units =
         else Formula_mistake.root words ~subject ~expected units);
       (fun () -> Formula_mistake.within_root words ~subject units);
       (fun () -> Formula_mistake.rounded words ~subject units);
+      (fun () -> Formula_mistake.rate_for_angle words ~subject units);
       (fun () -> Formula_mistake.gain_of_rate words ~subject ~expected units);
       (fun () -> Formula_mistake.opposite words ~subject units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);

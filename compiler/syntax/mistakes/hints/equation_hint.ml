@@ -174,6 +174,14 @@ let statement found =
               "for the result of a task, write `%s <- %s`; for the present value of a sensor or \
                other signal function, `%s <- ask %s`; for a value, `let %s = %s`"
               name value name value name value
+        (* [frontSonar i] reads a sensor, but [driveTo goal] is probably a task *)
+        | _
+          when applied_to_a_name value <> None
+               && not (List.exists (fun x -> String.ends_with ~suffix:x value) [ " i"; " input" ])
+          ->
+            Printf.sprintf
+              "for the result of a task, write `%s <- %s`; for a value, write `let %s = %s`" name
+              value name value
         | _ when applied_to_a_name value <> None ->
             Printf.sprintf
               "for a value, write `let %s = %s`; for the present value of a sensor, `%s <- ask %s`"

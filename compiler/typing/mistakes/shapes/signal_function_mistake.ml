@@ -107,6 +107,12 @@ let by_its_use fact =
   | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"
   | Parameter { callee = Some "map"; _ }, _ ->
       Some "use `mapSF` to run a signal function on each element"
+  | Parameter { callee = Some "."; given = [ last; first ]; _ }, _
+    when Show.quote fact.words last.span <> None && Show.quote fact.words first.span <> None ->
+      let text (e : Resolve.Ir.expr) = Option.get (Show.quote fact.words e.span) in
+      Some
+        (Printf.sprintf "compose signal functions from left to right with `>>>`: `%s >>> %s`"
+           (text first) (text last))
   | Parameter { callee = Some "."; _ }, _ ->
       Some "use `>>>` to compose signal functions, from left to right"
   | Parameter { callee = Some name; _ }, _ ->

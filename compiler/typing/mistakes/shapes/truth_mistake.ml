@@ -96,6 +96,8 @@ let compared fact =
   match (fact.wanted, fact.expected.because) with
   | Bool, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ }) ->
       Option.map (no_truth fact) (comparison fact)
+  | Bool, _ when match fact.subject with Some { desc = Number _; _ } -> true | _ -> false ->
+      Option.map (no_truth fact) (comparison fact)
   | _ -> None
 
 (* `delay 0 b`: the literal determines the type, but `b` is a truth value. *)

@@ -159,7 +159,10 @@ let within_root words ~subject (wanted, given) =
       if is_same then
         match Formula.binary argument with
         | Some ("+", a, b) -> (
-            match (Formula.grouped words a, Formula.grouped words b) with
+            let base (e : Resolve.Ir.expr) =
+              match e.desc with Field _ -> Formula.text words e | _ -> Formula.grouped words e
+            in
+            match (base a, base b) with
             | Some a, Some b ->
                 let text = Printf.sprintf "sqrt (%s ^ 2 + %s ^ 2)" a b in
                 Some (hint (Printf.sprintf "for the root of a sum of squares, write `%s`" text))
@@ -207,6 +210,26 @@ let rounded words ~subject (wanted, given) =
           hint (Printf.sprintf "divide by the unit before rounding: `%s`" text) d
           |> write span ("(" ^ text ^ ")"))
         (as_a_factor words argument)
+  | _ -> None
+
+(* `0.5[rad/s]` where an angle is expected *)
+let rate_for_angle words ~subject (wanted, given) =
+  let is_angle ((f : Resolve.Ir.unit_factor), _) =
+    match f with
+    | Declared { name = "rad" | "deg"; _ } -> true
+    | Declared _ | Unit_variable _ -> false
+  in
+  match subject with
+  | Some ({ desc = Number { digits; unit_ = Some { factors; _ }; _ }; span } : Resolve.Ir.expr)
+    when Units.equal wanted Units.one && String.equal (Show.measure words given) "1/s" -> (
+      match List.find_opt is_angle factors with
+      | Some (Declared { name; _ }, _) ->
+          let text = Printf.sprintf "%s[%s]" digits name in
+          Some
+            (fun d ->
+              hint (Printf.sprintf "this is a turn rate: for an angle, write `%s`" text) d
+              |> write span text)
+      | Some (Unit_variable _, _) | None -> None)
   | _ -> None
 
 (* The gain in `kp * e + kd * derivative e`, declared with the unit of another gain *)

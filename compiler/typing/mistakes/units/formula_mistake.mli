@@ -59,3 +59,10 @@ val gain_of_rate :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A sum with [kd * derivative e], where the unit of the parameter [kd] is wrong. *)
+
+val rate_for_angle :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A literal in radians or degrees per second where an angle is expected. *)

@@ -64,3 +64,23 @@ hint replaces it.
   error[E0302]: `f` has more than one parameter, but its type allows only one
     = hint: the signature needs a type for each parameter (`a`, `b`) and one for the result: `f :: … -> … -> …`
   [1]
+  $ try 'AngularVelocity -> Float' 'f w = sin 0.5[rad/s]' 'f w = sin 0.5[rad]'
+  error[E0320]: expected no unit, found `1/s`
+    = hint: an angle is a rate times a time: in a `proc`, write `sin (0.5[rad/s] * time ())`
+  [1]
+  $ try 'SF Float Bool' 'f = proc x -> if x > 2 then 1 else 0' 'f = proc x -> if x > 2 then True else False'
+  error[E0301]: expected `Bool`, found a number
+    = hint: use `True`: a number is not a `Bool`
+  [1]
+  $ try 'Distance -> Distance -> Angle' 'f x y = atan y x' 'f x y = atan2 y x'
+  error[E0320]: expected no unit, found `m`
+    = hint: `atan` takes one argument: for two sides, write `atan2 y x`
+  [1]
+  $ try 'SF Distance Velocity' 'f = derivative . lowPass 0.2[s]' 'f = lowPass 0.2[s] >>> derivative'
+  error[E0304]: expected a function, found a signal function: `SF Float[u] Float[u/s]`
+    = hint: compose signal functions from left to right with `>>>`: `lowPass 0.2[s] >>> derivative`
+  [1]
+  $ try '[Float] -> Float' 'f xs = sum xs' 'f xs = sum xs' 'Array n Float -> Float'
+  error[E0110]: the type of an array cannot be written in brackets
+    = hint: write the type of the elements, and a size or, for any size, a variable: `Array 4 Float`, `Array n Float`
+  [1]

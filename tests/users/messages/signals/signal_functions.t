@@ -31,7 +31,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
   2 | main = integral . derivative
     |        ^^^^^^^^ - argument 1 of `.` is `a -> b`
     |
-    = hint: use `>>>` to compose signal functions, from left to right
+    = hint: compose signal functions from left to right with `>>>`: `derivative >>> integral`
   
   1 error
   [1]
