@@ -15,6 +15,8 @@ let needed =
     ("geometry_msgs", [ "geometry_msgs__rosidl_typesupport_c"; "geometry_msgs__rosidl_generator_c" ]);
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
     ("sensor_msgs", [ "sensor_msgs__rosidl_typesupport_c"; "sensor_msgs__rosidl_generator_c" ]);
+    ( "diagnostic_msgs",
+      [ "diagnostic_msgs__rosidl_typesupport_c"; "diagnostic_msgs__rosidl_generator_c" ] );
     ("std_msgs", [ "std_msgs__rosidl_typesupport_c"; "std_msgs__rosidl_generator_c" ]);
     ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);
     ( "rcl_interfaces",

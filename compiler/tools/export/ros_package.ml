@@ -7,6 +7,7 @@ let package_of name = String.lowercase_ascii name
 
 let dependencies =
   [
+    "diagnostic_msgs";
     "geometry_msgs";
     "nav_msgs";
     "rcl";

@@ -40,6 +40,12 @@ struct line_opening {
     /* Maximum length of these texts; 0: the settings turn them off. */
     size_t (*publish_room)(const struct line *line);
 
+    /* Publishes the verdict on an assertion of the program: whether it fails now, whether verdicts no
+     * longer count because an assumption has failed, and what happened to it. NULL: the line does
+     * not publish verdicts. */
+    void (*judge)(const struct line *line, size_t claim, bool fails, bool is_void,
+                  const char *fate);
+
     /* Waits until the process at the other end has ended. The port is closed. */
     void (*close)(struct line *line);
 };

@@ -28,6 +28,7 @@
 
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
+#define JUDGE_NS INT64_C(1000000000)    /* period of published verdicts */
 #define BEAT_NS INT64_C(20000000)       /* maximum time between heartbeats to the guards */
 #define FAREWELL_NS INT64_C(2000000000) /* how long a stopped robot may take to come to rest */
 enum { GIVE_UP = 10 };                  /* longest step, as a multiple of the patience */
@@ -55,6 +56,8 @@ struct supervisor {
     struct record record;
     struct instants instants;
     struct claims claims;
+    size_t failing;    /* assertions that failed when verdicts were published last */
+    int64_t judged_ns; /* when that was */
     struct console console;
     struct touches touches;
     struct publisher publisher;
@@ -240,6 +243,27 @@ static void be_late(struct supervisor *s)
     tell(s, "a step takes longer than %g s: stopping the robot", s->options->patience_s);
 }
 
+/* Publishes the verdicts once a second, and when an assertion begins or ceases to fail. */
+static void publish_claims(struct supervisor *s)
+{
+    const struct line_opening *opening = s->line.opening;
+    const int64_t now = now_ns();
+    size_t failing = 0;
+    if (opening == NULL || opening->judge == NULL || !line_is_open(&s->line))
+        return;
+    for (size_t i = 0; i < s->program->claim_count; i++)
+        failing += s->claims.each[i].fails ? 1 : 0;
+    if (failing == s->failing && now - s->judged_ns < JUDGE_NS)
+        return;
+    s->failing = failing;
+    s->judged_ns = now;
+    for (size_t i = 0; i < s->program->claim_count; i++) {
+        char fate[CLAIMS_FATE];
+        claims_fate(&s->claims, i, fate);
+        opening->judge(&s->line, i, s->claims.each[i].fails, s->claims.is_void, fate);
+    }
+}
+
 /* Handles the end of a step: records it, and commands its output if it ended in time. */
 static void answered(struct supervisor *s)
 {
@@ -257,6 +281,7 @@ static void answered(struct supervisor *s)
     instants_put(&s->instants, &s->line, s->instant_ns, s->input, s->output);
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
+    publish_claims(s);
     if (s->options->stop_when_violated && s->claims.violated != NULL)
         end(s, FAULT, "\"%s\" (%s) was violated at %.3f s", s->claims.violated->label,
             s->claims.violated->place, (double)s->claims.violated_ns * 1e-9);

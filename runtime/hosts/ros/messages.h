@@ -21,6 +21,7 @@ enum ros_kind {
     ROS_VELOCITY,
     /* An instant of the run, or its columns: a struct ros_text and then the text. */
     ROS_TEXT,
+    ROS_CLAIM, /* the verdict on an assertion; the rest is a struct ros_claim */
     /* In both directions: a control of the console has a new value; a struct ros_touch. */
     ROS_TOUCH
 };
@@ -109,6 +110,18 @@ enum { ROS_TEXT_MOST = 60000 };
 struct ros_text {
     struct ros_head head;
     int64_t number; /* of the instant; -1: the columns */
+};
+
+/* Levels of diagnostic_msgs/msg/DiagnosticStatus. */
+enum ros_level { ROS_OK, ROS_WARN, ROS_ERROR };
+
+enum { ROS_FATE = 100 };
+
+struct ros_claim {
+    struct ros_head head;
+    uint32_t claim; /* index in the program's table */
+    uint8_t level;  /* enum ros_level */
+    char fate[ROS_FATE];
 };
 
 /* Publish this velocity. */

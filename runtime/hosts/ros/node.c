@@ -19,6 +19,7 @@
 #include <std_msgs/msg/string.h>
 
 #include "inputs.h"
+#include "diagnostics.h"
 #include "messages.h"
 #include "overrides.h"
 #include "parts.h"
@@ -42,6 +43,7 @@ struct node {
     struct services services;
     rcl_publisher_t velocity, columns, instants;
     std_msgs__msg__String text;
+    struct diagnostics diagnostics;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
     geometry_msgs__msg__Twist twist;
@@ -196,6 +198,14 @@ static bool advertise_instants(struct node *n)
            advertise_text(n, &n->instants, "~/instants", INSTANTS_KEPT);
 }
 
+static bool diagnose(struct node *n)
+{
+    if (diagnostics_start(&n->diagnostics, n->options->program, &n->node))
+        return true;
+    refuse(n, "cannot publish /diagnostics");
+    return false;
+}
+
 /* Tells the supervisor the names after remapping. */
 static bool report(struct node *n)
 {
@@ -274,6 +284,7 @@ static void *publish_all(void *of)
             struct ros_velocity velocity;
             struct ros_touch touch;
             struct ros_text text;
+            struct ros_claim claim;
             char bytes[sizeof(struct ros_text) + ROS_TEXT_MOST];
         } message;
         ssize_t got = recv(n->options->socket, &message, sizeof message, 0);
@@ -285,6 +296,8 @@ static void *publish_all(void *of)
             publish(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
         else if (message.head.kind == ROS_TEXT)
             publish_text(n, &message.text);
+        else if (message.head.kind == ROS_CLAIM)
+            diagnostics_take(&n->diagnostics, &message.claim);
         else if (message.head.kind == ROS_TOUCH)
             services_note(&n->services, message.touch.control, message.touch.value);
     }
@@ -365,6 +378,7 @@ static void leave(struct node *n)
     ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->columns, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->instants, &n->node) == RCL_RET_OK && ok;
+    ok = diagnostics_end(&n->diagnostics, &n->node) && ok;
     ok = services_end(&n->services, &n->node) && ok;
     ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
     ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;
@@ -382,7 +396,7 @@ int node_run(const struct node_options *options)
     n->options = options;
     leave_session();
     if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !advertise_instants(n) ||
-        !report(n))
+        !diagnose(n) || !report(n))
         return FAULT;
     if (pthread_create(&publisher, NULL, publish_all, n) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");

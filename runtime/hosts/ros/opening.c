@@ -179,6 +179,19 @@ static void publish_text(const struct line *line, int64_t number, const char *te
     }
 }
 
+static void judge(const struct line *line, size_t claim, bool fails, bool is_void, const char *fate)
+{
+    struct ros_claim message;
+    memset(&message, 0, sizeof message);
+    message.head.size = (uint32_t)sizeof message;
+    message.head.kind = ROS_CLAIM;
+    message.claim = (uint32_t)claim;
+    message.level = (uint8_t)(is_void ? ROS_WARN : fails ? ROS_ERROR : ROS_OK);
+    snprintf(message.fate, sizeof message.fate, "%s", fate);
+    if (send(line->port.fd, &message, sizeof message, MSG_NOSIGNAL | MSG_DONTWAIT) < 0)
+        return; /* the next one replaces it */
+}
+
 const struct line_opening ros_opening = {
     .option = "--ros-args",
     .usage =
@@ -191,6 +204,7 @@ const struct line_opening ros_opening = {
     .give = ros_device_give,
     .time_ns = ros_device_time_ns,
     .publish = publish_text,
+    .judge = judge,
     .publish_room = text_room,
 };
 

@@ -117,6 +117,25 @@ speed of real time. If the simulator is restarted, the program's time continues.
   error: the parameter `use_sim_time` is true or false, not `maybe`
   [2]
 
+The verdicts on assertions are published as diagnostics.
+
+  $ cat >claims.frob <<END
+  > import Robot
+  > main :: (HasOdometry i, DiffDrive o) => Program i o
+  > main = reactimateRobot drive
+  > drive :: (HasOdometry i, DiffDrive o) => SF i o
+  > drive = proc i -> roMake (setVelTR 0.2[m/s] 0) where
+  >     assert "stays near" ((place i).x < 0.1[m])
+  >     assert "stays on the floor" True
+  > END
+  $ speeds="0 0.2 0"
+  $ run_ros claims.frob --for 0.9s; cat messages; sort -u velocities
+  0.000 0.000
+  0.200 0.000
+  diagnostics: 0, claims: stays near: held
+  diagnostics: 0, claims: stays on the floor: held
+  diagnostics: 2, claims: stays near: violated
+
 Messages of type TwistStamped:
 
   $ speeds="0 0.2 0"
@@ -249,7 +268,7 @@ Mistakes on the command line:
   error: there is no ROS 2 in this shell: install it, and source its setup script, as in `source …`, which sets AMENT_PREFIX_PATH
   $ rm prefix/share/ament_index/resource_index/packages/*_msgs
   $ ROS_DISTRO=jazzy frobc run --ros2 drive.frob
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs, std_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-std-msgs ros-jazzy-rosgraph-msgs`
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs, diagnostic_msgs, std_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-diagnostic-msgs ros-jazzy-std-msgs ros-jazzy-rosgraph-msgs`
   [2]
   $ rm prefix/share/ament_index/resource_index/packages/rcl
   $ sh fake/build.sh fake "$PWD/prefix"

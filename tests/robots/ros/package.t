@@ -38,6 +38,7 @@
     <license>TODO</license>
   
     <buildtool_depend>ament_cmake</buildtool_depend>
+    <depend>diagnostic_msgs</depend>
     <depend>geometry_msgs</depend>
     <depend>nav_msgs</depend>
     <depend>rcl</depend>

@@ -28,6 +28,8 @@ for service in set_parameters set_parameters_atomically get_parameters get_param
 done
 header rosgraph_msgs rosgraph_msgs/msg/clock.h
 header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
+header diagnostic_msgs diagnostic_msgs/msg/diagnostic_array.h
+header diagnostic_msgs diagnostic_msgs/msg/diagnostic_status.h
 header std_msgs std_msgs/msg/string.h
 header nav_msgs nav_msgs/msg/odometry.h
 header sensor_msgs sensor_msgs/msg/laser_scan.h
@@ -39,10 +41,11 @@ for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs_
     sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c \
     rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
     rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c \
+    diagnostic_msgs__rosidl_typesupport_c diagnostic_msgs__rosidl_generator_c \
     std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
 for package in rcl rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
-    rcl_interfaces std_msgs; do
+    rcl_interfaces std_msgs diagnostic_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

@@ -81,6 +81,17 @@ static void drive(double v, double turn)
         write_log(line);
 }
 
+/* Writes the verdicts into the log, without times. */
+static void write_diagnostics(const diagnostic_msgs__msg__DiagnosticArray *m)
+{
+    for (size_t i = 0; i < m->status.size; i++) {
+        char line[300];
+        snprintf(line, sizeof line, "diagnostics: %d, %s: %.8s", m->status.data[i].level,
+                 m->status.data[i].name.data, m->status.data[i].message.data);
+        write_log(line);
+    }
+}
+
 /* Appends a text on ~/TOPIC to the file FAKE_ROS_BAG.TOPIC, with a zero byte at its end. */
 static void write_bag(const char *topic, const char *text)
 {
@@ -104,6 +115,10 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     (void)allocation;
     if (has("crash"))
         abort();
+    if (strcmp(publisher->topic, "/diagnostics") == 0) {
+        write_diagnostics((const diagnostic_msgs__msg__DiagnosticArray *)message);
+        return RCL_RET_OK;
+    }
     if (publisher->topic[0] == '~') {
         write_bag(publisher->topic, ((const std_msgs__msg__String *)message)->data.data);
         return RCL_RET_OK;
@@ -585,6 +600,17 @@ SEQUENCE_INIT(rcl_interfaces__msg__SetParametersResult)
 SEQUENCE_INIT(rcl_interfaces__msg__FloatingPointRange)
 SEQUENCE_INIT(rcl_interfaces__msg__IntegerRange)
 SEQUENCE_INIT(rcl_interfaces__msg__ParameterDescriptor)
+SEQUENCE_INIT(diagnostic_msgs__msg__DiagnosticStatus)
+
+bool diagnostic_msgs__msg__DiagnosticArray__init(diagnostic_msgs__msg__DiagnosticArray *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+const rosidl_message_type_support_t fake_diagnostic_msgs_DiagnosticArray = {
+    "diagnostic_msgs/msg/DiagnosticArray"
+};
 
 #define SERVICE_FUNCTIONS(Name)                                      \
     bool rcl_interfaces__srv__##Name##_Request__init(void *message)  \

@@ -347,6 +347,18 @@ typedef struct {
 bool rcl_interfaces__msg__ParameterEvent__init(rcl_interfaces__msg__ParameterEvent *event);
 void rcl_interfaces__msg__ParameterEvent__fini(rcl_interfaces__msg__ParameterEvent *event);
 
+typedef struct {
+    uint8_t level;
+    rosidl_runtime_c__String name, message, hardware_id;
+} diagnostic_msgs__msg__DiagnosticStatus;
+SEQUENCE(diagnostic_msgs__msg__DiagnosticStatus);
+typedef struct {
+    std_msgs__msg__Header header;
+    diagnostic_msgs__msg__DiagnosticStatus__Sequence status;
+} diagnostic_msgs__msg__DiagnosticArray;
+bool diagnostic_msgs__msg__DiagnosticArray__init(diagnostic_msgs__msg__DiagnosticArray *message);
+extern const rosidl_message_type_support_t fake_diagnostic_msgs_DiagnosticArray;
+
 #define SERVICE(Name, request, response)                              \
     typedef struct {                                                  \
         request;                                                      \

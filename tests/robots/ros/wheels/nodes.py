@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from peer import Base
@@ -173,6 +174,18 @@ main = reactimateRobot (proc i -> roMake (setVelTR (speed i) 0)) where
 """
 
 
+CLAIMS = """import Robot
+
+main :: (HasOdometry i, DiffDrive o) => Program i o
+main = reactimateRobot drive
+
+drive :: (HasOdometry i, DiffDrive o) => SF i o
+drive = proc i -> roMake (setVelTR 0.2[m/s] 0) where
+    assert "stays near" ((place i).x < 0.4[m])
+    assert "stays on the floor" True
+"""
+
+
 def write(name, text):
     """Writes a program."""
     with open(os.path.join(FOLDER, name), "w", encoding="utf-8") as file:
@@ -326,6 +339,22 @@ def test_other_type():
     time.sleep(4)
     _, errors = run.end()
     assert "the node base publishes sensor_msgs/msg/Imu" in errors, errors
+    base.close()
+
+
+def test_diagnostics():
+    """The verdicts on assertions are published on /diagnostics."""
+    write("claims.frob", CLAIMS)
+    base = robot()
+    seen = []
+    base.node.create_subscription(DiagnosticArray, "/diagnostics", seen.append, 10)
+    run = Run(program="claims.frob")
+    base.until(lambda: seen and seen[-1].status[0].level == b"\2", "an assertion fails")
+    run.end()
+    assert seen[0].status[0].level == b"\0", seen[0]
+    last = seen[-1].status
+    assert last[0].name == "claims: stays near" and "violated" in last[0].message, last
+    assert last[1].level == b"\0" and last[1].message == "held", last
     base.close()
 
 

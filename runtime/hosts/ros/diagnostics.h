@@ -1,0 +1,28 @@
+/* diagnostics.h -- publishes the verdicts on the program's assertions on /diagnostics. */
+#ifndef FROB_HOST_ROS_DIAGNOSTICS_H
+#define FROB_HOST_ROS_DIAGNOSTICS_H
+
+#include <frob/program.h>
+
+#include <diagnostic_msgs/msg/diagnostic_array.h>
+#include <rcl/rcl.h>
+
+#include "messages.h"
+
+struct diagnostics {
+    size_t count; /* assertions of the program; 0: nothing is published */
+    rcl_publisher_t publisher;
+    diagnostic_msgs__msg__DiagnosticArray message;
+};
+
+/* Returns false if rcl reports an error. */
+bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
+                       const rcl_node_t *node);
+
+/* Takes the verdict on an assertion, and publishes all of them after the last one. */
+void diagnostics_take(struct diagnostics *d, const struct ros_claim *claim);
+
+/* Returns false if rcl reports an error. */
+bool diagnostics_end(struct diagnostics *d, rcl_node_t *node);
+
+#endif
