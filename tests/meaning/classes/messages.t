@@ -316,6 +316,8 @@ Invalid instances, and instances that lack definitions:
   ...
   41 |     base f n = 3
      |            ^
+     |
+     = hint: the signature needs a type for each parameter (`f`, `n`) and one for the result: `base :: … -> … -> …`
   
   error[E0366]: `Ord` has no declared instances
     --> declared.frob:42:10
@@ -430,6 +432,8 @@ The definitions of a method have the types that the class declares.
   ...
   19 |     area b c = 3
      |            ^
+     |
+     = hint: the signature needs a type for each parameter (`b`, `c`) and one for the result: `area :: … -> … -> …`
   
   5 errors
   [1]
