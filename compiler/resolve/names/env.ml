@@ -56,6 +56,13 @@ let one_equation t (first : Ir.Local.t) (second : Ir.Local.t) =
             in
             Character.is_digit first && not (String.contains before ' ')
       in
+      (* `v = if stop then 0 else v` overrides a number; with a truth value, it is a latch *)
+      let overrides =
+        before <> "True" && before <> "False"
+        && String.starts_with ~prefix:"if " after
+        && String.ends_with ~suffix:(" else " ^ name) after
+      in
+      let is_constant = is_constant && not overrides in
       let by =
         let previous = Printf.sprintf "delay %s %s" (Source.grouped before) name in
         if not is_constant then Source.grouped before

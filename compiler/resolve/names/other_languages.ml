@@ -3,7 +3,7 @@ let made_into_float = "use `toFloat n` to convert an Int to a Float"
 let whole_division = "use `div` and `mod` for Ints: they round towards minus infinity"
 let wrapped = "use `wrapAngle a`, with `import Geometry`"
 let clamped = "use `clamp low high x`, with `import Control`"
-let no_module = "the mathematical functions are built in: write `abs x`, `sqrt x`"
+let no_module = "the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`"
 let filled = "use `generate (const 0)`: its type gives the number of elements"
 let fixed_size = "the size of an array is fixed; to change the element at i, write `replace i x xs`"
 
@@ -75,8 +75,8 @@ let data = function
   | "foldr" | "reduce" -> Some "use `foldl f x xs`, which starts at the first element"
   | "filter" | "partition" | "takeWhile" | "dropWhile" ->
       Some
-        "the size of an array is fixed; to leave elements out of a `sum`, replace them by 0: `map \
-         (\\x -> if p x then x else 0) xs`"
+        "for events, use `filterEvent holds e`; the size of an array is fixed: to leave elements \
+         out of a `sum`, replace them by 0 with `map (\\x -> if holds x then x else 0) xs`"
   | "zip" -> Some "use `zipWith (\\x y -> (x, y)) xs ys` to make pairs"
   | "enumerate" -> Some "use `imap (\\i x -> (i, x)) xs` to pair each element with its index"
   | "zeros" | "ones" | "replicate" -> Some filled
@@ -144,6 +144,12 @@ let signal_function = function
       Some
         "use `rateLimit 0.5[m/s^2] x`, with `import Control`, to limit how fast `x` changes; it \
          starts with the first value of `x`"
+  | "lowPassFilter" | "lowpassFilter" | "lowpass_filter" | "lowPassF" | "lpf" | "LPF" ->
+      Some "use `lowPass tau x`, with `import Control`, where `tau` is a time constant: `0.5[s]`"
+  | "highPassFilter" | "highpassFilter" | "highpass_filter" | "hpf" ->
+      Some "use `highPass tau x`, with `import Filters`, where `tau` is a time constant: `0.5[s]`"
+  | "medianFilter" | "medfilt" | "medfilt1" | "median_filter" ->
+      Some "use `median (recent 5 x)`, with `import Filters`"
   | "integrate" | "cumtrapz" -> Some "write `integral`"
   | "deriv" | "differentiate" -> Some "write `derivative`"
   | "until" | "untilB" ->
@@ -307,6 +313,8 @@ let type_ = function
   | "Number" | "Real" | "Num" | "Decimal" | "Rational" -> Some "use `Float` or `Int` for numbers"
   | "Optional" | "Option" -> Some "use `Maybe` for a value that may be missing"
   | "Duration" | "Seconds" -> Some "write `Time`"
+  | "Boolean" | "BOOL" | "Logical" -> Some "write `Bool`"
+  | "Integer" | "Int32" | "Long" -> Some "write `Int`"
   | "Speed" -> Some "write `Velocity`"
   | "Length" -> Some "write `Distance`"
   | "Twist" -> Some "set a robot's speed and turn rate by `setVelTR v omega`"

@@ -265,8 +265,12 @@ let task fact =
   | Declared _ when Environment.is_task fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \
-            after the other")
+           (if fact.required.by = "`roMake`" then
+              "a command of the robot is not a task: in a `do`, give it for a time with `sleepT \
+               1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
+            else
+              "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \
+               after the other"))
   | _ -> None
 
 (* Arithmetic on signal functions, where one operand is a number. *)

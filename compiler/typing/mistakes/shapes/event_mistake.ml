@@ -449,12 +449,13 @@ let in_place_of_a_number fact =
 let of_a_truth fact =
   if event_wanted fact && fact.given = Bool then
     let b = grouped fact "b" in
-    let carries_a_number =
+    let carries is_it =
       match fact.wanted with
-      | Data { arguments = [ value ]; _ } -> (
-          match Type.expand value with Number _ -> true | _ -> false)
+      | Data { arguments = [ value ]; _ } -> is_it (Type.expand value)
       | _ -> false
     in
+    let carries_a_number = carries (function Type.Number _ -> true | _ -> false) in
+    let carries_a_truth = carries (function Type.Bool -> true | _ -> false) in
     Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
     |> Diagnostic.hint
          (if carries_a_number then
@@ -462,6 +463,8 @@ let of_a_truth fact =
               "use `tag (edge %s) x`, which occurs with the value of `x` when the condition \
                becomes True"
               b
+          else if carries_a_truth then
+            Printf.sprintf "use `tag (edge %s) True`, which occurs when it becomes True" b
           else
             Printf.sprintf
               "use `edge %s`, which occurs when it becomes True, or `when %s`, which occurs \

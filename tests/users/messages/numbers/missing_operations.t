@@ -84,3 +84,26 @@ hint replaces it.
   error[E0110]: the type of an array cannot be written in brackets
     = hint: write the type of the elements, and a size or, for any size, a variable: `Array 4 Float`, `Array n Float`
   [1]
+  $ try 'SF (Event Int) (Event Int)' 'f = proc e -> filter (\n -> n > 3) e' 'f = proc e -> filterEvent (\n -> n > 3) e'
+  error[E0205]: unknown name `filter`
+    = hint: for events, use `filterEvent holds e`; the size of an array is fixed: to leave elements out of a `sum`, replace them by 0 with `map (\x -> if holds x then x else 0) xs`
+  [1]
+  $ try 'SF Bool Bool' 'f = proc b -> hold False b' 'f = proc b -> hold False (tag (edge b) True)'
+  error[E0301]: expected `Event Bool`, found `Bool`
+    = hint: use `tag (edge b) True`, which occurs when it becomes True
+  [1]
+  $ try 'SF Float Float' 'f = proc x -> lowPassFilter 0.5[s] x' 'f = proc x -> lowPass 0.5[s] x'
+  error[E0205]: unknown name `lowPassFilter`
+    = hint: use `lowPass tau x`, where `tau` is a time constant: `0.5[s]`
+  [1]
+  $ try 'SF Boolean Float' 'f = proc b -> if b then 1 else 0' 'f = proc b -> if b then 1 else 0' 'SF Bool Float'
+  error[E0207]: unknown type `Boolean`
+    = hint: write `Bool`
+  [1]
+
+The second equation overrides the first one:
+
+  $ printf 'main :: SF Bool Float\nmain = proc b -> v where\n    v = 1\n    v = if b then 0 else v\n' > twice.frob
+  $ frobc check twice.frob 2>&1 | grep '^error\|hint'
+  error[E0212]: `v` is defined twice here
+    = hint: write one equation, `v = if b then 0 else 1`: an equation holds at every instant, unlike an assignment
