@@ -230,7 +230,6 @@ rtamt: all
 	@test -x _build/rtamt/bin/python || { python3 -m venv _build/rtamt && _build/rtamt/bin/pip install --quiet rtamt==0.4.10; }
 	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
 
-# Reads recordings in MCAP format with the packages of the format's authors, from PyPI and npm.
 # Programs as nodes of ROS 2, from wheels of two distributions (tests/robots/ros/wheels).
 ros: all
 	@sh tests/setup.sh $(ROS_PACKAGES)
@@ -241,6 +240,7 @@ ros-figures: all
 	@sh tests/setup.sh $(ROS_PACKAGES)
 	@SCRIPT=figures.py sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
 
+# Reads recordings in MCAP format with the packages of the format's authors, from PyPI and npm.
 mcap: all
 	@sh tests/setup.sh $(MCAP_PACKAGES)
 	@sh tests/users/convert/readers/run.sh $(CURDIR)/$(FROBC) _build/mcap

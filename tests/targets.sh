@@ -39,6 +39,7 @@ rtamt N=50
 falsify TRIES=1
 mcap
 ros
+ros-figures
 wheel
 python
 install-check BARE_SUITES=bookworm
