@@ -64,7 +64,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
   | Class { superclasses; name; variable; members } ->
       let global text : Ir.Global.t = { module_ = scope.module_; name = text } in
       let superclass (q : Syntax.Ir.qualified) =
-        Option.map (fun (c : class_) -> (c.global, q.span)) (Scope.find scope classes q)
+        Option.map (fun (c : class_) -> (c.global, q.span)) (Lookup.find scope classes q)
       in
       let texts = Long_list.map (fun (m : Syntax.Ir.name) -> m.text) (method_names members) in
       let own = { global = global name.text; methods = texts; span = name.span } in
@@ -171,7 +171,7 @@ let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance 
         let given = definitions scope found members in
         { class_ = found.global; context; head; definitions = Long_list.map definition given; span }
       in
-      Option.map of_class (Scope.find scope Interface.classes class_)
+      Option.map of_class (Lookup.find scope Interface.classes class_)
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
   | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
       None

@@ -15,11 +15,11 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   match e.desc with
   | Parenthesized inner -> (expr env inner).desc
   | Variable name -> Option.value (Env.variable env name) ~default:missing
-  | Constructor name when Scope.find_size scope name <> None ->
-      let size = Option.get (Scope.find_size scope name) in
+  | Constructor name when Lookup.find_size scope name <> None ->
+      let size = Option.get (Lookup.find_size scope name) in
       Number (Patterns.number scope { digits = string_of_int size; decimal = false; unit_ = None })
   | Constructor name -> (
-      match Scope.find scope Interface.constructors name with
+      match Lookup.find scope Interface.constructors name with
       | Some constructor -> Constructor constructor.global
       | None -> missing)
   | Number n -> Number (Patterns.number scope n)
@@ -189,7 +189,7 @@ and operator_meaning env operator : Ir.expr_desc option =
   | 'A' .. 'Z' ->
       Option.map
         (fun (c : Interface.constructor) -> Ir.Constructor c.global)
-        (Scope.find (Env.scope env) Interface.constructors operator)
+        (Lookup.find (Env.scope env) Interface.constructors operator)
   | _ -> Env.variable env operator
 
 and binary env span operator (left : Ir.expr) right : Ir.expr_desc =
@@ -298,7 +298,7 @@ and check_given_once (scope : Scope.t) names =
 and record env span constructor fields : Ir.expr_desc =
   let scope = Env.scope env in
   let fields = Long_list.map (fun (name, value) -> (name, expr env value)) fields in
-  match Scope.find scope Interface.constructors constructor with
+  match Lookup.find scope Interface.constructors constructor with
   | None -> missing
   | Some found -> (
       match Patterns.construction scope found ~at:constructor.span fields with

@@ -96,7 +96,7 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
   | Literal { negative; number = n } -> Literal { negative; number = number scope n }
   | Constructed (name, arguments) -> (
       let arguments = Long_list.map (pattern scope) arguments in
-      match Scope.find scope constructors name with
+      match Lookup.find scope constructors name with
       | None -> Tuple_of arguments
       | Some constructor ->
           let found = List.length arguments in
@@ -104,7 +104,7 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
           Constructed (constructor.global, arguments))
   | Record_of (name, given) -> (
       let given = Long_list.map (fun (field, inner) -> (field, pattern scope inner)) given in
-      match Scope.find scope constructors name with
+      match Lookup.find scope constructors name with
       | None -> Tuple_of (Long_list.map snd given)
       | Some constructor -> positional scope constructor p.span given)
 

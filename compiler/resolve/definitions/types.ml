@@ -66,7 +66,7 @@ let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
       unknown name
       |> Diagnostic.hint "write `A s/V` for a farad, and use kelvin, `K`, for a temperature"
       |> Context.emit scope.context
-  | None, None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
+  | None, None -> ignore (Lookup.find scope units { qualifier = None; name; span = name.span })
 
 let factor (scope : Scope.t) ~variable (name, power) =
   match Scope.look scope units name with
@@ -176,7 +176,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
   | Type { name; units; arguments } -> (
       let units = Long_list.map (unit_ scope variables) (Option.value units ~default:[]) in
       let arguments = Long_list.map (ty scope variables) arguments in
-      match Scope.find scope tycons name with
+      match Lookup.find scope tycons name with
       | None -> Tuple_type []
       | Some tycon ->
           let types = List.length arguments in
@@ -214,7 +214,7 @@ and known_size scope (t : Syntax.Ir.ty) =
   match t.desc with
   | Size n -> Some n
   | Type { name; units = None; arguments = [] } ->
-      Option.bind (Scope.find scope tycons name) (fun (alias : tycon) ->
+      Option.bind (Lookup.find scope tycons name) (fun (alias : tycon) ->
           if alias.size = None then
             Diagnostic.error ~code:"E0330" ~at:t.span "`%s` is not a number, but part of a size"
               name.name.text
@@ -246,7 +246,7 @@ let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : I
   let span = Span.merge class_.span argument.span in
   Option.map
     (fun (found : class_) : Ir.constraint_ -> { class_ = found.global; argument; span })
-    (Scope.find scope classes class_)
+    (Lookup.find scope classes class_)
 
 let context scope = List.filter_map (constraint_ scope)
 

@@ -148,7 +148,7 @@ let names t = lazy (String_map.fold (fun name _ names -> name :: names) t.locals
 
 let module_level t q =
   Option.map (refer_to_value t)
-    (Scope.find_value t.scope ~locals:(names t)
+    (Lookup.find_value t.scope ~locals:(names t)
        ~signals:(Option.value t.signals ~default:(lazy []))
        q)
 

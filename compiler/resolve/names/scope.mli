@@ -55,22 +55,6 @@ val create :
   syntax:Syntax.Ir.program ->
   t
 
-val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
-(** Looks up a name. Emits a diagnostic if it is unknown or ambiguous. *)
-
-val find_value :
-  t ->
-  locals:string list Lazy.t ->
-  signals:Proc_signals.t list Lazy.t ->
-  Syntax.Ir.qualified ->
-  Interface.value option
-(** Like {!find}, for values. Suggestions include the local names. [signals]: the signals of [proc]s
-    in the definition; the ones in scope are also among the locals. *)
-
-val find_size : t -> Syntax.Ir.qualified -> int option
-(** The number that a name in capitals represents in an expression, if it is not a constructor but a
-    size: [N], after [type N = 25]. *)
-
 val is_known : t -> 'a Interface.space -> string -> bool
 (** Does the name have a meaning without a qualifier? *)
 
@@ -79,3 +63,23 @@ val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 
 val records_with : t -> string list -> Ir.Global.t list
 (** The record types in scope that have all these fields, sorted by name. *)
+
+(** {1 For lookups} *)
+
+val imported : t -> 'a Interface.space -> (import -> bool) -> string -> (import * 'a) list
+(** The distinct meanings that a name has through the imports that satisfy the predicate. *)
+
+val choose : t -> 'a Interface.space -> Syntax.Ir.name -> (import * 'a) list -> 'a option
+(** The only meaning, which then counts as used. Emits a diagnostic if there are several. *)
+
+val size_named : t -> Syntax.Ir.name -> int option
+(** The number that a size in capitals represents, if it is not a constructor. *)
+
+val names_of : 'a Basis.String_table.t -> string list -> string list
+(** Adds the names in a table, in order. *)
+
+val visible_names : t -> 'a Interface.space -> string list Lazy.t -> string list
+(** The names that have a meaning without a qualifier, and these local ones. *)
+
+val is_implied : import -> bool
+(** Is it the import of the prelude, which the program does not write? *)
