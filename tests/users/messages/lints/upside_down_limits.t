@@ -123,9 +123,6 @@ Other numbers that make no sense, and requirements in the program's own doc comm
   > 
   > there :: (HasSonar i, DiffDrive o) => Task i o Bool
   > there = recover (-1) (followPath (pursuit { speed = 0 }) [zeroVec])
-  > 
-  > speed :: HasConsole i => SF i Float
-  > speed = proc i -> knob "speed" 2 1 1 i
   > FROB
   $ frobc check senseless.frob 2>&1 | grep -A 3 warning
   warning[W0309]: `delayBy` has a negative time, which counts as zero
@@ -203,9 +200,4 @@ Other numbers that make no sense, and requirements in the program's own doc comm
      |
   27 | there = recover (-1) (followPath (pursuit { speed = 0 }) [zeroVec])
   --
-  warning[W0316]: the lower limit of `knob` is above the upper one
-    --> senseless.frob:30:32
-     |
-  30 | speed = proc i -> knob "speed" 2 1 1 i
-  --
-  16 warnings
+  15 warnings
