@@ -1,0 +1,43 @@
+(** Prints names, units and types as Frob source. All functions write to a buffer. *)
+
+open Ir
+
+(** {1 Text and names} *)
+
+val text : Buffer.t -> string -> unit
+val is_operator : string -> bool
+
+val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
+(** Prints the elements, with this text between them. *)
+
+val between : Buffer.t -> string -> string -> (unit -> unit) -> unit
+(** Prints something between two texts, such as parentheses. *)
+
+val name : Buffer.t -> name -> unit
+(** Puts an operator in parentheses. *)
+
+val qualified : Buffer.t -> qualified -> unit
+
+val infix : Buffer.t -> qualified -> unit
+(** As an operator between operands: puts a name in backticks. *)
+
+(** {1 Units and types} *)
+
+val unit_to : Buffer.t -> unit_ -> unit
+
+val factor : Buffer.t -> unit_ -> unit
+(** In parentheses, if it needs them as a factor of a product. *)
+
+val in_brackets : Buffer.t -> unit_ list -> unit
+(** Units after a number or a type: [[m/s]]. *)
+
+val type_to : Buffer.t -> ty -> unit
+
+val simple_type : Buffer.t -> ty -> unit
+(** In parentheses, if it needs them as an argument of a type. *)
+
+val context : Buffer.t -> (qualified * ty) list -> unit
+(** The constraints of a signature, with the double arrow. *)
+
+val qualified_type : Buffer.t -> qualified_type -> unit
+val signature : Buffer.t -> signature -> unit
