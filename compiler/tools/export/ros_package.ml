@@ -34,7 +34,8 @@ let description name =
   <version>0.1.0</version>
   <description>The Frob program %s as a ROS 2 node</description>
   <maintainer email="you@example.com">you</maintainer>
-  <license>TODO</license>
+  <!-- The license of the runtime; add the license of your program. -->
+  <license>MIT</license>
 
   <buildtool_depend>ament_cmake</buildtool_depend>
 %s
