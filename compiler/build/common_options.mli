@@ -26,9 +26,9 @@ val default : t
 (** The default options: text messages, double precision and no assertions. *)
 
 val to_repeat : t -> sources:string list -> string list
-(** The options, quoted for a shell, with which a command compiles the same program for the same
-    robot, without those that have their default value. [sources] are the files given with [--with].
-    Omits the parameters, which a command sets when it runs a program. *)
+(** The options with which a command compiles the same program for the same robot, quoted for a
+    shell. Omits options with default values, and the parameters, which a command sets when it runs
+    a program. [sources] are the files given with [--with]. *)
 
 val assert_options : t -> string list
 (** The options of a host process for these assertions. *)

@@ -35,5 +35,5 @@ val header_of : Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink
 
 val with_params :
   Common_options.t -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
-(** Continues with the parameter values that the command line sets. Reports invalid ones as wrong
+(** Continues with the parameter values that the command line sets. Reports invalid values as wrong
     use. *)

@@ -13,7 +13,8 @@ let within_stack stages sink sources r =
 let for_a_robot r { Pipeline.resolved; typed; core; _ } entry : Robots.program =
   { typed; core; entry; signed = Typing.Entry.is_signed resolved entry; own = Request.own_robot r }
 
-(* Checks a program for several robots as it is, or with any robot that fits if it needs one. *)
+(* Checks a program for several robots without choosing one or, if a robot is needed, with any that
+   fits. *)
 let check_entry (r : Request.t) sink (front : Pipeline.front) (written : Typing.Ir.definition) =
   let program = for_a_robot r front written.name in
   let sampled = Option.is_none r.robot && Robots.is_open program in

@@ -39,7 +39,7 @@ let report_exception = function
       wrong_use (Printf.sprintf "%s: %s" what (Unix.error_message reason))
   | exn -> report_bug "frobc" (Printexc.to_string exn)
 
-(* A missing entry, or an engine that cannot run it, means that the command line is wrong, not
+(* If the entry is missing, or if the engine cannot run the program, the command line is wrong, not
    the program. *)
 let status sink =
   let is_wrong_use (d : Diagnostic.t) =

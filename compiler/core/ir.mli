@@ -146,7 +146,8 @@ and expr_desc =
   | Component of expr * int  (** a component of a tuple, counted from 0 *)
   | Array of expr list  (** at least one element *)
   | Index of expr * int
-      (** the element at this index, from 0; inside the array if the size is known here *)
+      (** the element at this index, counted from 0; if the size is known here, the index is inside
+          the array *)
   | Construct of { data : Global.t; constructor : int; arguments : expr list }
       (** all arguments are given; Bool has its own constants *)
   | Is_constructor of expr * int  (** a Bool; the type of [expr] determines the data type *)

@@ -1,5 +1,6 @@
-/* The functions that OCaml calls: the same functions on OCaml's numbers, which are doubles, and for
- * bytecode, on boxed doubles. A single is a double that a float can represent exactly. */
+/* Wrappers of the elementary functions, for OCaml. They take and return doubles, OCaml's only
+ * floating-point type; those for bytecode take boxed doubles. A single is a double that a float can
+ * represent exactly. */
 #include <caml/alloc.h>
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>

@@ -1,6 +1,6 @@
 open Syntax.Grammar
 
-(* Blanks inside brackets. In lists whose lines start with commas, elements are aligned: [( a], [,
+(* Spaces inside brackets. In lists whose lines start with commas, elements are aligned: [( a], [,
    b]. *)
 let within (w : Word.t) =
   match w.token.token with LBRACE | RBRACE -> 1 | _ -> if w.commas_first then 1 else 0

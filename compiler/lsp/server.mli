@@ -2,10 +2,9 @@
 
     The server processes one message after another. It checks changed texts only when no message is
     waiting, so of many changes in a row, only the last is checked. Long computations run in
-    processes of their own ({!Worker}), which are killed when an edit makes their results useless.
-    Responses may therefore arrive in a different order than the requests. A request that is
-    cancelled before its turn is answered as cancelled. Only [exit] and the end of the input end the
-    server. *)
+    separate processes ({!Worker}), which are killed when an edit makes their results useless.
+    Responses may therefore arrive in a different order than the requests. If a request is cancelled
+    before its turn, the response says so. Only [exit] and the end of the input end the server. *)
 
 val run : ?disk:(string -> (string, Resolve.Files.error) result) -> unit -> int
 (** Returns the exit status: 0 after [shutdown], otherwise 1. [disk] reads files that are not open

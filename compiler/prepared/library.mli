@@ -2,9 +2,9 @@
     than the modules that it imports, so parsing these modules would take much of the time needed to
     compile a short program.
 
-    Only the trees are stored. The results of later stages depend on which modules a program
-    consists of (the numbers of names and type variables, and the visible instances), so these
-    stages run for each program. *)
+    Only the trees are stored. The results of later stages depend on all modules of a program, which
+    determine the numbers of names and type variables and the visible instances. So these stages run
+    for each program. *)
 
 val tree : file:string -> string -> Syntax.Ir.program option
 (** The tree of a module, equal to the result of {!Syntax.Parse.program} for this file and text,

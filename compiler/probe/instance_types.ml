@@ -43,8 +43,8 @@ let definition_of t (node : Flow.Ir.node) =
     (fun (d : Ir.definition) -> is_inside node.span d.span)
     (Hashtbl.find_all t.definitions node.origin)
 
-(* The types with which a definition is used at a place: only the head of the application there, or
-   all uses. *)
+(* The types of a definition in its uses at a place: in the first use if [only_head] is true,
+   otherwise in all uses. *)
 let types_at t (d : Ir.definition) ~only_head (place, around) =
   let uses = List.filter (fun (span, _) -> is_inside span place) (Hashtbl.find_all t.uses d.name) in
   let first = List.fold_left (fun first ((s : Span.t), _) -> min first s.start) place.stop uses in
@@ -70,9 +70,10 @@ let rec types_behind t d ~depth (place, around) =
   else
     List.concat_map behind (Hashtbl.find_all t.all_uses place.Span.file) |> List.sort_uniq compare
 
-(* The values of variables inside a node. [places]: where it and the instances around it run, each
-   with the values there; the innermost is first. If the node is an argument of a function, such as
-   the first one of [>>>], its use is at an outer place. Several different uses determine nothing. *)
+(* The values of variables inside a node. [places]: the places where it and the instances around it
+   run, each with the values there; the innermost place is first. If the node is an argument of a
+   function, such as the first one of [>>>], its use is at an outer place. Uses with different types
+   determine nothing. *)
 let entered t (node : Flow.Ir.node) ~only_head places =
   let around = match places with (_, values) :: _ -> values | [] -> Substitution.empty in
   let rec types d ~only_head = function

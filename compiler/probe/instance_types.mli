@@ -9,5 +9,5 @@ type t
 val of_program : Typing.Ir.program -> Flow.Ir.program -> t
 
 val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
-(** As {!Signal_types.type_of}. Variables that the program does not determine, or for which this
+(** Like {!Signal_types.type_of}. Variables that the program does not determine, or for which this
     module does not find the use, stay variables. *)

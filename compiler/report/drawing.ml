@@ -69,7 +69,7 @@ let escaped text =
     text;
   Buffer.contents out
 
-(* What is written beside a state. *)
+(* The text next to a state. *)
 let note machines (m : Machines.t) k (s : Machines.state) =
   let labels =
     List.filter_map

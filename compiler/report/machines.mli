@@ -23,4 +23,5 @@ type state = {
 type t = { title : string; states : state list; arrows : arrow list }
 
 val of_program : Flow.Ir.program -> t list
-(** The machines of a program, numbered from 0 in this order; so are the states of each machine. *)
+(** The machines of a program. They are numbered from 0 in this order, and so are the states of each
+    machine. *)

@@ -19,8 +19,8 @@ val diagnostic : colour:bool -> Source.t -> Diagnostic.t -> string
 (** The text ends with a newline. Colours use ANSI escape sequences. *)
 
 val diagnostics : colour:bool -> Source.t -> Diagnostic.t list -> string
-(** The first 100 errors and then the first 100 warnings, each followed by an empty line, and then
-    {!summary} if there are any. The limits bound the time: every error on a line of a million
+(** The first 100 errors, then the first 100 warnings, each followed by an empty line, and, if there
+    are any diagnostics, {!summary}. The limits bound the time: every error on a line of a million
     characters requires a scan of that line. *)
 
 val first_of_each : most:int -> Diagnostic.t list -> Diagnostic.t list

@@ -1,4 +1,4 @@
-(** Statements about chance: that something holds in at least a given proportion of all runs.
+(** Statements about probability: a property holds in at least a given proportion of all runs.
 
     The decision is made run by run, with Wald's sequential test (A. Wald, Sequential Tests of
     Statistical Hypotheses, 1945). Two tests, one for each side, compare the allowed failure rate
@@ -15,9 +15,10 @@ type decision =
   | Open  (** not decided yet *)
 
 val decide : t -> bool list -> decision * int
-(** Decides from the results of runs, in order (whether each held). Also returns the number of runs
-    that the decision took. *)
+(** Decides from the outcomes of runs, in order: [true] if the property held. Also returns the
+    number of runs that the decision took. *)
 
 val bounds : confidence:float -> held:int -> int -> float * float
-(** A confidence interval for the proportion of all runs that hold, if [held] of this many runs did:
-    the Clopper–Pearson interval (Biometrika 26, 1934), which is never too narrow. *)
+(** A confidence interval for the proportion of all runs in which the property holds, if it held in
+    [held] of this many runs: the Clopper–Pearson interval (Biometrika 26, 1934), which is never too
+    narrow. *)

@@ -1,6 +1,7 @@
 (** The tests and trials of a module, with everything that is known before they run.
 
-    Reports [E0392] if the description of a test or trial is invalid, or not known. *)
+    Reports [E0392] if the description of a test or trial is invalid, or is not known before the
+    run. *)
 
 open Basis
 

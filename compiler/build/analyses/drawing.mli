@@ -1,5 +1,5 @@
-(** Drawings: counts the marks in each program that draws, and adds the drawing to the output if the
-    user requests the probe [draw]. Programs that drive a robot do not contain the drawing. *)
+(** Counts the marks of each program that draws, and adds the drawing to the output if the user
+    requests the probe [draw]. Programs that drive a robot do not contain the drawing. *)
 
 open Basis
 

@@ -20,5 +20,5 @@ val no_interpreter : string
 (** The code of the diagnostic for a program that the interpreter cannot run. *)
 
 val refusal : at:Basis.Span.t -> Flow.Ir.program -> Basis.Diagnostic.t option
-(** The diagnostic for a program that contains C code, or whose input or output has C types, if this
-    is one; the interpreter only runs Frob. [at] is the program's entry. *)
+(** The diagnostic to report if the program cannot be interpreted, because it calls the user's C or
+    has foreign types in its input or output. [at] is the program's entry. *)

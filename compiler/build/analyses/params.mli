@@ -15,4 +15,4 @@ val given : Diagnostic.sink -> Core.Ir.program -> set list option
 (** The parameters that are set. Reports E0391 for the same reasons. *)
 
 val host_options : set list -> string list
-(** The options that set them for a host. *)
+(** The options with which a host sets these parameters. *)

@@ -1,6 +1,6 @@
 (** The inner signals of a program that the user wants to see.
 
-    Reports [E0506] if there is no signal with a name. *)
+    Reports [E0506] if there is no signal with a requested name. *)
 
 open Basis
 
@@ -25,8 +25,8 @@ val all :
   Core.Ir.program ->
   Flow.Ir.program ->
   Probe.Catalogue.probe list option
-(** All probes of a program, which is given before and after specialization. [None] after a
-    diagnostic, which is at the name of the entry. *)
+(** All probes of a program. The arguments are the program before and after specialization. [None]
+    after a diagnostic, whose place is the name of the entry. *)
 
 val named :
   Diagnostic.sink ->
@@ -36,8 +36,8 @@ val named :
   asserts:bool ->
   string list ->
   (Probe.Catalogue.probe * bool) list option
-(** The probes that {!Probe.Selection} finds for these names, each with whether a name selects it.
-    If [asserts] is true, the verdicts of assertions are added. *)
+(** The probes that {!Probe.Selection} finds for these names and, for each, whether a name selects
+    it. If [asserts] is true, the verdicts of assertions are added. *)
 
 val causal :
   Typing.Ir.definition ->
@@ -59,5 +59,5 @@ val refuse_hidden :
   names:string list ->
   Probe.Catalogue.probe list ->
   unit option
-(** Reports probes that cannot be shown. [None] after an error, if the user named one of them.
-    Reports W0311 for an assertion. *)
+(** Reports probes that cannot be shown: W0311 for each assertion, and an error for a signal that
+    the user named. [None] after an error. *)

@@ -8,6 +8,6 @@ val is_standard_header : string -> bool
 (** [is_standard_header "math.h"] is true for headers of C and POSIX. *)
 
 val check : ?beside_c:bool -> string -> (unit, string) result
-(** Checks that C files can be named after this program. Reports an error if [NAME.h] would hide a
-    header that they include, or that the user's C may include if there is any ([beside_c]), or if
-    the name is too long for a file. *)
+(** Checks that C files can be named after this program. Returns an error if the name is too long
+    for a file, or if [NAME.h] would hide a header that the C files include or, if the user's C is
+    compiled with them ([beside_c]), that the user's C may include. *)

@@ -49,7 +49,7 @@ let is_whole path =
         ~finally:(fun () -> close_in_noerr channel)
         (fun () -> really_input_string channel (in_channel_length channel))
     in
-    (* There may be a seal from another command whose entry does not exist yet. *)
+    (* Another command may have written a seal whose entry does not exist yet. *)
     String.equal seal (Digest.file path)
   with
   | is_whole -> is_whole

@@ -12,9 +12,8 @@ val with_input :
   string ->
   (in_channel -> ('a, string list) result) ->
   ('a, string list) result
-(** The result of the reader. If an archive turns out to be truncated or damaged, the result is an
-    error, whatever the reader returned, unless [damaged] is given: then it is called with the
-    reason. *)
+(** The result of the reader. If the archive turns out to be truncated or damaged, calls [damaged]
+    with the reason or, without that argument, returns an error in place of the reader's result. *)
 
 val read : most:int -> string -> (string, string) result
 (** The whole content, if its unpacked size does not exceed this number of bytes. *)
@@ -28,4 +27,5 @@ val writer : ?named:string -> string -> writer
     one of the extensions. Opening, writing and closing raise [Sys_error]. *)
 
 val packed : named:string -> string -> (string, string) result
-(** The contents of a file with this name and this text. *)
+(** The bytes of a file with this name, which contains this text, compressed if the name requires
+    it. *)

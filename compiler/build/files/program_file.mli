@@ -13,8 +13,8 @@ val check : string -> (unit, string) result
     names the command that takes such a file. *)
 
 val with_tests : string list -> string list
-(** Files from the command line, each program followed by its test file if there is one
-    ({!Resolve.Test_file}); no file twice. *)
+(** Files from the command line, without duplicates, and after each program its test file, if there
+    is one ({!Resolve.Test_file}). *)
 
 val all_exist : string list -> (unit, string) result
 (** Checks that the files named on the command line exist. *)

@@ -63,8 +63,8 @@ static int status_of(int status)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/* Ends the process group that it leads, including itself. Gives a compiler time to remove its
- * temporary files first. */
+/* Ends the caller's process group, including the caller, but first gives a compiler time to remove
+ * its temporary files. */
 static void end_group(pid_t child)
 {
     static const struct timespec pause = { 0, 10000000 };

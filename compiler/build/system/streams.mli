@@ -1,10 +1,10 @@
 (** Standard input, output and error of this process, and of the hosts that replace it. *)
 
 val keep_numbers : unit -> unit
-(** Call this before opening anything. If the parent process has closed a standard stream, its
-    descriptor (0 to 2) is occupied here. Otherwise, the next file that is opened would get it, and
-    printed text would be written to that file, or sent to a robot. Reading and writing the stream
-    still fail. *)
+(** Call this before opening anything. If the parent process has closed a standard stream, this
+    function occupies its descriptor (0 to 2). Otherwise, the next file that is opened would get it,
+    and printed text would be written to that file, or sent to a robot. Reading and writing the
+    stream still fail. *)
 
 val output_fault : unit -> string option
 (** Flushes standard output. Returns the reason if that is impossible, also in later calls. *)

@@ -10,8 +10,8 @@ let rec remove path =
   with Unix.Unix_error _ | Sys_error _ -> ()
 
 (* Starts a process that removes the folder. It waits until no process has the write end of its pipe
-   open. It runs in a session of its own, so that Ctrl-C does not reach it, and keeps none of our
-   streams open. *)
+   open. It runs in its own session, so that Ctrl-C does not reach it, and keeps none of our streams
+   open. *)
 let remove_at_the_end path =
   let read, write = Unix.pipe () in
   match Unix.fork () with

@@ -1,5 +1,4 @@
-(** Compiles programs to C, and then with the C compiler, together with the runtime and the user's
-    own files. *)
+(** Compiles programs to C, and builds this C with the runtime and the user's own files. *)
 
 type linked = {
   machine : Toolchain.machine option;  (** [None]: this machine *)

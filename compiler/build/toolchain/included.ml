@@ -12,8 +12,8 @@ let listed line =
 
 let lines = String.split_on_char '\n'
 
-(* For each file that it compiles, gcc may suggest include guards: a line that says so, then the path
-   of a header in each line. *)
+(* For each file that it compiles, gcc may suggest include guards: it prints a line that says so,
+   and then one line with the path of each header. *)
 let other_lines output =
   let is_message line = String.contains line ':' || String.contains line '^' || line = "" in
   let rec without_suggestions ~inside = function

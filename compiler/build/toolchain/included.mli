@@ -1,9 +1,9 @@
 (** The files that a C compiler has included.
 
-    The scanner in {!Own_headers} reads a file as text, so it cannot know everything that a C
-    compiler does: which conditions hold, which macro an [#include] names, and in which folder a
-    name is found first. So [frobc] also asks the compiler, by the option [-H] of gcc and clang, and
-    checks the answer before anything that was compiled runs. *)
+    The scanner in {!Own_headers} reads a file as text, so it lacks some of a C compiler's
+    information: which conditions are true, which macro an [#include] names, and in which folder a
+    name is found first. So [frobc] also asks the compiler, with the option [-H] of gcc and clang,
+    and checks the answer before it runs anything that was compiled. *)
 
 val option : string
 (** Makes the compiler list the included files on standard error. *)
@@ -14,8 +14,8 @@ val in_folder : string -> string
 
 val lists_some : string -> bool
 (** Whether the compiler's output lists at least one file. Each program that [frobc] generates
-    includes its own header, and each copy of a user's file an empty one, so a compiler whose output
-    lists none ignores {!option}. *)
+    includes its own header, and each copy of a user's file includes an empty header. So if the
+    output lists no file, the compiler ignores {!option}. *)
 
 val identity : string -> (int * int) option
 (** The device and inode of a file, or [None] if it cannot be read. Compare these instead of paths,

@@ -1,4 +1,5 @@
-(** The C compiler tcc, which comes with frobc as [frob-tcc] for computers without another one. *)
+(** The C compiler tcc, which comes with frobc as [frob-tcc] for computers without another C
+    compiler. *)
 
 val is_named : string -> bool
 (** Whether a C compiler is tcc, by the name of its program. *)
@@ -11,4 +12,5 @@ val adapted : string -> string
 (** Adapts generated C to avoid two bugs of tcc 0.9.27. *)
 
 val archive : string -> string
-(** Replaces the path of [libfrob.a] by the archive that tcc can link. *)
+(** Replaces the path of [libfrob.a] with that of an archive that tcc can link; other paths are
+    unchanged. *)

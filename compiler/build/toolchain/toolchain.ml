@@ -231,7 +231,8 @@ let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
   let open Basis.Let_syntax.Result in
   let* foreign = without_own_files machine foreign in
   let inputs = if Tcc.is_named machine.compiler then List.map Tcc.archive inputs else inputs in
-  (* The files that the user's files include are not known, so these are always compiled again. *)
+  (* It is not known which files the user's files include, so the user's files are always
+     recompiled. *)
   Cache.entry ~name ~suffix:(suffix kind) ~reuse:(foreign = None)
     ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files) (fun ~folder result ->
       compile machine ~headers ~inputs ~foreign ~folder ~result kind files)

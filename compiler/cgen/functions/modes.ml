@@ -53,8 +53,8 @@ let zero c (v : M.variable) =
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
 (* Results need initial values if C compilers cannot see that they are assigned. If results may be
-   dropped, compilers do not know that the first mode always assigns them. If a mode may end early,
-   they do not know that another mode follows. *)
+   dropped, compilers cannot tell that the first mode always assigns them. If a mode may end early,
+   they cannot tell that another mode follows. *)
 let results_of_run c (run : M.run) ~drops =
   let ends = List.exists (ends_early c) c.node.modes in
   if (not drops) && Option.is_none run.active && not ends then
@@ -89,7 +89,8 @@ let rec remaining (program : M.program) most k =
   !most
 
 (* Whether a mode takes its first step in the branch of the transition that enters it, and not in
-   another round of the loop. This requires that no second transition can follow in the instant. *)
+   another iteration of the loop. This requires that no second transition can follow in the instant.
+   *)
 let is_direct c (run : M.run) k =
   let mode = List.nth c.node.modes k in
   run.steps = 2 && (not run.late) && remaining c.v.program direct_size mode.node >= 0

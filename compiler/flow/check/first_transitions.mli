@@ -33,14 +33,14 @@ type state = {
 (** A mode that has just been entered, with what is known about it. *)
 
 val from_running : t -> int -> (Ir.transition * state) list
-(** The possible transitions of this node. It is a mode that may have run for any time. *)
+(** The possible transitions of this node, a mode that may have run for any time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** The transitions among these that are possible. They are the start or the controls of the machine
-    of this node. *)
+(** The possible ones among these transitions, which are the start or the controls of this node's
+    machine. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
-(** The possible transitions of this node. It is a mode that has just been entered in this state. *)
+(** The possible transitions of this node, a mode that has just been entered in this state. *)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
 (** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function

@@ -10,7 +10,7 @@ let of_local_time real t = nanoseconds real (Real.round real (Real.of_int64 real
 (* Binary search works because [of_local_time] is monotonic. *)
 let reaches real number =
   let reached t = of_local_time real t >= number in
-  (* invariant: not reached at [low] - 1, but at [high] *)
+  (* invariant: not reached at [low] - 1, but reached at [high] *)
   let rec search low high =
     if Int64.equal low high then low
     else

@@ -15,9 +15,9 @@ let costly (e : Ir.equation) =
   | Op (Elementary function_, arguments) when is_costly function_ -> Some { function_; arguments }
   | _ -> None
 
-(* The values that a node computes from inputs alone, with their equations. Arguments may also be
-   literals. But a value computed only from literals is known before the program starts, whereas an
-   input is not. *)
+(* The values that a node computes from inputs alone, with their equations. Some arguments may be
+   literals, but not all: a value computed only from literals is known before the program starts,
+   whereas an input is not. *)
 let candidates (node : Ir.node) =
   let is_input (a : Ir.atom) =
     match a with

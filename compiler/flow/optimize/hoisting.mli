@@ -8,4 +8,4 @@
     modes. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the physically equal program if nothing was moved. *)
+(** Returns the same program, physically, if nothing was moved. *)

@@ -4,6 +4,6 @@
     mode continues, and adding any dt to it cannot overflow. *)
 
 val is_limited : Ir.program -> int -> bool
-(** Whether this node is a mode that ends at the latest when its local time, which must never
-    restart, reaches half of its range. False if the node is inside a machine that does not run in
+(** Whether this node is a mode whose local time never restarts, and which ends at the latest when
+    this time reaches half of its range. False if the node is inside a machine that does not run in
     every instant, because any time may pass between its instants. *)

@@ -85,7 +85,7 @@ let rec quoted t b =
       Buffer.add_char b.text c;
       quoted t b
 
-(* Reads the rest of a row. Returns false at the end of the file if there is no row. *)
+(* Reads the rest of a row. Returns false if the file ends before a row begins. *)
 let rec characters t b =
   match next_char t with
   | None ->

@@ -28,7 +28,7 @@ type found = {
   analysis : Analysis.t;
   whole_view : View.t option;
   partial_view : View.t option;
-      (** from {!Analysis.partial}, if neither this version nor an earlier one was without errors *)
+      (** from {!Analysis.partial}, if this version and all earlier ones had errors *)
 }
 (** The analysis of the current text. *)
 

@@ -1,7 +1,7 @@
 (** Maps places in one version of a text to another version.
 
     For two consecutive versions, the text before the first difference and after the last difference
-    has corresponding places. The text between them has none. *)
+    has corresponding places. The text between them has no corresponding places. *)
 
 type step
 type t = step list
