@@ -158,12 +158,12 @@ and expr_desc =
       (** the first type argument selects the instance *)
   | Constructor of constructor * Global.t  (** as a function of its fields, with its type *)
   | Number of Exact.t
-      (** the exact value in base units; rounded once, to the representation of its type (for [Int]
-          or a variable: an integer in range) *)
+      (** the exact value in base units, which specialization rounds once, to the representation of
+          its type (if the type is [Int] or a variable, the value is an integer in range) *)
   | String of string
   | Tuple of expr list
   | Array of expr list  (** at least one element *)
-  | Index of expr * int  (** [a ! k]; inside the array if the size is known here *)
+  | Index of expr * int  (** [a ! k]; if the size is known here, [k] is a valid index *)
   | Apply of expr * expr  (** a pointwise function application *)
   | Run of expr * expr  (** runs an instance of a signal function on an input signal *)
   | Negate of expr
@@ -175,8 +175,8 @@ and expr_desc =
           return them, may be used before their definition *)
   | Lambda of pattern list * expr
   | Guards of (expr * expr) list * expr option
-      (** selects the first guard that is true; without a last expression ([None], only inside a
-          [Case]), falls through to the next branch *)
+      (** selects the value of the first guard that is true, otherwise the last expression; if that
+          is [None] (only inside a [Case]), falls through to the next branch *)
   | Proc of { input : pattern; equations : binding list; output : expr }
   | Record of constructor * (int * expr) list  (** all fields, in the order written *)
   | Update of expr * constructor * (int * expr) list

@@ -8,4 +8,5 @@ val most_fields : int
 (** The maximum total number of fields, summed over the records of all updates. *)
 
 val check : Basis.Diagnostic.sink -> Ir.program -> unit
-(** Emits [E0413], at the first update that exceeds {!most_fields}. Linear in the program. *)
+(** Emits [E0413] at the update with which the total exceeds {!most_fields}. Takes time linear in
+    the size of the program. *)

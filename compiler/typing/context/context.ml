@@ -22,7 +22,8 @@ type size = {
   size : Type.t;
   used : Span.t;
   of_ : string;  (** name of the definition that was used, for the message *)
-  written : string option;  (** the size variable in its signature, if that is in the same file *)
+  written : string option;
+      (** the size variable in its signature, if the signature is in the same file *)
 }
 
 type group = {
@@ -241,7 +242,7 @@ let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
           (t.group.told <- key :: t.group.told;
            false))
 
-(* Remembers the signature that a definition contradicts, with its unit and the actual one. *)
+(* Records a signature that its definition contradicts, with the declared and the actual unit. *)
 let doubt t (expected : Expected.t) (clash : Unify.clash) =
   match (expected.because, clash) with
   | (Signature { at; _ } | Output (Signature { at; _ })), Different_units (wanted, given) ->
@@ -299,7 +300,7 @@ let asked_in_vain t ~wanted given =
 
 let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
 
-(* Records the constraints that the scheme's context puts on the types of this instance. *)
+(* Records the constraints that the scheme's context imposes on the types of this instance. *)
 let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
   let demand (class_, argument) (_, parameter) =
     let because =

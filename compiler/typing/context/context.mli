@@ -21,7 +21,7 @@ and kind =
   | Method of Ir.Global.t  (** the class that declares it *)
 
 type constraint_ = int * Ir.class_
-(** The id of a quantified variable and a class that it must have. *)
+(** The id of a quantified variable, and a class that the variable is required to have. *)
 
 type required = {
   class_ : Ir.class_;
@@ -38,7 +38,8 @@ type required = {
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
   guess : unit -> bool;
-      (** answers it by the defaulting rule for types that remain unknown, if there is one *)
+      (** answers the question by the defaulting rule for types that remain unknown, if there is
+          such a rule *)
   give_up : unit -> unit;
 }
 (** A question that cannot be answered until a type is known. *)
@@ -52,7 +53,7 @@ type t = {
   given : (int, Ir.class_ list) Hashtbl.t;
       (** classes that the enclosing signatures promise for their variables, by variable id *)
   needs : (constraint_, required) Hashtbl.t;
-      (** the use that requires each constraint in a definition's context *)
+      (** for each constraint in a definition's context, the use that requires it *)
   scope : Annotation.scope;
   depth : int;  (** number of enclosing signatures *)
   left_operand : (Resolve.Ir.expr * string) option;
@@ -61,8 +62,8 @@ type t = {
   unnamed_input : Span.t option;  (** see {!Show.place} *)
   sources : Source.t;
   doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
-      (** signatures that were reported to contradict their definitions: the unit in the signature
-          and that of the definition *)
+      (** the signatures reported as contradicting their definitions; for each, the unit in the
+          signature and the unit of the definition *)
   group : group;
 }
 
@@ -121,8 +122,8 @@ val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** Is the type known to have no instance of the class? *)
 
 val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
-(** The name that requires a class of the second type which the first type does not have, in
-    backticks; [None] unless the second type is an unsolved variable and there is such a name. *)
+(** The name, in backticks, that requires of the second type a class that the first type lacks.
+    [None] if there is no such name, or if the second type is not an unsolved variable. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)

@@ -20,8 +20,8 @@ val all : Ir.program -> Ir.definition list
 
 val refusal : Ir.program -> closed:bool -> Ir.definition -> Diagnostic.t option
 (** The reason why a definition cannot be an entry; [None] if it can. The message shows the
-    definition's type, declared or inferred, before units and classes are erased. [closed]: choosing
-    a robot leaves no variables in the type. *)
+    definition's type, declared or inferred, before units and classes are erased. [closed]: whether
+    choosing a robot leaves no variables in the type. *)
 
 val is_signed : Resolve.Ir.program -> Ir.Global.t -> bool
 (** Does this definition have a type signature? *)

@@ -14,12 +14,14 @@ type lack = {
 
 type openness =
   | Closed
-  | Open_signal_function  (** a signal function with type variables, for a robot or not *)
+  | Open_signal_function
+      (** a signal function with type variables, whether or not it is for a robot *)
   | Open_program
 
 val openness : Ir.definition -> openness
 
 val lacks : Ir.program -> Ir.definition -> others:Ir.Global.t list -> robot -> lack list option
 (** The constraints of an open program or signal function that the robot does not satisfy. [None] if
-    the types rule out this robot, whatever its capabilities. Either the input or the output of a
-    signal function may have a type that does not belong to a robot, that is, to one of [others]. *)
+    the types rule out this robot, whatever its capabilities. In a signal function, the input or the
+    output (not both) may also have a type that does not belong to any robot, that is, a type
+    outside [others]. *)

@@ -57,8 +57,9 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * E
       let because = if recursive then Expected.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
-(* The value of a `test`, to which resolution has applied the function [holding]: a condition remains
-   its argument, and any other value must be a test itself. *)
+(* The value of a `test`. Resolution has applied the function [holding] to it. If the value is a
+   condition, the application is kept; otherwise it is dropped, and the value must itself be a
+   test. *)
 let test ctx ~(holding : Resolve.Ir.expr) (value : Resolve.Ir.expr) (expected : Expected.t) =
   let typed = Infer_expression.expressions.infer ctx value in
   match Type.expand typed.ty with
@@ -84,8 +85,8 @@ let check ~name (b : Resolve.Ir.binding) (inner, expected) =
         ~is_proc:(Infer_binding.is_proc b) b.parameters expected (fun expected ->
           Infer_binding.right Infer_expression.expressions inner b.body expected)
 
-(* Generalizes the definitions without a signature. Each of them quantifies the variables that they
-   share. *)
+(* Generalizes the definitions without a signature. Each of these definitions quantifies the
+   variables that they share. *)
 let generalize ctx declared bindings expectations =
   let unsigned =
     List.filter
@@ -126,7 +127,7 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
   | exception Final.Too_large ->
       refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
 
-(* Warns only if the definition has the declared type; otherwise the error covers it. *)
+(* Warns only if the definition has the declared type; otherwise an error was reported already. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   match Global_table.find_opt declared (fst (top b)) with
   | Some { scheme; at; _ } when errors ctx = 0 ->
@@ -136,8 +137,8 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 
-(* If the body is a signal function where the signature declares a function, or has more parameters
-   than the signature, either may be wrong. Uses are then not checked against the signature. *)
+(* Stops checking uses against a signature that may be wrong: its definition is a signal function
+   although the signature declares a function, or has more parameters than the signature. *)
 let distrust ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
   match (Global_table.find_opt declared name, Diagnostic.last ctx.reader.sink) with

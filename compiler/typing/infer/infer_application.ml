@@ -276,8 +276,8 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
           Option.iter cure order)
   | _ -> ()
 
-(* Functions that take their arguments in a different order or number than in other languages, as in
-   `switch mode event next`. *)
+(* Explains calls that use the order or number of arguments of another language, as in `switch mode
+   event next`. *)
 let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
   let sink = ctx.reader.Annotation.sink in
   let before = errors ctx in
@@ -298,7 +298,7 @@ let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
       tell (Event_mistake.accumulated ~name)
   | _ -> false
 
-(* `xs.map f`, a function of arrays that is written like a method. *)
+(* Explains `xs.map f`, an array function that is called like a method. *)
 let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
   let sink = ctx.reader.Annotation.sink in
   match (head.desc, Diagnostic.last sink) with
@@ -316,7 +316,8 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
             |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
   | _ -> ()
 
-(* `robotPose i.x`, if the result of the function, or a part of the result, has the field. *)
+(* Explains `robotPose i.x`, where the field belongs to the result of the function or to a part of
+   that result. *)
 let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
   let sink = ctx.reader.Annotation.sink in
   match ((List.nth arguments (failed - 1)).value.desc, Diagnostic.last sink) with
@@ -341,8 +342,8 @@ let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
 (* The number of arguments that a function of this type takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
 
-(* Missing parentheses, as in `forever forward 1[m]`: a function among the arguments was meant to be
-   applied to the arguments after it. *)
+(* Explains missing parentheses, as in `forever forward 1[m]`: a function among the arguments was
+   meant to be applied to the arguments after it. *)
 let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given ~parameters ~failed
     =
   let sink = ctx.reader.Annotation.sink in

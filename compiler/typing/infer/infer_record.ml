@@ -211,7 +211,7 @@ let of_an_input (record : Resolve.Ir.expr) d =
 let is_input_of_a_proc ctx (record : Resolve.Ir.expr) =
   match record.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
 
-(* The constructor of the record type with this field, if this is such a type. *)
+(* The constructor of this type, if it is a record type that has the field. *)
 let takes_a_record words input field =
   match Show.fields words input with
   | Some (constructor, fields) when List.mem field fields -> Some constructor
@@ -388,8 +388,9 @@ let with_unit_variables words (constructor : Environment.constructor) ty units =
   Printf.sprintf "`%s` (%s)" (Show.type_ words ty)
     (String.concat ", " (List.map2 variable constructor.scheme.units units))
 
-(* The whole record with a unit after each number. The written units determine the units of the
-   type, unless it is wanted; if they leave some open, these become `m` and `m/s`, as an example. *)
+(* The whole record with a unit after each number. If there is no [wanted] type, the units that the
+   program writes determine those of the type; units that remain open become `m` and `m/s`, as
+   examples. *)
 let with_units ctx (constructor : Environment.constructor) ?wanted fields =
   let environment = ctx.reader.environment in
   let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
@@ -463,7 +464,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let before = errors ctx in
   let several = List.compare_length_with constructor.scheme.units 1 > 0 in
   let units = if several then Some (in_units constructor) else None in
-  (* wanted units that are still open will depend on the wrong numbers *)
+  (* if wanted units are still open, the wrong numbers would determine them *)
   let wanted =
     match Option.map Type.expand wanted with
     | Some (Type.Data { units; _ } as t) when not (List.exists Units.is_open units) -> Some t

@@ -26,7 +26,7 @@ let rec place ~first (reason : Expected.reason) =
   | Statement (Some at) -> Some at
   | Unknown | Operand _ | Condition | Value _ | Pattern _ | Output _ | Statement None -> first
 
-(* Applies the primitive for [do] to a task and to the rest as a function. *)
+(* Applies the primitive for [do] to a task and to a function that represents the rest. *)
 let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr =
   match Resolve.Global_table.find_opt ctx.globals Environment.sequence with
   | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"

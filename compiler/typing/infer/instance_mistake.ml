@@ -184,7 +184,7 @@ let output_of_numbers fact =
                 with `roMake (setVelTR v omega)`"))
   | _ -> None
 
-(* Modules of the library that declare records which are not robots. *)
+(* Is this a type of a library module, and so never the programmer's own robot output? *)
 let is_of_the_library (t : Ir.Global.t) =
   List.mem t.module_
     [
@@ -203,7 +203,7 @@ let is_of_the_library (t : Ir.Global.t) =
       "Driving";
     ]
 
-(* A record at rest, such as [Out { speed = 0 }]. *)
+(* The record with neutral values in all fields, such as [Out { speed = 0 }]. *)
 let at_rest fact constructor tycon =
   let value (t : Ir.ty) =
     match t with
@@ -219,7 +219,7 @@ let at_rest fact constructor tycon =
            (List.map (fun (name, ty) -> Printf.sprintf "%s = %s" name (value ty)) c.ir.fields)))
     (Environment.record_of fact.ctx.reader.environment tycon)
 
-(* A record of the program as a robot's output. *)
+(* A record declared by the program, used as a robot's output. *)
 let own_output fact =
   match (fact.lack.lacking, Type.expand fact.lack.culprit) with
   | Declared { name = ("RobotOutput" | "DiffDrive") as class_; _ }, Data { tycon; _ }
@@ -313,7 +313,7 @@ let composed_without_parentheses fact =
             (setVelTR v omega)`")
   | _ -> None
 
-(* The number of the parameters that a method or function of a class takes, the robot included. *)
+(* The number of parameters of a method or function of a class, including the robot. *)
 let parameters fact =
   let rec count t =
     match Type.expand t with

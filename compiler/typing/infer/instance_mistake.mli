@@ -12,7 +12,7 @@ val is_no_robot : Type.t -> bool
 *)
 
 val lacking : t -> required -> lack -> unit
-(** Reports that an instance is missing which the required constraint needs. *)
+(** Reports that an instance needed for the required constraint is missing. *)
 
 val undecided : t -> required -> Ir.class_ -> unit
 (** Reports that nothing determines the type for which the class is required. *)

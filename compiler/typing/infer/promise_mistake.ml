@@ -25,7 +25,8 @@ let essential ctx missing =
 
 let constraint_ words m = Show.constraint_ words m.class_ m.of_
 
-(* The corrected context, if the context promises all needed classes but for other variables. *)
+(* The corrected context, if the context promises all needed classes, only for the wrong
+   variables. *)
 let of_other_variables needed promised =
   let class_of text = List.hd (String.split_on_char ' ' (String.trim text)) in
   let promised = List.map String.trim (String.split_on_char ',' promised) in

@@ -1,6 +1,6 @@
-(** Reports definitions that require classes of their signature's variables which the signature's
-    context does not promise ([E0309]). There is one message per signature, because the fix changes
-    one line. *)
+(** Reports definitions that require a class of a type variable although the context of their
+    signature does not promise it ([E0309]). There is one message per signature, because the fix
+    changes one line. *)
 
 type t = {
   required : Context.required;  (** the use that needs the class *)

@@ -66,7 +66,7 @@ let value c e =
     | Run _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Guards _ | Proc _ | Record _ | Update _
     | Field _ ->
         fail (Computed e.span)
-  (* Reports the problem where the index mentions the name. *)
+  (* Reports the problem at the place where the index mentions the name. *)
   and named x e evaluate =
     try evaluate () with
     | Problem (Param (p, _)) -> fail (Param (p, e.span))

@@ -16,7 +16,8 @@ and condition = { test : Ir.expr; chosen_if : bool }
 
 (** The reason why the instance cannot simply run at every instant. *)
 type obstacle =
-  | Depends_on_start  (** it could, but the user may have meant it to restart *)
+  | Depends_on_start
+      (** the instance could run at every instant, but the user may have meant it to restart *)
   | Bound_here of Ir.Local.t
       (** the instance mentions this variable, which has no value elsewhere *)
   | Own_definition  (** the instance is part of its own definition *)

@@ -1,9 +1,10 @@
-(** A choice between two settings of a signal function, which must be static. *)
+(** Suggests how to choose between settings of a signal function at run time, since each setting
+    must be static. *)
 
 open Basis
 
 val hint :
   Source.t -> value:(Ir.Local.t -> Ir.expr option) -> head:Ir.expr -> input:Ir.expr -> string option
-(** The equations that run one instance for each setting, and the choice between their outputs, if
-    an argument of [head] chooses between constants, as in [lowPass (if c then 1[s] else 2[s]) x],
-    or is a variable with such a [value]. *)
+(** The hint applies if an argument of [head] chooses between constants, as in
+    [lowPass (if c then 1[s] else 2[s]) x], or is a variable with such a [value]. It shows equations
+    that run one instance for each setting, and a choice between their outputs. *)

@@ -56,7 +56,7 @@ let rec agree bound wanted given =
 
 let may_be ~wanted given = agree (nothing_bound ()) wanted given
 
-(* Like [agree], but it is not enough that the given type is unknown. *)
+(* Like [agree], but an unknown given type does not count as agreeing. *)
 let surely ~unfit bound wanted given =
   match (Type.expand wanted, Type.expand given) with
   | Flexible _, _ -> (not (unfit ~wanted given)) && agree bound wanted given
@@ -106,7 +106,7 @@ let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
   let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
   (not (fits a a' && fits b b'))
   && fits a b' && fits b a'
-  (* it is not enough that their types are unknown *)
+  (* two unknown types do not suffice *)
   && (not (is_open a' && is_open b'))
   && not (is_open a && is_open b)
 

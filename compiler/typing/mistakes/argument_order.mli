@@ -24,7 +24,7 @@ val may_be : wanted:Type.t -> Type.t -> bool
 (** Could an argument of this type be meant where [wanted] is expected? *)
 
 val exchange : int -> int -> of_:int -> int list
-(** The order of the arguments, [of_] in number, with these two swapped. *)
+(** The order of [of_] arguments in which these two are swapped. *)
 
 val rotated :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
@@ -42,5 +42,5 @@ val cure :
   int list ->
   Diagnostic.t ->
   Diagnostic.t
-(** Replaces the hints of an application's diagnostic by the call with its arguments in this order.
+(** Replaces the hints of an application's diagnostic with the call, its arguments in this order.
     Each argument is given by its position. *)

@@ -32,7 +32,7 @@ let of_one_type words (expected : Expected.t) found diagnostic =
               name name variable)
   | _ -> diagnostic
 
-(* If nothing more specific is known, points to the argument by its number. *)
+(* If nothing more specific is known, refers to the argument by its number. *)
 let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
   match expected.because with
   | Parameter { head = Some { span; _ }; given; takes; _ }

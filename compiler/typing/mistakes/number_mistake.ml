@@ -58,7 +58,7 @@ let chosen_by_name words (e : Resolve.Ir.expr option) =
       | _ -> [])
   | _ -> []
 
-(* The number literal that an expression is, or that its name is defined as. *)
+(* The number literal, if the expression is one or a name defined as one. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Local x -> (
@@ -201,7 +201,8 @@ let rec runs words (e : Resolve.Ir.expr option) =
       | _ -> None)
   | _ -> None
 
-(* The signature with this type in place of the type at its end, if that is the expected one. *)
+(* The signature with its result type replaced by this type, if the result type is the expected
+   type. *)
 let corrected_signature words at (expected : Expected.t) found =
   let wanted = Show.type_ words expected.ty and found = Show.type_ words found in
   match Show.quote words at with

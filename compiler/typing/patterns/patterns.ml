@@ -19,7 +19,7 @@ let within w check =
   w.left <- w.left - (before - Work.left ());
   checked
 
-(* May all guards at the end of a right-hand side fail? *)
+(* Can all guards at the end of a right-hand side fail? *)
 let rec falls (e : expr) =
   match e.desc with Guards (_, None) -> true | Let (_, body) -> falls body | _ -> false
 

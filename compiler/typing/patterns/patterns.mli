@@ -1,7 +1,7 @@
 (** Checks that patterns are exhaustive and that each branch is reachable.
 
     Reports non-exhaustive cases ([E0350]), refutable patterns in functions, procs and equations
-    ([E0351]), and guards outside a [case] that may all fail ([E0352]). Warns about unreachable
+    ([E0351]), and guards outside a [case] that can all be false ([E0352]). Warns about unreachable
     branches ([W0301]). *)
 
 val check : ?sources:Basis.Source.t -> Basis.Diagnostic.sink -> Ir.program -> unit

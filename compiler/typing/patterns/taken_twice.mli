@@ -9,6 +9,6 @@ val tell :
   Type.t ->
   Resolve.Ir.branch list ->
   unit
-(** Replaces the last error by that explanation if this branch has errors, that is, if the number of
-    errors now exceeds [before]. The last arguments are the type of the matched value and all
+(** If this branch has errors, that is, if the number of errors now exceeds [before], replaces the
+    last error with that explanation. The last arguments are the type of the matched value and all
     branches. [taken]: the constructors that earlier branches cover completely. *)

@@ -19,7 +19,8 @@ val unit_ : Ir.unit_ -> string
     a signature uses. *)
 
 type words
-(** The variable names chosen so far in one message, and the context that it may mention. *)
+(** The variable names chosen so far in one message, and the context that the message may mention.
+*)
 
 type place = {
   sources : Source.t;
@@ -32,7 +33,8 @@ type place = {
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   field_of : Type.t -> of_:Type.t -> string option;
-      (** the only field of the record that has a data type like the second one *)
+      (** the field of the record whose data type has the same constructor as the second type, if
+          there is exactly one *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)

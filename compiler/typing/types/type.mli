@@ -16,7 +16,7 @@ type t =
   | Data of { tycon : Ir.Global.t; units : Units.t list; arguments : t list }
   | Alias of { alias : Ir.Global.t; units : Units.t list; arguments : t list; expansion : t }
   | Size of int  (** array size; occurs only as a type argument *)
-  | Erroneous  (** the type of an expression that has been reported *)
+  | Erroneous  (** the type of an expression in which an error has been reported *)
 
 and flexible = {
   id : int;

@@ -18,7 +18,8 @@ val output : t -> Ir.expr -> kind option
 (** The same for the output of a signal function that is written as a composition. *)
 
 val within : t -> Ir.expr -> Ir.expr
-(** The angle in a multiple of it, or in a signal function that stores it. *)
+(** The angle itself, for an expression that is a multiple of an angle or runs a signal function
+    that passes it on, such as [delay]. *)
 
 val is_heading : Ir.constructor -> int -> bool
 (** Is this field the heading of a [Pose] or an [Imu]? *)

@@ -25,4 +25,4 @@ val keeps : Resolve.Ir.expr -> bool
 (** Does this function return an angle if its argument is one, as [abs] and addition do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
-(** The type of its result: [Angle] if the operand is an angle. *)
+(** The type of such a function's result: [Angle] if the operand is an angle. *)

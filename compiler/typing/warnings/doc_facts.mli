@@ -1,15 +1,16 @@
 (** Facts that doc comments state about functions and records, for warnings.
 
-    The library states them where a reader looks for them, so no list in the compiler has to follow
-    it. Programs can state them too. Three sentences count:
+    Because the library states them, the compiler needs no list of its own to keep up to date.
+    Programs can state such facts too. Three kinds of sentences are recognized:
 
     - [Requires: `tau >= 0`, `low <= high`.] Conditions on parameters, or on fields of a record. A
       condition compares a parameter, or the [sum] of an array, with a number in base units or with
       another parameter, by [>=], [>], [<=] or [/=]. The names of the parameters are those in the
       first words of the comment, [`lowPass tau`], or else those in the definition.
     - [For angles that wrap, use `lowPassAngle` (module Angles).] The function is not suitable for
-      angles that jump from pi to -pi. The other one takes the same arguments. [see] instead of
-      [use]: it takes other arguments. With [unwrap], apply [unwrap] to the angle.
+      angles that jump from pi to -pi. The other function takes the same arguments; if the sentence
+      says [see] instead of [use], it takes different ones. If the sentence names [unwrap], apply
+      [unwrap] to the angle.
     - A result that [wraps at pi] is such an angle. *)
 
 type t
@@ -21,7 +22,8 @@ type relation = At_least | Above | At_most | Differs
 type requirement = { left : term; relation : relation; right : term }
 
 val requirements : t -> Resolve.Ir.Global.t -> requirement list
-(** Of a function, or of a constructor of a record, whose fields are the parameters. *)
+(** The requirements of a function, or of a record's constructor, whose parameters are the fields.
+*)
 
 type for_angles = { name : string; module_ : string; same_arguments : bool }
 

@@ -1,4 +1,4 @@
-(** Warns of plain differences and plain filters of angles that wrap from pi to -pi.
+(** Warns about angles that wrap from pi to -pi but are subtracted or filtered like plain numbers.
 
     Codes: [W0315]. *)
 

@@ -187,7 +187,7 @@ let missing_by_signature fact ~missing d =
 let missing_somewhere _ ~missing d =
   Some (hint (if missing = 1 then "an argument is missing" else "some arguments are missing") d)
 
-(* The first one that applies is used. Hints that name the missing argument come before those that
+(* The first hint that applies is used. Hints that name the missing argument come before those that
    only count arguments. *)
 let hints_for_missing =
   [

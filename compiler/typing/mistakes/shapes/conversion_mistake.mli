@@ -1,7 +1,7 @@
 (** Rules for values that can be converted to the expected type. *)
 
 val of_a_number : Shape_fact.rule
-(** A number where a library type is expected that functions create from numbers. *)
+(** A number in place of a library type whose values are created from numbers by functions. *)
 
 val of_a_text : Shape_fact.rule
 (** A string where a number is expected: strings are only labels. *)
@@ -10,7 +10,7 @@ val by_a_constructor : Shape_fact.rule
 (** A value where the expected type has a constructor for such values. *)
 
 val capital_choice : Shape_fact.rule
-(** A name in place of the constructor that differs only in its first letter. *)
+(** A name in place of a constructor that differs from it only in the case of the first letter. *)
 
 val to_a_choice : Shape_fact.rule
 (** A value where an enumeration with few cases is expected. *)

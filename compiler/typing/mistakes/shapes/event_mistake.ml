@@ -109,13 +109,13 @@ let for_a_time words wanted found =
 
 let is_record words t = Show.fields words t <> None
 
-(* A record, tuple or other data that is neither an event, a task nor a `Maybe`. *)
+(* Is this a record, a tuple or other data that is not an event, a task or a `Maybe`? *)
 let is_thing t =
   match Type.expand t with
   | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
   | _ -> false
 
-(* How to get a value of the wanted type from `x`, which has this type. Uses the field named after
+(* How to get a value of the wanted type from a value `x` of this type. Uses the field named after
    the wanted type, if there is one. *)
 let within words t wanted =
   match (Show.fields words t, Type.expand wanted) with

@@ -6,7 +6,7 @@
      a condition, because the latter accept any type. *)
 
 (* Rules for tasks and signal functions come first: such a mismatch usually means that the structure
-   of the program is wrong, whatever else its types show. *)
+   of the program is wrong, whichever other rules also apply. *)
 let of_activities =
   [
     Task_mistake.task_or_signal_function;

@@ -100,8 +100,8 @@ let function_not_lifted fact =
       |> Option.some
   | _ -> None
 
-(* The hint for a signal function where a function is expected. It depends on the function that
-   expects it. *)
+(* The hint for a signal function that is passed to a function that expects another function. The
+   hint depends on the function called. *)
 let by_its_use fact =
   match (fact.expected.because, fact.wanted) with
   | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"

@@ -163,7 +163,7 @@ let needs_an_event callee output =
     "the first argument of `%s` returns a pair: its output and the event that ends it, as in `%s`"
     callee (with_an_event output)
 
-(* `switch (proc x -> x) …`: inference took the output for the pair. *)
+(* `switch (proc x -> x) …`: inference treated the output as the pair. *)
 let input_as_pair fact =
   match (fact.wanted, fact.given, fact.subject) with
   | ( Signal_function (wanted, _),

@@ -21,7 +21,7 @@ val three_arguments :
     languages. The list contains the arguments with their types. *)
 
 val input_as_pair : Shape_fact.rule
-(** A switch whose first mode returns its input alone. *)
+(** A switch whose first mode returns only its input. *)
 
 val output_without_event : Shape_fact.rule
 (** The output of a mode without the event that ends it. *)

@@ -31,7 +31,7 @@ let to_wait words (argument : Resolve.Ir.expr) =
         previous value of a signal"
        how_long)
 
-(* How to turn a signal function into a task that ends at its event, or never ends. *)
+(* How to turn a signal function into a task: one that ends at an event, or one that never ends. *)
 let to_task words subject output =
   let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
   match Type.expand output with

@@ -7,13 +7,14 @@ val of_events : Shape_fact.rule
 (** A Boolean operator that is applied to an event. *)
 
 val grouped_with_an_argument : Shape_fact.rule
-(** [not x > 0], where the function is applied to the operand only. *)
+(** [not x > 0], in which [not] is applied only to [x]. *)
 
 val equal_to_a_truth : Shape_fact.rule
 (** [b == 1], where [b] is a truth value. *)
 
 val grouped_with_an_operand : Shape_fact.rule
-(** Like {!grouped_with_an_argument}, where the operator has the application on its left. *)
+(** Like {!grouped_with_an_argument}, reported at the operator whose left operand is the
+    application. *)
 
 val compared : Shape_fact.rule
 (** A number where its comparison with another number was probably meant. *)

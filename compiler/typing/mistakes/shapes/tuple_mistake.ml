@@ -2,7 +2,7 @@ open Basis
 open Diagnostic
 open Shape_fact
 
-(* An argument without the parentheses and commas of calls in it. *)
+(* The text as an argument. Calls in the C notation, [f(x, y)], are rewritten in Frob's. *)
 let argument_of text =
   Source.grouped (Option.value (Syntax.Other_notation.expression text) ~default:text)
 
@@ -32,7 +32,8 @@ let of_an_input fact =
   | _ -> None
 
 (* The call in which the arguments from the mismatch onwards form one tuple of this length. If the
-   call has that many arguments, uses their source texts, and otherwise generated names. *)
+   call has enough arguments, the tuple consists of their source texts, otherwise of generated
+   names. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with
@@ -64,7 +65,7 @@ let parameter fact =
               (gathered fact length)))
   | _ -> None
 
-(* How to take a tuple apart when a tuple of another length is expected. *)
+(* How to take a tuple apart when a tuple of a different length is expected. *)
 let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
@@ -87,7 +88,8 @@ let ordinal n =
 
 let without i list = List.filteri (fun j _ -> i <> j) list
 
-(* Names the only part of the longer list that the shorter one lacks, by the types of the parts. *)
+(* Describes the one part that the longer list has and the shorter one lacks, according to the types
+   of the parts. *)
 let odd_part fact wanted given =
   let text t =
     match Type.expand t with
@@ -163,7 +165,7 @@ let side_by_side fact components =
   in
   String.concat " " (List.mapi argument components)
 
-(* The call that the expression is, or that its name is defined as. *)
+(* The call, if the expression is one or a name defined as one. *)
 let call fact =
   match fact.subject with
   | Some { desc = Local x; _ } -> Show.definition fact.words x

@@ -73,7 +73,8 @@ let is_no_event words (x : Resolve.Ir.Local.t) =
   | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
   | None -> false
 
-(* An initial value for the signal of this type, or for the value of this event. *)
+(* An initial value for a signal of this type. For an event, an initial value for what it
+   carries. *)
 let rec initial t =
   match Type.expand t with
   | Type.Number _ -> "0"
@@ -141,8 +142,8 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
-(* A name for a signal function, as in `let x = frontSonar`, without a signal to apply it to:
-   probably in a task. *)
+(* A name defined as a signal function that is not applied to a signal, as in `let x = frontSonar`.
+   The definition is probably in a task. *)
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
   let is_robot = Show.needs_class words input in
   match subject with
@@ -186,7 +187,7 @@ let message words ~subject ~at ~wanted ~input ~found =
       | Some text -> hint text d
       | None -> hint_to_run words subject input d)
 
-(* A program is made from a signal function that is not applied. *)
+(* Programs are built from signal functions that are not applied to a signal. *)
 let is_program ty =
   match Type.expand ty with
   | Type.Data { tycon; _ } -> tycon = Environment.built_in "Program"

@@ -3,8 +3,9 @@
 open Basis
 
 val unrun : Shape_fact.rule
-(** A signal function where a value is expected. The hint shows how to run it, on an input signal of
-    its input type if there is one, and how to convert its event if a truth value is expected. *)
+(** A signal function where a value is expected. The hint shows how to run it, if possible on an
+    input signal of the right type. If the output is an event and a truth value is expected, the
+    hint also converts the event. *)
 
 val unrun_operand : Shape_fact.rule
 (** Like {!unrun}, if the signal function is the other operand. *)
@@ -18,7 +19,7 @@ val count : int -> string
 (** [two arguments] *)
 
 val instead : Resolve.Ir.expr option -> string -> Diagnostic.t -> Diagnostic.t
-(** Adds the fix that replaces the expression by this text. *)
+(** Adds the fix that replaces the expression with this text. *)
 
 val program_without_input : Shape_fact.rule
 (** [reactimateRobot (proc () -> …)] where the program has an input. *)

@@ -1,4 +1,4 @@
-(** Numbers that the program writes without a unit, and the names that are defined as them. *)
+(** Numbers that are written without a unit, and names that are defined as such numbers. *)
 
 open Basis
 
@@ -9,11 +9,11 @@ type t = {
   at : Span.t;  (** the literal *)
   name : string option;  (** the constant or local name that is defined as the literal *)
   signature : Span.t option;  (** the signature of the constant *)
-  of_record : bool;  (** [name] is a field, whose declaration has the unit too *)
+  of_record : bool;  (** [name] is a field, so its declaration needs the unit too *)
 }
 
 val literal : Show.words -> Resolve.Ir.expr -> t option
-(** The literal other than zero that this expression is, or that its name is defined as. *)
+(** The literal, if the expression is a literal other than zero or a name defined as one. *)
 
 val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The named constants without a unit that scale this expression, each with its exponent, 1 or -1.

@@ -1,5 +1,5 @@
-(** Formulas in the source, for suggestions of another formula: their parts, their units and their
-    text. *)
+(** The parts, units and texts of formulas in the source, for hints that suggest a different
+    formula. *)
 
 open Basis
 
@@ -14,7 +14,8 @@ val factors : Resolve.Ir.expr -> (Resolve.Ir.expr * int) list
 (** The factors of a product, each with its exponent, 1 or -1. *)
 
 val is_square : Show.words -> Resolve.Ir.expr -> bool
-(** Is the value a square, a sum or a difference of squares, or the multiple of one by a number? *)
+(** Is the value a square, a sum or a difference of squares, or such a value multiplied by a number?
+*)
 
 val is_product : Show.words -> Resolve.Ir.expr -> bool
 (** Is it a product or a quotient of variables and applications alone, without a number? *)

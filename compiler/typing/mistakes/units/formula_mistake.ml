@@ -47,7 +47,8 @@ let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.ex
   let is_sum = List.mem operator [ "+"; "-" ] in
   (if k = 2 && not is_sum then sqrt_of words higher d else d) |> raised
 
-(* A power with this exponent, also as a product of equal factors, or a sum of such powers. *)
+(* Is this a power with this exponent, a product of that many equal factors, or a sum of such
+   powers? *)
 let rec is_power words k (e : Resolve.Ir.expr) =
   let e = Bare_number.value words e in
   match (e.desc, Formula.binary e) with
@@ -130,7 +131,8 @@ let power words ~subject ~expected units =
   if not (closed units) then None
   else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected units)
 
-(* As a factor of a product; a product needs no parentheses. *)
+(* The text of the expression as a factor of a product. If it is a product, it needs no
+   parentheses. *)
 let as_a_factor words (e : Resolve.Ir.expr) =
   match Formula.binary e with
   | Some ("*", _, _) -> Formula.text words e

@@ -1,5 +1,5 @@
 (** Formulas whose unit shows that an operation was forgotten, such as a square root or a sum over
-    time. The units are the one that was expected and the one that was found. *)
+    time. Each pair of units contains the expected unit and the actual one. *)
 
 open Basis
 
@@ -12,7 +12,7 @@ val root :
 (** A square, or a sum of squares, where its root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
 
 val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
-(** Is the expression such a square, and its root has the expected unit? *)
+(** Is the expression such a square, and does its root have the expected unit? *)
 
 val power :
   Show.words ->

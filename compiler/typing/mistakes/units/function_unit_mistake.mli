@@ -8,8 +8,8 @@ val complete :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** Adds the hint for the function that takes this argument, if there is one. The units are the one
-    that was expected and the one that was found. *)
+(** Adds the hint for the function that takes this argument, if there is one. The pair contains the
+    expected unit and the actual one. *)
 
 val power :
   Show.words ->
@@ -21,7 +21,7 @@ val power :
 
 val whole_numbers :
   Show.words -> expected:Expected.t -> found:Type.t -> (Diagnostic.t -> Diagnostic.t) option
-(** Numbers with a fraction as arguments of [mod] or [div]. *)
+(** Numbers with a fractional part as arguments of [mod] or [div]. *)
 
 val quotient : Show.words -> expected:Expected.t -> (Diagnostic.t -> Diagnostic.t) option
 (** Whole numbers as operands of [/]. *)

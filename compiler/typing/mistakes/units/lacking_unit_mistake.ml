@@ -11,8 +11,7 @@ let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rati
 let give words units d ((number : Bare_number.t), power) =
   Bare_number.give words number (Show.measure words (needed units power)) d
 
-(* The operand whose constants would correct the units, with the expected and the found unit of this
-   operand. *)
+(* The operand whose constants would correct the units, with its expected and its actual unit. *)
 let sides ~subject ~(expected : Expected.t) (wanted, given) =
   let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
   match expected.because with
@@ -120,7 +119,8 @@ let difference words (e : Resolve.Ir.expr) =
       | _ -> None)
   | _ -> None
 
-(* `x - delay 0 x` in place of a rate, also divided by a number for the length of the step. *)
+(* `x - delay 0 x` in place of a rate, possibly divided by a number that represents the length of
+   the step. *)
 let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
   let signal e =
     let e = Bare_number.value words e in

@@ -20,7 +20,7 @@ val complete :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** Points to the constants that would correct the expression's unit, and suggests their units. The
-    units are the one that was expected and the one that was found. *)
+    pair contains the expected unit and the actual one. *)
 
 val of_a_literal :
   Show.words ->
@@ -29,8 +29,9 @@ val of_a_literal :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** The same for a number literal that is a factor of the expression. [likely]: only literals with a
-    decimal point, which are rarely plain factors; otherwise only the others. *)
+(** The same for a number literal that is a factor of the expression. If [likely], considers only
+    literals with a decimal point, because they are rarely plain factors; otherwise only literals
+    without one. *)
 
 val of_a_difference :
   Show.words ->

@@ -1,4 +1,4 @@
-(** Messages about an Int and a Float that do not fit ([E0312]).
+(** Messages about an Int where a Float is expected, or the reverse ([E0312]).
 
     The last argument is the mismatched pair: the expected and the given representation. [subject]:
     the expression that has the wrong type, if there is one. *)
@@ -13,7 +13,7 @@ val representations :
   found:Type.t ->
   Type.representation * Type.representation ->
   Diagnostic.t
-(** The message about an Int and a Float; pass {!without_open_units} as [expected]. *)
+(** The message about such a mismatch. Pass the result of {!without_open_units} as [expected]. *)
 
 val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units by 1. In a mismatch between Int and Float they are irrelevant. *)

@@ -1,7 +1,7 @@
 open Basis
 open Diagnostic
 
-(* The units of the settings of a function of the library, which come before its signal. *)
+(* The units of the settings that a library function takes before its signal. *)
 type settings = Of_signal of int | Per_second | Second
 
 let settings = function
@@ -21,7 +21,7 @@ let is_number (e : Resolve.Ir.expr) =
   | Number { unit_ = None; _ } | Negate { desc = Number { unit_ = None; _ }; _ } -> true
   | _ -> false
 
-(* The unit of the signal, which was given first. *)
+(* The unit of the signal, which the program passes first. *)
 let unit_of words (signal : Resolve.Ir.expr) ~position ~(decided_by : Expected.decider list) found =
   let is_it (d : Expected.decider) = Span.compare d.place signal.span = 0 in
   match List.find_opt is_it decided_by with

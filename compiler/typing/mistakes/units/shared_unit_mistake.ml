@@ -224,8 +224,8 @@ let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : 
           (Show.described words found) callee)
   |> fun d -> List.fold_left give d constants
 
-(* The product of a constant without a unit, as an argument before a number that has its unit:
-   `min (kp * d) 0.4[m/s]`. *)
+(* A product with a constant that lacks its unit, as an argument before a number that has one: `min
+   (kp * d) 0.4[m/s]`. *)
 let of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subject ~found units =
   let constants i (e : Resolve.Ir.expr) =
     let decider =
@@ -247,7 +247,7 @@ let of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subjec
   in
   List.mapi constants given |> List.find_map Fun.id
 
-(* Is the argument itself the mistake, although earlier numbers have another unit? *)
+(* Is the argument itself wrong, although the mismatch is with the unit of earlier numbers? *)
 let is_to_blame words ~(subject : Resolve.Ir.expr) (wanted, given) =
   Formula_mistake.is_of_square words ~subject:(Some subject) (wanted, given)
   || (not (String.equal (Show.measure words (Units.divide wanted given)) "s"))

@@ -10,6 +10,6 @@ val of_an_earlier_number :
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   Diagnostic.t option
-(** The mismatch is reported at an argument, but an earlier argument that is a number literal
-    determined the unit: reports that number, with the unit that it should have. The units are the
-    one that was expected and the one that was found. *)
+(** Handles a mismatch at an argument whose expected unit comes from an earlier argument, a number
+    literal. The message reports that literal and the unit that it should have. The pair contains
+    the expected unit and the actual one. *)

@@ -23,7 +23,7 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
       List.filter_map plain es
   | _ -> []
 
-(* The application with this unit at its numbers, except zero, in its source text. *)
+(* The source text of the application, with this unit added to its numbers other than zero. *)
 let with_units words (e : Resolve.Ir.expr option) unit_ =
   let rec numbers (e : Resolve.Ir.expr) =
     match e.desc with

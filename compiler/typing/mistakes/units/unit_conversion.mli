@@ -12,5 +12,5 @@ val suggest :
   Units.t * Units.t ->
   Diagnostic.t ->
   Diagnostic.t
-(** Adds the hint that is most likely for these units, the one that was expected and the one that
-    was found. *)
+(** Adds the hint that is most likely to help. The pair contains the expected unit and the actual
+    one. *)

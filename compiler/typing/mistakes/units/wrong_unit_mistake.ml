@@ -81,7 +81,8 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
 
 (* {1 Gains and constants} *)
 
-(* The unit as the text in a literal. A gain that was written with [rad] keeps it. *)
+(* The unit as the text in a literal. If a gain was written with [rad], the text also contains
+   [rad]. *)
 let unit_like words (number : Bare_number.t) u =
   let measure = Show.measure words u in
   let is_angle ((f : Resolve.Ir.unit_factor), _) =

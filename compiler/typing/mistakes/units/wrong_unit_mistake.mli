@@ -1,6 +1,6 @@
 (** Units that are written, but wrong: a superfluous factor such as [1[m]], and a gain, a constant
-    or a parameter with another unit than its use needs. The units are the one that was expected and
-    the one that was found. *)
+    or a parameter whose unit is not the one that its use requires. Each pair of units contains the
+    expected unit and the actual one. *)
 
 open Basis
 
@@ -26,7 +26,7 @@ val gain :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A term with a gain of another unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
+(** A term with a gain of the wrong unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
 
 val constant :
   Show.words ->
@@ -34,7 +34,7 @@ val constant :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A name that is defined as a number with another unit. *)
+(** A name that is defined as a number with the wrong unit. *)
 
 val parameter :
   Show.words ->
@@ -42,4 +42,4 @@ val parameter :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A parameter whose type in the signature has another unit. *)
+(** A parameter whose type in the signature has the wrong unit. *)
