@@ -37,13 +37,13 @@ A new project immediately runs, checks, is formatted and passes its trials.
   | --- | --- |
   | `frobc run rover.frob --picture run.png` | drive for a minute in the simulator |
   | `frobc run rover.frob --view` | show every signal while it drives |
-  | `frobc test` | run the trials, each with ten seeds of the noise |
+  | `frobc test` | run the trials, each with ten noise seeds |
   | `frobc check rover.frob` | check the program for mistakes |
   | `frobc fix rover.frob` | apply the fixes that messages suggest |
   | `frobc format rover.frob` | format spaces, indentation and long lines |
   | `frobc report rover.frob` | show the memory and operations that a step needs |
   
-  To run it on a robot, at first with the wheels off the ground:
+  To run it on a robot (the first time, lift the wheels off the ground):
   
       frobc run rover.frob --device /dev/ttyUSB0 --robot pioneer
   root = true
