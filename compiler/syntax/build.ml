@@ -215,7 +215,7 @@ let rec first_word (e : Ir.expr) =
   | Binary { left; _ } -> first_word left
   | _ -> None
 
-(* Reports a loop, as in other languages, among the statements of a [proc]. *)
+(* Rejects a loop in the notation of another language among the statements of a [proc]. *)
 let reject_block term =
   match first_word (Term.to_expr term) with
   | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->

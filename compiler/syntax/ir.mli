@@ -58,7 +58,7 @@ and declaration_desc =
 and claim = Assert | Assume
 and check = Test | Trial
 
-(** The names and paths in C have spans. *)
+(** C names and paths are stored with their spans. *)
 and foreign =
   | Foreign_value of { kind : foreign_kind; name : name; ty : qualified_type; symbol : name }
       (** [foreign cubeRoot :: Float -> Float = "cbrt"]; [foreign sf tracker :: … = "blob"] *)

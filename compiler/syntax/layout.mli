@@ -3,7 +3,8 @@
     It maps tokens to tokens with a stack of openers, and does not depend on the parser's state. It
     encloses blocks in [OPEN] and [CLOSE], separates their items with [SEMICOLON], and ends each
     top-level item with [END]. A closing token ([in then else of , )] and similar ones) closes all
-    blocks opened since its partner, whatever its column. Amortized constant time per token. *)
+    blocks opened since its partner, whatever its column. Takes amortized constant time per token.
+*)
 
 type block = Top | Let | Where | Do | Of | Rec
 

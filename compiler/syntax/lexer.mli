@@ -1,6 +1,6 @@
 (** Splits text into tokens (language reference, section 11), ignoring layout.
 
-    Never fails: invalid characters are reported and replaced by a [BAD] token. Takes linear time
+    Never fails: invalid characters are reported and replaced with a [BAD] token. Takes linear time
     and keeps only one token in memory. *)
 
 open Basis

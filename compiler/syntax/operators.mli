@@ -5,7 +5,7 @@ val symbols : string list
 
 val group : Surface.step list -> Surface.term -> Surface.term
 (** [group steps last] groups [steps… last] by precedence and associativity. The steps are given in
-    reverse order. Linear time, without recursion.
+    reverse order. Takes linear time, and does not recurse.
     @raise Reject.Rejected if the table does not define the grouping *)
 
 val left_section :

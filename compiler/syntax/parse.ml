@@ -10,7 +10,7 @@ type reader = {
   text : string;
   mutable cut : bool;
       (** The previous item was incomplete. If the current item ends before it defines anything, it
-          is probably the rest of that one. *)
+          is probably the rest of the previous item. *)
   mutable failed : bool;  (** the previous item had a syntax error *)
   mutable split : bool;
       (** An item ended at a `;` inside an open bracket. The closing bracket may follow in the next

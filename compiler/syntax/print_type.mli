@@ -19,14 +19,14 @@ val name : Buffer.t -> name -> unit
 val qualified : Buffer.t -> qualified -> unit
 
 val infix : Buffer.t -> qualified -> unit
-(** As an operator between operands: puts a name in backticks. *)
+(** Prints an operator as it appears between operands: a name gets backticks. *)
 
 (** {1 Units and types} *)
 
 val unit_to : Buffer.t -> unit_ -> unit
 
 val factor : Buffer.t -> unit_ -> unit
-(** In parentheses, if it needs them as a factor of a product. *)
+(** Prints a unit, in parentheses if it needs them as a factor of a product. *)
 
 val in_brackets : Buffer.t -> unit_ list -> unit
 (** Units after a number or a type: [[m/s]]. *)
@@ -34,7 +34,7 @@ val in_brackets : Buffer.t -> unit_ list -> unit
 val type_to : Buffer.t -> ty -> unit
 
 val simple_type : Buffer.t -> ty -> unit
-(** In parentheses, if it needs them as an argument of a type. *)
+(** Prints a type, in parentheses if it needs them as an argument of a type. *)
 
 val context : Buffer.t -> (qualified * ty) list -> unit
 (** The constraints of a signature, with the double arrow. *)

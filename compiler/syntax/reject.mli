@@ -13,7 +13,7 @@ exception With_text of ((Span.t -> string option) -> Diagnostic.t)
 (** A diagnostic that quotes the source. *)
 
 val with_text : ((Span.t -> string option) -> Diagnostic.t) -> 'a
-(** The function receives the source text of a place, if that is within one line.
+(** The function receives the source text of a place, if the place is within one line.
     @raise With_text always *)
 
 val diagnostic : Diagnostic.t -> 'a

@@ -1,8 +1,8 @@
 (** Surface: the tree that the grammar builds on the way to {!Ir}.
 
-    A pattern and an expression can start alike, and only a later [=], [<-] or [->] distinguishes
-    them. The grammar therefore parses both as a {!term}, which {!Term} converts to one or the
-    other. *)
+    A pattern and an expression can begin with the same tokens, and only a later [=], [<-] or [->]
+    distinguishes them. The grammar therefore parses both as a {!term}, which {!Term} converts to
+    one or the other. *)
 
 open Basis
 

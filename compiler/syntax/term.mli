@@ -1,7 +1,7 @@
 (** Converts terms to expressions, patterns, or the left-hand side of a definition.
 
-    All raise {!Reject.Rejected} if the term cannot be converted. Their recursion depth is bounded
-    by the nesting of brackets, which {!Layout} limits. *)
+    All functions raise {!Reject.Rejected} if the term cannot be converted. Their recursion depth is
+    bounded by the nesting of brackets, which {!Layout} limits. *)
 
 val to_expr : Surface.term -> Ir.expr
 val to_pattern : Surface.term -> Ir.pattern

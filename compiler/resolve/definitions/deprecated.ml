@@ -44,7 +44,7 @@ let is_plain (name : Ir.Global.t) (span : Span.t) =
   Span.line span.start = Span.line span.stop
   && Span.column span.stop - Span.column span.start = String.length name.name
 
-(* Whether the module of the place can use all names of the other module without a qualifier. *)
+(* Can the module that contains the place use all names of the other module without a qualifier? *)
 let sees_all_of (p : Ir.program) (span : Span.t) module_ =
   module_ = "Prelude"
   || List.exists

@@ -209,7 +209,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       | Some n -> Size n
       | None -> Size 1)
 
-(* The number that arithmetic on sizes results in. *)
+(* The value of a size that contains arithmetic. Reports an operand whose value is not known. *)
 and known_size scope (t : Syntax.Ir.ty) =
   match t.desc with
   | Size n -> Some n

@@ -63,7 +63,7 @@ let owner sink modules setting =
           ("write the name of its module too: " ^ Enumeration.one_of (List.map qualified several));
       None
 
-(* In diagnostics, the span of the value covers the whole setting. Replacing the name by a
+(* In diagnostics, the span of the value covers the whole setting. Replacing the name with a
    placeholder of the same width turns the setting into a definition. *)
 let expression sink setting =
   let width = String.length setting.name in

@@ -12,7 +12,7 @@ val without_name : Syntax.Ir.program -> Syntax.Ir.name -> hint option
 (** The hint if the innermost [proc] around the name has [_] in place of an input. *)
 
 val is_in_second_where : Syntax.Ir.program -> Syntax.Ir.name -> bool
-(** Is the name in the [where] of a definition whose body is a [proc] with a [where] of its own? *)
+(** Is the name in the [where] of a definition whose body is a [proc] that also has a [where]? *)
 
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
 (** The hint if the name is an input of the first argument of a [switch], and is used in another

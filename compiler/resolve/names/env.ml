@@ -8,7 +8,7 @@ type t = {
   scope : Scope.t;
   locals : variable String_map.t;
   signals : Proc_signals.t list Lazy.t option;
-  sizes : Sizes.t list;  (** of the signatures around, the innermost first *)
+  sizes : Sizes.t list;  (** of the enclosing signatures, innermost first *)
   top_level : Groups.t;
   top_index : int String_table.t;
 }

@@ -45,7 +45,8 @@ val qualifier : string
 (** The qualifier of the names in {!import}. *)
 
 val import : Syntax.Ir.program -> Syntax.Ir.import option
-(** The import that the tests of a program imply. The program cannot use its names. *)
+(** The import that the tests of a program imply. The program itself cannot refer to the imported
+    names. *)
 
 val checked : Syntax.Ir.declaration -> (Syntax.Ir.name * Syntax.Ir.expr) list
 (** The definitions that a test declaration creates; empty for other declarations. *)

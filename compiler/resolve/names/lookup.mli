@@ -13,5 +13,5 @@ val find_value :
     in the definition; the ones in scope are also among the locals. *)
 
 val find_size : Scope.t -> Syntax.Ir.qualified -> int option
-(** The number that a name in capitals represents in an expression, if it is not a constructor but a
-    size: [N], after [type N = 25]. *)
+(** The number that a capitalized name represents in an expression, if the name is a size and not a
+    constructor: 25 for [N], after [type N = 25]. *)

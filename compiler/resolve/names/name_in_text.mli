@@ -10,8 +10,8 @@ type unit_ = {
 }
 
 val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> unit_ option
-(** The unit after a number that contains the name, if it is written without brackets, as in
-    [0.5 m/s]. *)
+(** The unit that contains the name, if the unit follows a number without brackets, as in [0.5 m/s].
+*)
 
 val number_with_unit : text:string -> Span.t -> (string * Span.t) option
 (** The number before the brackets that contain only this name, and the place of the number with its
@@ -34,10 +34,11 @@ val starts_an_equation : text:string -> string -> bool
 
 val call : text:string -> Span.t -> (Span.t * string) option
 (** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
-    Frob, if that does not begin with the name. *)
+    Frob. [None] if the call in Frob begins with the same name. *)
 
 val lower_case : string -> string
-(** The name of a value for such a constructor: [speed] for [Speed], [maxSpeed] for [MAX_SPEED]. *)
+(** The name of a value that was written like a constructor: [speed] for [Speed], [maxSpeed] for
+    [MAX_SPEED]. *)
 
 val field : text:string -> Span.t -> Span.t option
 (** The place of the name together with the field after it, as in [math.sin]. *)

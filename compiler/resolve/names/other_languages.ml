@@ -271,7 +271,7 @@ let qualifier = function
   | "Random" -> Some "for random numbers write `whiteNoise 1 ()`, with `import Sources`"
   | _ -> None
 
-(* The module of the library for a module that another language or robot has. *)
+(* The library module that corresponds to a module of another language or robot. *)
 let in_library = function
   | "Sonar" | "Sonars" | "Ultrasonic" | "Distance" | "Range" -> Some ("the sonars are", "Robot")
   | "Sensor" | "Sensors" | "Bumper" | "Bumpers" | "Odometry" -> Some ("the sensors are", "Robot")

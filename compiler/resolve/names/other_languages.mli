@@ -12,16 +12,17 @@ val robot : string -> string option
     name. *)
 
 val reading : string -> (string -> string, unit, string) format option
-(** The reading of a sensor that such a name means, applied to the input of a robot. *)
+(** The sensor reading that such a name means, as a format that contains the robot's input. *)
 
 val current : string -> string list
 (** The names whose previous value such a name may mean: [v] for [v_prev] and [prevV]. *)
 
 val is_of_speed : string -> bool
-(** Does a word with a hint by {!robot} set the speed and the turn rate of a robot? *)
+(** Does this word, for which {!robot} has a hint, set the speed and the turn rate of a robot? *)
 
 val is_statement : string -> bool
-(** Is this the keyword of a statement? If so, the code after it is in that language too. *)
+(** Is this the keyword of a statement in another language? If so, the code after it is in that
+    language too. *)
 
 val constructor : string -> string option
 (** A hint for an unknown constructor, in an expression or a pattern. *)
@@ -33,11 +34,11 @@ val class_ : string -> string option
 (** A hint for an unknown type class. *)
 
 val qualifier : string -> string option
-(** A module of another language before a name, as in [Math.sqrt]. *)
+(** A hint for a module of another language that qualifies a name, as in [Math.sqrt]. *)
 
 val module_ : string -> string option
 (** A hint for an unknown module, as in [import Math]. *)
 
 val in_library : string -> (string * string) option
-(** The contents of such a module, as a subject and its verb ([the sonars are]), and the module of
-    the library that has them. *)
+(** The contents of such a module, as a subject and its verb ([the sonars are]), and the library
+    module that contains them. *)

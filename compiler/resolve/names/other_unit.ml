@@ -76,7 +76,7 @@ let find ~is_unit name =
     (fun known -> known name)
     [ length_or_time; of_mechanics; of_electricity; of_counts; of_a_prefix ~is_unit ]
 
-(* The number without an exponent, which a declaration of a unit does not allow. *)
+(* The number written without an exponent, because declarations of units do not allow exponents. *)
 let decimal x =
   let text = Printf.sprintf "%.9f" x in
   let rec last i = if text.[i] = '0' then last (i - 1) else if text.[i] = '.' then i - 1 else i in

@@ -9,7 +9,7 @@ type t = private {
 }
 
 val find : is_unit:(string -> bool) -> string -> t option
-(** The value of one such unit. Knows common names, and prefixes before the units that [is_unit]
+(** The value of one such unit. Recognizes common names, and prefixes of the units that [is_unit]
     accepts. *)
 
 val explain :

@@ -73,7 +73,8 @@ val choose : t -> 'a Interface.space -> Syntax.Ir.name -> (import * 'a) list -> 
 (** The only meaning, which then counts as used. Emits a diagnostic if there are several. *)
 
 val size_named : t -> Syntax.Ir.name -> int option
-(** The number that a size in capitals represents, if it is not a constructor. *)
+(** The number that a name such as [N] represents after [type N = 25], unless there is a constructor
+    of that name. *)
 
 val names_of : 'a Basis.String_table.t -> string list -> string list
 (** Adds the names in a table, in order. *)

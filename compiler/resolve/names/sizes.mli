@@ -1,5 +1,5 @@
-(** Size variables of signatures, such as the [n] of [Array n Float]. They have no value, so a
-    message says how to compute it. *)
+(** Size variables of signatures, such as the [n] of [Array n Float]. They cannot be used as values,
+    so messages explain how to compute the size. *)
 
 type t
 

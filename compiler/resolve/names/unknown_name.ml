@@ -268,7 +268,7 @@ let of_another_proc t (signal : Proc_signals.t) (name : Syntax.Ir.name) =
 let of_ended_proc ({ text; edits } : Ended_proc.hint) diagnostic =
   Diagnostic.hint text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
 
-(* The import that names its items, but not this one. *)
+(* The import that has a list of names which lacks this one, although the module exports it. *)
 let incomplete_import t space name =
   let lacks (import : Syntax.Ir.import) =
     match import.items with
@@ -455,7 +455,7 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
 
 let report t space ~locals ~signals (name : Syntax.Ir.name) =
   if Context.holds_many t.context then
-    (* Advice reads the source text, and nobody reads that much advice. *)
+    (* Finding advice takes time, and no user reads that much of it. *)
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> Context.emit t.context
   else

@@ -1,5 +1,5 @@
-(** Reports names without a meaning, with advice: a similar name, the module to import, the word of
-    Frob for one of another language, or the place where the name would have a meaning. *)
+(** Reports names without a meaning, with advice: a similar name, the module to import, Frob's
+    equivalent for a word of another language, or the place where the name would have a meaning. *)
 
 val report :
   Scope.t ->
@@ -8,7 +8,7 @@ val report :
   signals:Proc_signals.t list Lazy.t ->
   Syntax.Ir.name ->
   unit
-(** An unqualified name. [locals] and [signals] as in {!Lookup.find_value}. *)
+(** Reports an unqualified name. [locals] and [signals]: see {!Lookup.find_value}. *)
 
 val report_module : Scope.t -> Syntax.Ir.name -> Syntax.Ir.name -> unit
-(** The name of a module, before a qualified name, that is not imported. *)
+(** Reports a qualifier, given with the name that it qualifies, whose module is not imported. *)

@@ -7,10 +7,10 @@ val of_word : string -> string option
 (** The hint for a line that begins with this word. *)
 
 val of_record : string
-(** The beginning of {!declare_a_record}. *)
+(** The first words of the hint {!declare_a_record}. *)
 
 val declare_a_record : string -> string
-(** The hint to declare a record in this way. *)
+(** The hint that suggests this declaration of a record. *)
 
 val rounds : string -> string option
 (** The number of rounds of the loop that begins on this line, if it is a counted loop. *)
@@ -28,7 +28,7 @@ val needless : string list
 (** Superfluous words before a definition: [const], [var] and similar ones. *)
 
 val is_forever : string -> bool
-(** Does the line begin a loop without an end, as in [while True do]? *)
+(** Does the line begin an infinite loop, as in [while True do]? *)
 
 val forever : string
 (** The hint for such a loop. *)

@@ -199,7 +199,7 @@ let types_a_parameter text start at =
 let end_of_line text at =
   Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
 
-(* The text up to a closing bracket without its opening one. *)
+(* The text up to the first closing bracket that has no partner. *)
 let without_closing text =
   let rec last i depth =
     if i >= String.length text then i
@@ -416,7 +416,7 @@ let ternary text at =
   let first = start at 0 in
   Other_notation.expression (String.sub text first (last at 0 - first))
 
-(* Is the rest of the line a phrase of two words or more, without any sign or digit? *)
+(* Is the rest of the line a phrase of two words or more, without symbols or digits? *)
 let ends_in_words text at =
   let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
   let rest = String.trim (String.sub text (at + 1) (stop - at - 1)) in
@@ -440,7 +440,7 @@ let ends_in_a_new_word text at =
   in
   n > 1 && n < 40 && String.for_all is_letter word && String.length text < 100_000 && count 0 = 1
 
-(* Whether only spaces precede this offset in its line. *)
+(* Do only spaces precede this offset on its line? *)
 let begins_line text at =
   let rec go i = i < 0 || text.[i] = '\n' || (text.[i] = ' ' && go (i - 1)) in
   go (at - 1)

@@ -12,4 +12,4 @@ val of_elements : string
 (** The hint that suggests a replacement for a function that takes a list apart. *)
 
 val of_each_line : string option -> string option list
-(** The hints for later colons that are superfluous after this hint for a colon. *)
+(** The hints that are superfluous for later colons, once this hint has been given for a colon. *)

@@ -45,7 +45,7 @@ let word_in_backticks found =
       Some (error found "%s" (Declaration_hint.reserved_word (written found found.token)))
   | _ -> None
 
-(* Does the line up to here consist of a name and its type only? *)
+(* Does the line, up to here, contain only a name and its type? *)
 let ends_a_signature found =
   let start = found.token.start.pos_bol in
   let line = String.sub found.text start (found.token.start.pos_cnum - start) in

@@ -340,7 +340,7 @@ let fields_of_declaration text =
 
 let words_of_a_record = [ "struct"; "typedef"; "type"; "alias"; "record"; "interface"; "pub"; "=" ]
 
-(* The text without the comments of C at the ends of its lines. *)
+(* The text without C comments at the ends of its lines. *)
 let without_comments text =
   let rec until i line =
     if i + 1 >= String.length line then line

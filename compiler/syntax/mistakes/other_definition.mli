@@ -1,5 +1,5 @@
 (** Definitions of functions and choices in the notation of C, Python or MATLAB, and their
-    equivalents in Frob. The functions guess the texts from a few lines of source text. *)
+    equivalents in Frob, which are guesses based on a few lines of source text. *)
 
 type t = {
   head : int * int;  (** the offsets of the first line, or of its part before the body *)
@@ -8,19 +8,19 @@ type t = {
 }
 
 val of_c : string -> int -> t option
-(** The function of C that begins at this offset: [float f(float x) { return x; }]. *)
+(** The C function that begins at this offset: [float f(float x) { return x; }]. *)
 
 val of_python : string -> int -> t option
-(** The function of Python that begins at this offset: [def f(x): return x]. *)
+(** The Python function that begins at this offset: [def f(x): return x]. *)
 
 val of_matlab : string -> int -> t option
-(** The function of MATLAB that begins at this offset: [function y = f(x)]. *)
+(** The MATLAB function that begins at this offset: [function y = f(x)]. *)
 
 val of_main : string
 (** The hint for a function [main]. *)
 
 val advice : t -> string
-(** The hint to write the signature, if there is one, and the equation. *)
+(** The hint that suggests the signature, if there is one, and the equation. *)
 
 val choice : string -> int -> string option
 (** The equation [y = if c then a else b] for the choice at this offset, whose branches each assign
@@ -30,7 +30,7 @@ val choice_in_braces : string -> int -> string option
 (** [if c then a else b] for [if (c) { a } else { b }] at this offset. *)
 
 val without_semicolon : string -> string
-(** The text without blanks around it and without a semicolon at its end. *)
+(** The text without surrounding spaces and without a semicolon at its end. *)
 
 val in_braces : string -> int -> (string * int) option
 (** The text in the braces at or after this offset, and the offset after them. *)

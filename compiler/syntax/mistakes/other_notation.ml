@@ -3,7 +3,7 @@ open Basis
 (* {1 Tokens} *)
 
 type token = Word of string | Number of string | Symbol of string | Open of char | Close of char
-type located = { token : token; adjacent : bool  (** no blank before it *) }
+type located = { token : token; adjacent : bool  (** no space before it *) }
 
 exception Unknown
 

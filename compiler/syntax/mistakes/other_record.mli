@@ -2,7 +2,7 @@
     Frob. *)
 
 val update : string -> int -> string option
-(** [p { x = 1 }] for the braces at this offset, if they hold a changed copy of a record:
+(** [p { x = 1 }] for the braces at this offset, if they contain a changed copy of a record:
     [{ p | x = 1 }], [{ p with x = 1 }], [{ ...p, x: 1 }] or [P { x: 1, ..p }]. *)
 
 val value : string -> int -> string option

@@ -32,7 +32,8 @@ let constant_above found name =
   in
   List.find_map value lines
 
-(* The equation for a value that changes by itself at every instant, as `y += x` would do. *)
+(* The equation for a value that accumulates the change at every instant, as `y += x` does in a
+   loop. *)
 let accumulates found name change =
   match constant_above found name with
   | Some value ->

@@ -13,7 +13,7 @@ val negation : Found.rule
 (** [!b], as in C. *)
 
 val negated : Found.t -> (string * int) option
-(** The negation for {!negation}, and the offset after its operand. *)
+(** The negation in Frob, which {!negation} suggests, and the offset after its operand. *)
 
 val disjunction : Found.rule
 (** [a | b], as in C. *)

@@ -4,8 +4,8 @@
     token at which the parser stops and the text around it. *)
 
 val hint : Found.t -> state_hints:string list -> string list
-(** The hints for the token, otherwise those of the automaton's state, otherwise the hint for the
-    most common mistake at such a token. *)
+(** The hints for the token; if there are none, those of the automaton's state; if there are none
+    either, the hint for the most common mistake at such a token. *)
 
 val foreign : Found.t -> (string * Basis.Span.t) option
 (** The word or operator of another language at which the parser stops, and its place. *)
