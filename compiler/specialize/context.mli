@@ -64,7 +64,7 @@ type t = {
   instances : Core.Instance.table;
   definitions : definition Resolve.Global_table.t;
   params : Core.Ir.param list;
-  param_numbers : int Resolve.Global_table.t;  (** the position of each in [params] *)
+  param_numbers : int Resolve.Global_table.t;  (** the position of each parameter in [params] *)
   names : Names.t;  (** names of nodes *)
   globals : Value.t Variables.Table.t;  (** values of definitions that contain no signals *)
   begun : unit Variables.Table.t;  (** definitions that have been postponed once *)
@@ -85,7 +85,7 @@ type t = {
 }
 
 val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t
-(** [seeks]: collect the controls that the program requests. *)
+(** [seeks]: whether to collect the controls that the program requests. *)
 
 val known_by_name : Core.Ir.Global.t list
 (** Library definitions that the specializer looks up, whether or not the program mentions them. One
@@ -101,8 +101,9 @@ exception Stopped
 (** Raised after reporting an error from which specialization cannot continue. *)
 
 exception Postponed of (unit -> unit)
-(** Raised if the stack has become too deep. Calling the function evaluates, on a fresh stack, the
-    part that was too deep. The caller is then evaluated again and finds the result. *)
+(** Raised if the stack has become too deep. The function evaluates the part that was too deep, and
+    must be called on a fresh stack. The evaluation that raised the exception is then repeated, and
+    finds the result. *)
 
 val settle : (unit -> unit) -> unit
 (** Calls the function, then every function that this call postpones. *)

@@ -89,7 +89,7 @@ let output_names (c : Context.t) ~output ~ended =
       names output "out" @ names (Core.Signature.event ended) (Types.join "out" result_field)
 
 (* Drawings are not part of the output. The marks of each drawing follow all other outputs, under a
-   name of their own. *)
+   separate name. *)
 let apart outputs =
   let is_part suffix (name, _) = String.ends_with ~suffix name in
   let is_drawn output = List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing in

@@ -1,14 +1,14 @@
 (** Size and alignment of values and structs on a 64-bit machine. A C compiler lays out the members
     of a struct in order, each at the next multiple of its alignment, and pads the struct to a
-    multiple of its own alignment. Structs of the user's C have an unknown size, which counts as 0.
-*)
+    multiple of its own alignment. Structs declared in the user's C code have an unknown size, which
+    counts as 0. *)
 
 type t = { bytes : int; alignment : int }
 
 val of_value : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> t
 
 val foreign : t
-(** A struct of the user's C. Its alignment is assumed to be the largest one. *)
+(** A struct declared in the user's C code. Its alignment is assumed to be the largest one. *)
 
 val scalars : Flow.Ir.sum array -> Ir.ty -> int
 (** The number of scalars in a value: numbers, Bools and tags. *)

@@ -95,8 +95,8 @@ type expr =
   | Reached of { time : expr; period : expr }
       (** whether the [Nanoseconds] are at least this Float, truncated to an integer *)
   | Rest of { time : expr; period : expr }
-      (** the remainder of dividing the [Nanoseconds], which have [Reached] the period, by the
-          period; 0 if the period is less than 1 *)
+      (** the [Nanoseconds], which have [Reached] the period, modulo the period; 0 if the period is
+          less than 1 *)
 
 type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 

@@ -1,10 +1,10 @@
 (** The memory layout of values, as far as the language determines it.
 
     A sum is a struct with a tag and slots that its constructors share. For each kind of slot
-    (Floats, 32-bit integers, Bools and inner tags), there are as many as the constructor that needs
-    most of them uses. A sum inside a payload is flattened into the slots: its tag takes the slot of
-    an inner tag, and its own slots follow. An array has a separate slot, shared with arrays of the
-    same type in other constructors. The same is true of a value of a foreign type. *)
+    (Floats, 32-bit integers, Bools and inner tags), the number of slots is the largest number that
+    any constructor needs. A sum inside a payload is flattened into the slots: its tag takes the
+    slot of an inner tag, and its own slots follow. An array has a separate slot, shared with arrays
+    of the same type in other constructors. The same is true of a value of a foreign type. *)
 
 type slots = {
   floats : int;

@@ -63,8 +63,8 @@ let argument source local : Loop.argument =
   | Each { value; ty } -> { form = Element; ty = snd (size_and_element ty); value; local }
   | Number -> { form = Counter; ty = Int; value = Atom (Int 0l); local }
 
-(* Each round, [f] returns the next accumulator (if there is one) and the element of the resulting
-   array (if there is one). *)
+(* In each round, [f] returns the next accumulator (if there is one) and the element of the
+   resulting array (if there is one). *)
 let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : Value.argument)
     sources ~final ~elements =
   let arguments = List.map2 argument sources (locals p f.value (List.length sources)) in

@@ -3,7 +3,7 @@ open Basis
 type t = {
   head : int list; (* ids of the code that the mode runs first *)
   depth : int;
-  added : string; (* the outermost function of the deepest nesting in it *)
+  added : string; (* the outermost function of the mode's deepest nesting *)
   name : string;
   at : Span.t;
   from : t option;

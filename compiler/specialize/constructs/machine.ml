@@ -393,8 +393,8 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
     };
   parts.complete value
 
-(* Reports a machine that would be part of its own state. The outermost of the calls that lead to it
-   is a call of one of its modes. *)
+(* Reports a machine that would be part of its own state. One of the machine's modes calls the
+   function that, directly or through further calls, runs the machine again. *)
 let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with

@@ -1,9 +1,10 @@
 (** Switches run several signal functions, one at a time.
 
-    Running a [switch] creates a node with a {!Flow.Ir.machine}. Its first mode runs the switch's
-    signal function. It has a transition for each signal function that the continuation can return
-    for the event's value. If the returned signal function is itself a switch, it becomes a mode of
-    the same machine with transitions of its own; otherwise it becomes a mode without transitions.
+    Running a [switch] creates a node with a {!Flow.Ir.machine}. The machine's first mode runs the
+    switch's signal function. This mode has a transition for each signal function that the
+    continuation can return for the event's value. If the returned signal function is itself a
+    switch, it becomes a mode of the same machine with transitions of its own; otherwise it becomes
+    a mode without transitions.
 
     A mode is identified by its {!Specialization_key}. A definition that returns to itself through
     continuations therefore forms a cycle of modes. The first-order values, which are not part of

@@ -45,7 +45,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
         Value.Atom (comparison p target a.ty a.value b.value)
     | _ -> bug ()
   in
-  (* [min a b] is [if b < a then b else a], so if both are equal, it is the first one *)
+  (* [min a b] is [if b < a then b else a], so the result is the first one if both are equal *)
   let extreme operator ~wins =
     match (arguments, result) with
     | _, (Int | Float) -> operate operator

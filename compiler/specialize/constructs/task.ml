@@ -52,7 +52,7 @@ let report_circle (c : Context.t) ~span hops =
     | _, own -> (List.nth own (List.length own - 1), own)
   in
   let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
-  (* the task that had ended before determines the text *)
+  (* the text depends on the task that ended before *)
   let this_starts place =
     match List.find_opt (fun hop -> Span.compare hop.place place = 0) (List.rev hops) with
     | Some { ended; _ } -> Printf.sprintf "this starts in the instant in which `%s` ends" ended
@@ -79,8 +79,8 @@ let report_circle (c : Context.t) ~span hops =
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 
-(* For messages: in a task that ends immediately, replaces the name of the library function by that
-   of the program's definition that uses it. *)
+(* For messages: in a task that ends immediately, replaces the name of the library function with
+   that of the program's definition that uses the function. *)
 let rec ended_by (c : Context.t) owner (task : Value.t) : Value.t =
   let is_library's name =
     Resolve.Global_table.mem c.definitions { Core.Ir.Global.module_ = "Prelude"; name }
@@ -152,7 +152,8 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* The key of the continuation and the result without their numbers, and those numbers. *)
+  (* The key of the continuation and the result, apart from the numbers in them; and these
+     numbers. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Specialization_key.walk c.keys node Holes in
     Specialization_key.add walk (unnamed span) rest.ty rest.value;

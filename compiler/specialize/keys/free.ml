@@ -17,7 +17,8 @@ let bind table (binder : Ir.binder) body =
   free
 
 (* In Core, a record update lists all fields of the record, although the source text names only a
-   few. The work limit grows with the source text, so a field of a variable does not count. *)
+   few. The work limit grows with the source text, so reading a field of a variable does not
+   count. *)
 let rec free table (e : Ir.expr) =
   match e.desc with
   | Payload { value = { desc = Local local; _ }; _ } -> Set.singleton local.id

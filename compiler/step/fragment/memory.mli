@@ -7,8 +7,8 @@
 open Basis
 
 val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
-(** The statement at the start of a step. [limited]: the node's time, if it is never reset, cannot
-    overflow and needs no check (see {!Flow.Time_limit}). *)
+(** The statement at the start of a step. [limited]: the node's time cannot overflow, so a time that
+    is never reset needs no check (see {!Flow.Time_limit}). *)
 
 val step : fresh:(unit -> int) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
 (** Adds the value of an equation, and the state changes at its own place. An equation without

@@ -13,8 +13,8 @@
     v} *)
 
 val possible : Flow.Ir.program -> bool array
-(** The modes of machines for which this is correct for all transitions (none is delayed). There are
-    none in a program with components in the user's C, because these must run in every instant. *)
+(** For each node, whether it is a mode that may end early: no transition of its machine is delayed,
+    and the program has no components in C, which must run in every instant. *)
 
 val needed : Fragment.t -> Fragment.ending -> bool array
 (** The items that are needed if the mode ends. *)

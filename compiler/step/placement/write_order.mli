@@ -2,8 +2,8 @@
     computed from the old contents of fields, a write is [Early] if its value depends on a field
     that is written before it.
 
-    The value depends on a field even if the field is read for an intermediate value that only this
-    write, or the writes that share its [If], need. Such values are computed as late as possible. *)
+    If only this write, or the writes that share its [If], need an intermediate value, that value is
+    computed as late as possible, so the fields that it reads count too. *)
 
 type timing =
   | In_order

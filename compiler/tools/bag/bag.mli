@@ -1,5 +1,5 @@
-(** Bags: recordings that ROS 2 makes of all messages. A program that runs as a ROS 2 node publishes
-    its instants, so a bag contains a recording of it. *)
+(** Bags: the recordings of messages that ROS 2 writes. A program that runs as a ROS 2 node
+    publishes its instants, so a bag contains a recording of it. *)
 
 val is_bag : string -> bool
 (** Whether this path is a bag: a folder, a file [.db3], or an MCAP file that ROS 2 has written. *)
@@ -9,5 +9,5 @@ val recording : program:string -> string -> (string, string) result
     bag. [program] is the file of the program. *)
 
 val for_its_robot : Common_options.t -> string option -> Common_options.t
-(** The options for a program that is replayed from this recording: if it is a bag, the robot is
+(** The options for replaying a program from this recording. If the recording is a bag, the robot is
     [ros], unless the user chose another one. *)

@@ -15,8 +15,8 @@ let check_one general ?robot ~library ~told file =
   print_diagnostics general.format sources fresh;
   status sink
 
-(* Checks a program together with its test file, which would otherwise repeat the program's
-   messages. *)
+(* Checks a program together with its test file. Checked separately, the test file would repeat the
+   program's messages. *)
 let check_all general ?robot ~library files =
   let of_program program file = Resolve.Test_file.program_or_self file = program in
   let rec next = function
@@ -43,7 +43,7 @@ let check general files =
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
-(* Reports an [-o] that names a file, as for other compilers, instead of a folder. *)
+(* Reports an [-o] that names a file instead of a folder, as it would for other compilers. *)
 let not_a_file ~folder file =
   let name = C_file.name file in
   let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in

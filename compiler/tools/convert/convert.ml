@@ -131,8 +131,8 @@ let of_mcap from path =
 
 (* {1 MCAP of another program to recording} *)
 
-(* The Python package frob writes the table, and this function writes the table as a recording:
-   compressed, if the extension of the file name requires it. *)
+(* The Python package frob extracts a table, and this function writes the table as a recording,
+   which is compressed if the file extension says so. *)
 let of_others from path =
   let name = Basis.Printable.name from in
   let cannot reason = Error (Printf.sprintf "cannot read %s: %s" name reason) in

@@ -1,5 +1,5 @@
-(** Messages in Foxglove's JSON schemas, which PlotJuggler understands as well. Lengths in m, angles
-    in rad, times in ns. *)
+(** Messages in Foxglove's JSON schemas, which PlotJuggler understands as well. Lengths are in m,
+    angles in rad, and times in ns. *)
 
 type schema = string * string
 (** The name of the schema, and its JSON Schema. *)

@@ -1,5 +1,5 @@
-(** Camera frames as a recording refers to them: each is a file in a folder next to the recording
-    ([runtime/hosts/common/frames.h]). *)
+(** References from a recording to camera frames. Each frame is a file in a folder next to the
+    recording ([runtime/hosts/common/frames.h]). *)
 
 type t = {
   file : string;  (** file name without [.ppm] or [.pgm] *)

@@ -1,5 +1,5 @@
-(** A recording, or any other trace, as a table of texts. Can be read without the program that
-    recorded it. *)
+(** A recording, or any other trace, as a table of strings. Reading it does not require the program
+    that recorded it. *)
 
 type kind = Number | Truth | Words  (** any other value of the language *)
 type column = { name : string; kind : kind  (** the kind of all its non-empty cells *) }

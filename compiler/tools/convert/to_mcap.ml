@@ -26,7 +26,8 @@ and indexed name =
       first :: List.map index indices
   | [] -> []
 
-(* Member for the value of a column whose name is a prefix of other columns. *)
+(* The member that contains a column's own value, if its name is a prefix of other columns'
+   names. *)
 let itself = "value"
 
 let rec add path leaf tree =

@@ -3,7 +3,8 @@ let ( / ) = Filename.concat
 type finding =
   | Fine of string
   | Missing of string
-      (** only some commands need it; the text names them, and the command to type *)
+      (** something that only some commands need is missing; the text names these commands and says
+          how to install it *)
   | Broken of string  (** frobc does not work *)
 
 let print name finding =

@@ -1,5 +1,5 @@
-(** [frobc doctor]: checks everything that a command may need, and prints what to type if something
-    is missing. *)
+(** [frobc doctor]: checks everything that a command may need, and prints how to install what is
+    missing. *)
 
 val run : unit -> int
 (** The exit status is 1 if frobc itself does not work on this computer. If something is missing

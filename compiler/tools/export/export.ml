@@ -17,8 +17,8 @@ let copies_of source target =
   in
   all (List.map one (files source))
 
-(* PlatformIO requires a version. It is the version of the user's library, which Frob does not
-   know, not the version of Frob. *)
+(* PlatformIO requires a version. This is not the version of Frob, but that of the user's library,
+   which frobc has no way to find out. *)
 let manifest name =
   Printf.sprintf
     {|{
@@ -57,8 +57,8 @@ let headers_of ~sources ~folders generated =
   let is_own (h : Own_headers.t) = not (List.mem_assoc h.name generated) in
   Ok (List.filter is_own (of_sources @ of_program))
 
-(* The user's files by their paths, each with its name in the export, where all of them are in
-   one folder. *)
+(* Copies of the user's files. Each file is given by its path and by its name in the export, which
+   puts all of them in one folder. *)
 let copies_of_own ~into files =
   let open Basis.Let_syntax.Result in
   let add copies (path, name) =

@@ -104,8 +104,8 @@ def generate_launch_description():
 |}
     (package_of name) (package_of name)
 
-(* The parts of the runtime that a node needs. Only headers of drivers: the driver of the robot `ros`
-   is in hosts/ros. *)
+(* The parts of the runtime that a node needs. A node needs only the headers of the drivers, because
+   the driver of the robot `ros` is in hosts/ros. *)
 let runtime_files (resources : Resources.t) source =
   let runtime = resources.runtime_sources in
   let only keep folder =
@@ -114,7 +114,7 @@ let runtime_files (resources : Resources.t) source =
   in
   let every _ = true in
   let is_header name = Filename.check_suffix name ".h" in
-  (* The main program for serial lines, and its table of drivers. *)
+  (* Leaves out the main program for serial lines and its table of drivers. *)
   let is_for_nodes name = not (List.mem name [ "main.c"; "drivers.c"; "drivers.h" ]) in
   let folders =
     [

@@ -6,7 +6,8 @@
 
 type group = {
   name : string;
-  packages : (string * string) list;  (** names in the package index, and of the modules *)
+  packages : (string * string) list;
+      (** for each package: its name in the package index, and the name of its module *)
   purpose : string;
 }
 

@@ -23,5 +23,5 @@ type search = {
 }
 
 val run : Common_options.t -> entry:string -> sources:string list -> search -> string -> int
-(** Replaces this process by the search, which exits with {!Exit_status.rejected} if it finds a
+(** Replaces this process with the search, which exits with {!Exit_status.rejected} if it finds a
     violation. *)

@@ -4,7 +4,7 @@ val asks_for_list : Common_options.t -> bool
 (** Whether the user wants the names of all inner signals instead of a run. *)
 
 val print_list : Common_options.t -> entry:string -> string -> int
-(** Prints that list. *)
+(** Prints the names of all inner signals. *)
 
 val with_claims : Common_options.t -> Common_options.t
 (** Adds the verdicts of assertions to the recorded signals. *)

@@ -3,9 +3,9 @@
 type from = Here | Beside of string  (** the current folder, or the folder of this file *)
 
 val find : Resources.t -> from list -> string -> (string, string) result
-(** The path of the world with this name, which may be an absolute path. Otherwise searches these
-    places in order, and then the worlds that come with frobc. The error distinguishes a missing
-    world from an unreadable one. *)
+(** The path of the world with this name. If the name is not an absolute path, searches these places
+    in order, and then the worlds that come with frobc. The error distinguishes a missing world from
+    an unreadable one. *)
 
 val beside : string -> string -> string
 (** [beside file name] resolves the path [name] relative to the folder of [file]. *)

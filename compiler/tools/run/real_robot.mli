@@ -11,8 +11,8 @@ type serve = {
 }
 
 val serve : robot:string option -> sources:string list -> serve -> int
-(** Replaces this process by the simulated robot. [sources] are the C files of a user-defined robot.
-*)
+(** Replaces this process with the simulated robot. [sources] are the C files of a user-defined
+    robot. *)
 
 type way =
   | Device of string  (** a serial device, or [tcp:HOST:PORT] *)
@@ -26,7 +26,7 @@ type run = {
 }
 
 val run : Common_options.t -> entry:string -> sources:string list -> run -> string -> int
-(** Replaces this process by the program that drives the robot. *)
+(** Replaces this process with the program that drives the robot. *)
 
 val build :
   Common_options.t ->
@@ -44,5 +44,5 @@ val build_node :
 
 val library :
   Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int
-(** Builds the program, for a robot or not, as a shared object for hosts on this machine. They use
-    its table ([frob/program.h]) and the function that takes many steps. *)
+(** Builds the program, whether or not it is for a robot, as a shared object for hosts on this
+    machine. The hosts use its table ([frob/program.h]) and its function that takes many steps. *)

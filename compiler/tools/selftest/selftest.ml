@@ -69,8 +69,8 @@ let warn t said =
     t.warned <- true;
     prerr_endline ("warning: the compiler warns:\n" ^ beginning said))
 
-(* Runs a program, which prints a certain last word if it is correct. Its exit status is ignored,
-   because not every runner passes it on. The error is the program's output. *)
+(* Runs a program whose last word of output says that the program is correct. Its exit status is
+   ignored, because not every runner passes it on. The error is the program's output. *)
 let ran t program =
   let last text =
     match List.rev (words (String.map (function '\n' | '\r' -> ' ' | c -> c) text)) with
@@ -196,8 +196,8 @@ let made t group =
       | None, _ -> Diagnostic.bug ~stage:"Tools.Selftest" "%s cannot be run by any host" file)
   | _, _ -> Diagnostic.bug ~stage:"Tools.Selftest" "%s is rejected" file
 
-(* Writes the recording in the format of recording.h. Each row has an array of its own, since C++
-   has no compound literals. *)
+(* Writes the recording in the format of recording.h. Each row has a separate array, because C++ has
+   no compound literals. *)
 let recording real output =
   let lines = List.tl (List.filter (( <> ) "") (String.split_on_char '\n' output)) in
   let cells k (row : Sample_input.row) =

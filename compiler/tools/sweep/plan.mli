@@ -3,15 +3,15 @@
 type 'a placed = { place : string;  (** [FILE:LINE:COLUMN] *) value : 'a }
 
 type variation =
-  | Range of { low : string; high : string; steps : int  (** 0: sampled *) }
+  | Range of { low : string; high : string; steps : int  (** 0 if the values are sampled *) }
   | Values of string list
 
 type sampling = Grid | Random | Latin
 
 type t = {
   program : string placed;
-  trial : string placed option;  (** label of the trial; [None] for the only one *)
-  seeds : (int * int) option;  (** [None]: the trial's value, as for the next two *)
+  trial : string placed option;  (** label of the trial; [None] if the program has only one *)
+  seeds : (int * int) option;  (** [None] here or in [lasts]: as in the trial *)
   lasts : float option;
   rate : float option;  (** Hz; 50 if [None] *)
   worlds : string placed list;

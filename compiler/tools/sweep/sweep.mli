@@ -14,5 +14,5 @@ type options = {
 }
 
 val run : Common_options.t -> sources:string list -> options -> string -> int
-(** Executes a plan file. If it is interrupted, the same command continues from there. The exit
+(** Executes a plan file. If the sweep is interrupted, the same command continues it. The exit
     status is 0 if all runs were performed, whatever their results. *)

@@ -1,5 +1,5 @@
-(** Draws a sweep as SVG: a panel for the proportion of runs that held, and one for the mean of each
-    measure.
+(** Draws a sweep as SVG: a panel for the proportion of successful runs, and one for the mean of
+    each measure.
 
     If two parameters vary, each panel is a heat map. If one varies, it shows the mean and the range
     from the minimum to the maximum. Otherwise it is a histogram of all runs. The runs of a point

@@ -21,7 +21,7 @@ type t = {
   rejected : (string * string, string) Hashtbl.t;
       (** files and entries that {!compiled} could not compile, each with a short reason *)
   names : (string, string * string) Hashtbl.t;
-      (** the names that {!kept} has given, each to a test: its file and label *)
+      (** for each name that {!kept} has assigned: the file and the label of its test *)
 }
 
 val alone : Common_options.t -> sources:string list -> Resources.t -> t
@@ -37,7 +37,7 @@ val compiled : t -> Common_options.t -> entry:string -> string -> (string, strin
 (** The path of a program compiled for hosts. Compilation errors are reported before it returns. *)
 
 val measures : t -> entry:string -> string -> (Measures.t list, string) result
-(** The measures of the judge with this name. *)
+(** [measures context ~entry file] are the measures of the judge [entry] in the file. *)
 
 val complaint : Workers.result -> string
 (** The first line of a host's error message. *)
@@ -54,5 +54,5 @@ val test_again : t -> string -> Checks.t -> string
 
 val kept : t -> string -> Checks.t -> string -> string
 (** [kept context file check ending] is the path, without its extension, of files about a failed run
-    of a test: [keep], the slug of the label, and [ending]. If another test of this call has that
-    name, the program's name follows the slug, and then a number if needed. *)
+    of a test: [keep], the slug of the label, and [ending]. If {!kept} has assigned that name to
+    another test, the program's name is added after the slug, and then a number if necessary. *)

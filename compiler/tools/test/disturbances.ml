@@ -52,7 +52,7 @@ let setting_of line =
 let is_one table key =
   match List.assoc_opt table keys with Some keys -> List.mem key keys | None -> false
 
-(* Each line, with the disturbance that it sets. *)
+(* Each line, with the disturbance that it sets, if any. *)
 let lines text =
   let table = ref "" in
   let line text =

@@ -16,6 +16,7 @@ val name : t -> string
 (** For example [[sonar] noise]. *)
 
 val needed : still_fails:(t list -> bool) -> t list -> t list
-(** The disturbances without which the failure does not occur. Removes all at once if it still
-    fails; otherwise tries them one after another, and removes each if it still fails. The argument
-    of [still_fails] is the list of removed disturbances. *)
+(** The disturbances that are needed for a failure. If the run still fails without all of them, the
+    list is empty. Otherwise, the function removes one disturbance after another, and puts it back
+    if the run no longer fails. The argument of [still_fails] is the list of removed disturbances.
+*)

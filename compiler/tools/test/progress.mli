@@ -1,4 +1,5 @@
-(** A progress line on standard error that overwrites itself; nothing if that is not a terminal. *)
+(** A progress line on standard error that overwrites itself. Nothing is printed if standard error
+    is not a terminal. *)
 
 type t
 

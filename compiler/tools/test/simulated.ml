@@ -115,9 +115,9 @@ let may_write p ~world outputs =
   let* () = Output.folder p.context.options.keep in
   Output.check ~reads:[ p.file; world ] outputs
 
-(* Repeats the run, and saves a recording and a picture of it at this path. Omits files that
-   cannot be saved; the second result is then the reason. In that case the run is recorded in a
-   temporary file, and the command repeats it. *)
+(* Repeats the run, and saves a recording and a picture of it at this path. Omits files that cannot
+   be saved; the second result is then the reason. If the recording cannot be saved, it is written
+   to a temporary file, and the command shown to the user repeats the run. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in
@@ -157,8 +157,8 @@ let looked_at p (run : Outcome.run) ~world ~path seed =
           (again, { Outcome.around; picture; view }, String.concat "; " (notes [ drawn ])))
 
 (* Splits the disturbances into those without which the run still fails in the same way, and the
-   others; [None] if the failure needs them all. Skips a world that names files, because a copy in
-   another folder would not find them. *)
+   others; [None] if all are needed for the failure. Skips a world that names files, because a copy
+   in another folder would not find them. *)
 let left_out p (run : Outcome.run) seed text =
   let all = Disturbances.of_world text in
   let trial = Filename.concat (Temporary.folder ()) "world.toml" in

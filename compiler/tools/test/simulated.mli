@@ -7,4 +7,4 @@ val world_of : Checking.t -> string -> string -> (string, string) result
 val run : Checking.t -> string -> Checks.t -> Checks.trial -> Outcome.t
 (** Runs a trial of the program in a file. If it fails, repeats the run that failed earliest, and
     saves its recording and picture. Also saves a simpler run, with only those disturbances of the
-    world that the failure needs, and reports it separately. *)
+    world that are needed for the failure, and reports that run separately. *)
