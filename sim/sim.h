@@ -162,7 +162,7 @@ struct frob_sim_collision {
     const char *with;
 };
 
-/* Reads a robot's collision with this number, counted from 0. Returns false if there is no such
+/* Reads the robot's collision at index `number`, counted from 0. Returns false if there is no such
  * collision; only the first five are kept. */
 int frob_sim_collision_robot(const struct frob_sim *sim, size_t robot, size_t number,
                              struct frob_sim_collision *collision);

@@ -3,7 +3,7 @@
  *
  * A driver is a constant table. Its state for one robot is a struct that the caller owns,
  * `device_size` bytes, aligned for any type. No function allocates or recurses. No call waits,
- * except for a port that has no room for the written bytes (FROB_WRITE_PATIENCE_NS).
+ * unless the port has no room for the bytes to write (FROB_WRITE_PATIENCE_NS).
  *
  *   driver->start(device, settings, &serial, &clock);
  *   for (;;) {
@@ -62,9 +62,9 @@ struct frob_driver {
 
     /* Starts to connect to the robot on a newly opened line. `settings` are `setting_count` values,
      * in the order of the table. The settings, the line and the clock must stay valid until the
-     * next start. The device's memory is all zero before the first start. After the line was lost
-     * it is unchanged, so odometry continues from the last pose. The robot's motors are at rest
-     * until the first command. */
+     * next start. The device's memory is all zero before the first start. After the line has been
+     * lost, the memory is unchanged, so odometry continues from the last pose. The robot's motors
+     * are at rest until the first command. */
     void (*start)(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock);
 

@@ -52,7 +52,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
     }
     if (passed_s <= FROB_STEPS_PAUSE_S)
         next.owed = before->owed + before->missing * passed_s;
-    /* Compensate the error over a period as long as the last command was held. */
+    /* Compensate for the error over a period as long as the last command lasted. */
     if (next.owed != 0.0 && passed_s > 0.0)
         share = next.owed / passed_s;
     next.sent = fmin(fmax(round(wanted + share), floor(wanted)), ceil(wanted));

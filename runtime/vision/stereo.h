@@ -6,7 +6,7 @@
 
 /* Sums of differences in a window around each pixel, for each disparity.
  *
- * The arrays hold one number for each column and disparity; all columns of a disparity are
+ * The arrays contain one number for each column and disparity; all columns of a disparity are
  * consecutive, so that each loop runs along a row. Like Konolige's Small Vision System and OpenCV,
  * it does not match brightness, which differs between the two cameras, but the gradient along the
  * row, clipped at 31 in both directions. */

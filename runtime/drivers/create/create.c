@@ -42,8 +42,8 @@ static const uint8_t streamed[] = {
     FROB_CREATE_LIGHT_RIGHT,
 };
 
-/* A frame arrives every 15 ms. If the stream pauses, the driver requests it again; if the robot is
- * silent for longer, it is lost. */
+/* A frame arrives every 15 ms. If the stream pauses, the driver requests it again. If the robot
+ * stays silent for longer, the driver reports it as lost. */
 #define ASK_AGAIN_NS INT64_C(150000000)
 #define SILENCE_NS INT64_C(1000000000)
 #define ANSWER_NS INT64_C(500000000)
@@ -299,7 +299,7 @@ static void sense(void *device, void *into)
     input->obeying = drives_in(d, s->mode);
 }
 
-/* Sends lights when they change, and once per second. */
+/* Also sends the lights, whenever they change and once per second. */
 static enum frob_status command(void *device, const void *from)
 {
     struct frob_create *d = (struct frob_create *)device;

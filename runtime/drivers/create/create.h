@@ -7,8 +7,8 @@
  * The robot has NO watchdog: it follows the last command forever. The host must stop it; if the
  * cable is pulled, nothing can.
  *
- * Commands have neither a frame nor a checksum. After a lost byte the robot takes the first byte of
- * the next command for data, and may stay out of step for a long time. Therefore the driver sends a
+ * Commands have neither a frame nor a checksum. After a lost byte the robot reads the first byte of
+ * the next command as data, and may stay out of step for a long time. Therefore the driver sends a
  * few zeros before each drive command: they complete an incomplete command, and zero is not an
  * opcode itself. Noise can start a command of up to 513 bytes (a song), during which the robot
  * ignores all commands. Therefore the driver sends 513 zeros when it connects, and when it stops a

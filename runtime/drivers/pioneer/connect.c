@@ -62,7 +62,7 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 }
 
 /* A robot outside a session receives nothing but SYNC, because it echoes other packets or ends the
- * connection. A robot in a session takes SYNC0 for PULSE, and would resume the speed at which its
+ * connection. A robot in a session reads SYNC0 as PULSE, and would resume the speed at which its
  * watchdog stopped it; so it receives zero speeds first. Its SIPs prove that it is in a session;
  * bytes that are not packets prove nothing. */
 static enum frob_status overheard(struct frob_pioneer *d)
@@ -353,8 +353,8 @@ static enum frob_status ask_config(struct frob_pioneer *d)
     return frob_pioneer_send(d, FROB_P2OS_CONFIG);
 }
 
-/* After its session a robot returns to the rate at which it shook hands, so try that rate if it is
- * known. Otherwise the robot is found as at the first connection, a little later. */
+/* After its session a robot returns to the rate of its handshake, so try that rate if it is known.
+ * Otherwise the robot is found as at the first connection, a little later. */
 static enum frob_status sync_after_close(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;

@@ -7,10 +7,10 @@
  * To connect, the driver finds the line's bit rate, performs the handshake (SYNC0 to SYNC2), looks
  * up the model, sets both speeds to zero, and only then turns the motors on. It first listens to
  * the line. A Pioneer that was stopped by its watchdog resumes its old speed at the next command,
- * and a Pioneer in a session takes SYNC0 for PULSE. A robot in a session sends packets; the driver
- * sends it zero speeds and CLOSE. To a robot that is silent it sends nothing before SYNC0. Once the
- * robot can be commanded, the driver sends no PULSE: then only commands feed the robot's watchdog,
- * so the robot itself detects a host that has stopped commanding. */
+ * and a Pioneer in a session reads SYNC0 as PULSE. If the robot sends packets, it is in a session,
+ * so the driver sends it zero speeds and CLOSE. If the robot is silent, the driver sends nothing
+ * before SYNC0. Once the robot can be commanded, the driver sends no PULSE: then only commands feed
+ * the robot's watchdog, so the robot itself detects a host that has stopped commanding. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 

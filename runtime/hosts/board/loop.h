@@ -21,10 +21,10 @@
 extern "C" {
 #endif
 
-/* Starts to connect to the program's robot; both arguments must stay valid. Returns NULL, or the
- * reason why it must not start, as a line for people: there is no driver for the robot, there is
- * not enough memory for it (FROB_DEVICE_MOST and FROB_INPUT_MOST in loop.c), or the arithmetic of
- * this host does not meet the requirements of programs (<frob/arithmetic.h>). */
+/* Starts to connect to the program's robot; both arguments must stay valid. Returns NULL, or a line
+ * for people with the reason why the program must not start: there is no driver for the robot,
+ * there is not enough memory for it (FROB_DEVICE_MOST and FROB_INPUT_MOST in loop.c), or the
+ * arithmetic of this host does not meet the requirements of programs (<frob/arithmetic.h>). */
 const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
 
 /* Returns the initial bit rate of the robot's line; 0 if there is no driver. */

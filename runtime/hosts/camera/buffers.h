@@ -49,8 +49,8 @@ const struct captured *buffers_published(const struct buffers *b);
  * unchanged until the next call that returns a frame. */
 const struct captured *buffers_take(struct buffers *b);
 
-/* For the reader: returns the capture times and numbers of those of the middle frames that are
- * newer than the taken one, newest first. A reader of two cameras uses them to choose frames that
+/* For the reader: returns the capture times and numbers of the middle frames that are newer than
+ * the frame taken last, newest first. A reader of two cameras uses them to choose frames that
  * belong together (pair.h). */
 enum { BUFFERS_KEPT = 3 };
 

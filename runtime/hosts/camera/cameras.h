@@ -57,8 +57,8 @@ bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells);
 
 /* Sets the program's camera input at this instant, `now_ns` after `first_ns` on the monotonic
- * clock: the newest frames that it has not received, and their tags. For cameras `left` and `right`
- * these are frames taken together. They stay valid until the next call. */
+ * clock: the newest frames that the program has not received yet, and their tags. Frames of the
+ * cameras `left` and `right` form a pair. The frames stay valid until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
 /* Prints the messages of the processes on standard error. */

@@ -56,7 +56,7 @@ static int64_t patience_ns(const struct capture *c)
     return 3 * c->period_ns > SILENT_NS ? 3 * c->period_ns : SILENT_NS;
 }
 
-/* Reports a fault once there has been no frame for a while, since a frame or two may be missing. */
+/* Reports a fault only after a while without frames, because a frame or two may be missing. */
 static void complain(struct capture *c, const char *text)
 {
     if (c->frame_ns == 0 || source_now_ns() - c->frame_ns > patience_ns(c))
@@ -192,8 +192,8 @@ static void got_frame(struct capture *c, struct captured *frame)
     report(c, CAPTURE_WORKS, text);
 }
 
-/* Handles a wait without a frame: after too long reports why, and reopens the source if that may
- * help. */
+/* Handles a wait without a frame. If frames have been missing for too long, reports why, and
+ * reopens the source if that may help. */
 static void got_nothing(struct capture *c)
 {
     if (!is_silent(c))

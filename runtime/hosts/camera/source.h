@@ -1,7 +1,7 @@
 /* source.h -- sources of frames; each kind has its own state.
  *
  * A source may block for as long as it likes, because it is used only in the capture process, and
- * no other process waits for that. */
+ * no other process waits for that one. */
 #ifndef FROB_HOST_CAMERA_SOURCE_H
 #define FROB_HOST_CAMERA_SOURCE_H
 

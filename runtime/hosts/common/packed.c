@@ -149,8 +149,9 @@ static void close_quietly(int file)
 
 /* ---- Writing */
 
-/* Uses a pair of sockets instead of a pipe: writing to one without a reader is an error without a
- * signal, and its end can be shut down even if a process forked meanwhile has inherited it. */
+/* Uses a pair of sockets instead of a pipe: writing to a socket without a reader fails without
+ * raising a signal, and a socket can be shut down even if a process forked meanwhile has inherited
+ * it. */
 static bool put_tool(struct packer *packer, const struct format *format, int file)
 {
     int ends[2];

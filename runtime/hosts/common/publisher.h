@@ -13,7 +13,7 @@
 
 struct publisher {
     pid_t viewer;     /* 0: none */
-    struct ring ring; /* no memory: no viewer */
+    struct ring ring; /* has no memory if there is no viewer */
     const struct frob_program *program;
     unsigned char *input; /* if the program has images, a copy of the input that another process
                            * can read; else NULL */
@@ -36,7 +36,7 @@ void publisher_put(struct publisher *p, int64_t time_ns, const void *input, cons
  * apply. */
 bool publisher_is_heard(struct publisher *p, int64_t now_ns);
 
-/* Reports that the run is over, with this result for the robot. */
+/* Reports that the run is over, and what is known about the robot. */
 void publisher_end(struct publisher *p, enum ring_fate fate);
 
 /* Ends the viewer, after publisher_end, so that no process keeps running. If `is_wanted`, first

@@ -32,7 +32,7 @@ bool record_row(struct record *r, int64_t time_ns, void *in, const void *out);
 bool record_close(struct record *r);
 
 /* Prints what was saved of a run that the user interrupted after `time_s`, and how to continue.
- * `name` is the recording's, or NULL. */
+ * `name` is the name of the recording, or NULL. */
 void record_report_interruption(const char *name, double time_s);
 
 #endif

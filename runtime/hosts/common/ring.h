@@ -77,7 +77,7 @@ enum ring_fate {
 /* Reports that the host is ending the run. */
 void ring_stopping(struct ring *ring);
 
-/* Reports that no more instants will come, with this result for the robot. */
+/* Reports that no more instants will come, and what is known about the robot. */
 void ring_end(struct ring *ring, enum ring_fate fate);
 
 /* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host

@@ -11,8 +11,8 @@
  * process. */
 void streams_open(void);
 
-/* Replaces control characters on standard error by decimal codes (an escape becomes \027), so that
- * file names, cells and labels cannot send escape sequences to a terminal. Does the same for
+/* Replaces control characters on standard error with decimal codes (an escape becomes \027), so
+ * that file names, cells and labels cannot send escape sequences to a terminal. Does the same for
  * standard output if it is a terminal. streams_open calls this. */
 void streams_keep_plain(void);
 

@@ -39,7 +39,7 @@ bool touches_start(struct touches *touches, const struct frob_program *program);
 /* Collects the touches of the next instant, from the terminal and from viewers. Does not wait. */
 void touches_take(struct touches *touches, struct console *console, struct ring *ring);
 
-/* Applies them to an input. */
+/* Applies the touches to an input. */
 void touches_apply(const struct touches *touches, void *input);
 
 void touches_end(struct touches *touches);

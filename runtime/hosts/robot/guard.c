@@ -62,7 +62,7 @@ static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after
     _exit(0);
 }
 
-/* A pipe reports its end only if no process holds the other end, so this process must close its
+/* A pipe reports its end only if no process has the other end open, so this process must close its
  * copies. */
 static void become_guard(const struct guards *g, size_t i, const int ends[2])
 {

@@ -47,7 +47,7 @@ static void publish(struct instants *i, const struct line *line, int64_t number)
     frob_text_clear(&i->text);
 }
 
-/* The beginning of a recording, with the name of the program before it. */
+/* Publishes the beginning of a recording, after a line with the name of the program. */
 static void announce(struct instants *i, const struct line *line)
 {
     const struct frob_program *program = i->params->program;

@@ -23,7 +23,7 @@ struct instants {
  * cannot be published: if they are too long, or contain images. */
 void instants_open(struct instants *instants, const struct params *params, const struct line *line);
 
-/* A new line was opened, which does not know the columns. */
+/* Call this when a new line was opened, so that the columns are published again. */
 void instants_restart(struct instants *instants);
 
 /* Publishes an instant. Never waits. */

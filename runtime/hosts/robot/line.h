@@ -37,7 +37,7 @@ struct line_opening {
      * it if the line is busy; never waits. NULL: the line does not publish instants. */
     void (*publish)(const struct line *line, int64_t number, const char *text, size_t length);
 
-    /* Maximum length of these texts; 0: the settings turn them off. */
+    /* Maximum length of these texts, or 0 if the settings turn them off. */
     size_t (*publish_room)(const struct line *line);
 
     /* Publishes the verdict on an assertion of the program: whether it fails now, whether verdicts no

@@ -234,7 +234,7 @@ static void halt(struct supervisor *s)
 
 /* ---- The controller */
 
-/* The step has taken longer than the patience: discards its output. */
+/* Handles a step that has taken longer than the patience: discards its output. */
 static void be_late(struct supervisor *s)
 {
     s->late = true;

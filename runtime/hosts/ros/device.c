@@ -245,7 +245,8 @@ int64_t ros_device_time_ns(const void *device, int64_t now_ns)
 
 /* ---- The console */
 
-/* A parameter of the node was set. After a restart of the node, the program's values count. */
+/* Handles a parameter of the node that was set. After a restart of the node, the program's values
+ * apply. */
 static void take_touch(struct ros_device *d, const struct ros_touch *touch)
 {
     struct ros_dial *dial;

@@ -58,7 +58,7 @@ struct ros_sensor {
 
 /* A control of the console whose value other nodes may set. */
 struct ros_dial {
-    bool is_known; /* the node knows the value */
+    bool is_known; /* the node has received the value */
     bool is_set;   /* another node has set it, and the program has not read it yet */
     double value;  /* the newest one */
 };
@@ -77,8 +77,8 @@ struct ros_device {
         struct ros_clock clock;
         struct ros_touch touch;
         uint8_t bytes[ROS_MESSAGE_MOST];
-    } message;   /* the one that is being received, and */
-    size_t have; /* its number of bytes so far */
+    } message;   /* the message being received */
+    size_t have; /* number of its bytes so far */
     struct ros_started started;
     struct ros_topic odometry;
     struct ros_motion motion;

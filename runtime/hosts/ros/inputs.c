@@ -95,7 +95,7 @@ static int64_t stamp_of(const std_msgs__msg__Header *header)
 
 static void send_message(int socket, const struct ros_head *message)
 {
-    /* It may be dropped. */
+    /* The message may be dropped. */
     ssize_t sent = send(socket, message, message->size, MSG_NOSIGNAL | MSG_DONTWAIT);
     (void)sent;
 }

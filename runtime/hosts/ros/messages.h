@@ -1,4 +1,4 @@
-/* messages.h -- the messages between the supervisor and the node, which is a process of its own
+/* messages.h -- the messages between the supervisor and the node, which is a separate process
  * (node.h). Both processes run the same executable, so a message is a struct.
  *
  * Each message begins with its size and kind. The socket between the processes transfers each
@@ -124,7 +124,7 @@ struct ros_claim {
     char fate[ROS_FATE];
 };
 
-/* Publish this velocity. */
+/* A velocity to publish. */
 struct ros_velocity {
     struct ros_head head;
     double speed_m_s, turn_rad_s;

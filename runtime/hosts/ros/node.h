@@ -1,4 +1,4 @@
-/* node.h -- the ROS 2 node, in a process of its own: it receives the robot's messages, and publishes
+/* node.h -- the ROS 2 node, in a separate process: it receives the robot's messages, and publishes
  * the velocities that the supervisor sends.
  *
  * rcl starts threads, and the supervisor forks, so they must be separate processes; a socket

@@ -144,7 +144,8 @@ static enum frob_status open_node(struct line *line, const double *settings, cha
     return status;
 }
 
-/* Texts are dropped if this much waits in the socket, so that they never delay a velocity. */
+/* Texts are dropped if this many bytes are waiting in the socket, so that texts never delay a
+ * velocity. */
 enum { WAITING_MOST = 65536 };
 
 static size_t text_room(const struct line *line)

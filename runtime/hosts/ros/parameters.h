@@ -1,7 +1,8 @@
 /* parameters.h -- the parameters of the node, as other nodes see them.
  *
- * A program's parameters are fixed during a run, so they are read-only. The knobs and toggles of its
- * console can be set at any time. The node also has the parameter use_sim_time, as every node. */
+ * A program's parameters are fixed during a run, so they are read-only. The knobs and toggles of
+ * its console can be set at any time. The node also has the parameter use_sim_time, like every
+ * node. */
 #ifndef FROB_HOST_ROS_PARAMETERS_H
 #define FROB_HOST_ROS_PARAMETERS_H
 
@@ -47,19 +48,19 @@ struct parameter_request {
 bool parameters_of(struct parameters *parameters, const struct frob_program *program,
                    const void *values, bool use_sim_time);
 
-/* Returns NULL if there is none of this name. */
+/* Returns NULL if there is no parameter with this name. */
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
 /* Returns the parameter of a control; NULL if it has none. */
 struct parameter *parameters_of_control(const struct parameters *parameters, size_t control);
 
-/* Converts a requested value of the parameter `name`. `parameter` is the one of this name, or NULL.
- * Returns false, with a reason, if the parameter cannot have this value. */
+/* Converts a requested value of the parameter `name`. `parameter` is the parameter with this name,
+ * or NULL. Returns false, with a reason, if the parameter cannot have this value. */
 bool parameters_convert(const struct parameters *parameters, const struct parameter *parameter,
                         const char *name, const struct parameter_request *request, double *value,
                         char *reason, size_t room);
 
-/* Writes a description: its unit, and how to set it. */
+/* Describes the parameter: its unit, and how to set it. */
 void parameters_describe(const struct parameter *parameter, char *text, size_t room);
 
 /* Writes the name of a type. */

@@ -8,7 +8,7 @@
 #include <rcutils/allocator.h>
 #include <rcutils/error_handling.h>
 
-/* Both texts are at the beginning of a part, after a slash, or at their end. */
+/* Each text is at the beginning of a part, that is, after a slash, or at its end. */
 static bool matches(const char *pattern, const char *node)
 {
     const size_t length = strcspn(pattern, "/"), part = strcspn(node, "/");

@@ -275,7 +275,7 @@ static bool list_parameters(struct services *s, const void *request, void *respo
         if (is_listed(name, wanted) && !assign(&result->names.data[count++], name))
             return false;
     }
-    result->names.size = count; /* its capacity says how many are freed */
+    result->names.size = count; /* its capacity determines how many are freed */
     return true;
 }
 

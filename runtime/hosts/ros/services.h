@@ -30,7 +30,7 @@ void services_take(struct services *services, size_t service);
 /* Sends a value from the arguments for ROS to the supervisor. */
 void services_set_initial(void *services, struct parameter *parameter, double value);
 
-/* A control of the program's console was set by the program's operator. */
+/* Handles a control of the program's console that the operator has set. */
 void services_note(struct services *services, size_t control, double value);
 
 /* Returns false if rcl reports an error. */

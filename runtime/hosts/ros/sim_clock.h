@@ -16,7 +16,8 @@ struct sim_clock {
     int64_t offset_ns; /* the program's time minus the simulator's */
 };
 
-/* Handles the next message. Returns by how much the time jumped, negative if back; 0: it did not. */
+/* Handles the next message. Returns the size of a jump in time, which is negative for a jump back;
+ * 0 if there was none. */
 int64_t sim_clock_take(struct sim_clock *clock, int64_t time_ns);
 
 /* The program's time; meaningless before the first message. */

@@ -53,8 +53,8 @@ struct controllers {
  * valid. `record` is the recording's file name if there is one robot; if there are several, robot k
  * (from 1) records to NAME-k.csv instead of NAME.csv. NULL: no recording. Prints a line on standard
  * error and returns false if memory runs out, if a file cannot be written, if the world lacks a
- * camera or another device that the program uses, or if the tag finder is not installed; call controllers_close in
- * this case too. */
+ * camera or another device that the program uses, or if the tag finder is not installed. Call
+ * controllers_close in this case too. */
 bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
                       const char *record);
 

@@ -1,10 +1,10 @@
 /* frob-sim -- runs a compiled robot program in the simulator.
  *
  * Prints a summary with one `name: value unit` per line. Exit status: 0; 2 for wrong usage, an
- * unreadable file, or a program for another robot; 4 with --strict if the robot collided with something,
- * and with --stop-when-violated if an assertion was violated. SIGINT, SIGTERM and SIGHUP end the
- * run early; the summary and the picture then cover the completed part. After SIGTERM and SIGHUP
- * the signal then ends the process. */
+ * unreadable file, or a program for another robot; 4 with --strict if the robot collided with
+ * something, or with --stop-when-violated if an assertion was violated. SIGINT, SIGTERM and SIGHUP
+ * end the run early; the summary and the picture then cover the completed part. After SIGTERM and
+ * SIGHUP the signal then ends the process. */
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/params.h"

@@ -13,7 +13,7 @@ typedef struct frob_sim *many_open_world(const struct options *options,
  * key, which may be any text; the seed; and a `name=value` for each parameter to set. Parameters of
  * the judge with the same names are set too.
  *
- * After each run it writes a line to standard output: the key, the output of trial_run, and a
+ * After each run, writes a line to standard output: the key, the output of trial_run, and a
  * checksum of everything before it (64-bit FNV-1a, in hexadecimal), so that readers can detect
  * incomplete lines. If a run cannot be started or a line cannot be written, prints a line on
  * standard error and returns false; the lines before it remain valid. If the parent process ends,

@@ -78,7 +78,7 @@ static void begin(struct complaint *c)
     c->stream = open_memstream(&c->text, &c->length);
 }
 
-/* Begins with file, line, and column in the line. */
+/* Begins a message with the file, the line, and the column in that line. */
 static void begin_complaint(struct complaint *c, const struct trace *t, size_t cell)
 {
     begin(c);

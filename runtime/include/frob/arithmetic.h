@@ -172,8 +172,8 @@ static inline unsigned frob_arithmetic_float_faults(void)
 }
 
 /* Describes the faults and how to fix them, as the end of a sentence that starts with "the
- * arithmetic". Of several faults it names the one that may have caused the others. Returns an empty
- * text for 0. */
+ * arithmetic". If there are several, names the one that may have caused the others. Returns an
+ * empty text for 0. */
 static inline const char *frob_arithmetic_reason(unsigned faults)
 {
     if ((faults & FROB_ARITHMETIC_FORMAT) != 0)

@@ -2,7 +2,7 @@
  *
  * If a program uses tags (its table has a control of the kind FROB_TAGS), the host looks for them
  * in the camera's frames and passes the tags instead of the image. So the tag finder may allocate
- * memory, and a recording that contains tags is replayed without it. */
+ * memory, and a recording that contains tags can be replayed without the tag finder. */
 #ifndef FROB_TAGS_H
 #define FROB_TAGS_H
 

@@ -4,7 +4,7 @@
  * Each kernel passes over the pixels a small number of times; its time is bounded by the size of
  * the image or of the request. No kernel allocates or keeps state. The stack is at most 30 kB;
  * frob_match_patch needs 100 kB, frob_find_corner 140 kB, frob_find_blobs 250 kB. The same image
- * gives the same bits on every machine: kernels compute with integers where they suffice, and
+ * yields the same bits on every machine: kernels compute with integers where they suffice, and
  * otherwise with IEEE doubles in a fixed order.
  *
  * Any argument is safe, including NaN. An image that is not sound (frob_image_is_sound) is treated
@@ -36,9 +36,9 @@ struct frob_region {
 
 /* A range of colours by hue, saturation and value; both ends are included. Hue is an angle on the
  * HSV colour hexagon: red is 0, green 120 degrees, blue 240. It increases from hueFrom to hueTo, so
- * 350 to 10 degrees is red. A range of a full turn or more contains every hue, and grey matches
- * every hue. Saturation and value are 0 … 1. Hue is rounded to half a degree, saturation to
- * 1/128. */
+ * the range from 350 to 10 degrees goes through 0, and contains red. A range of a full turn or more
+ * contains every hue, and grey matches every hue. Saturation and value are 0 … 1. Hue is rounded to
+ * half a degree, saturation to 1/128. */
 #ifndef FROB_COLOUR_RANGE_DEFINED
 #define FROB_COLOUR_RANGE_DEFINED
 struct frob_colour_range {
@@ -59,7 +59,7 @@ struct frob_blob {
 };
 #endif
 
-/* The largest blobs, ordered by decreasing size; of blobs of equal size the upper one is first.
+/* The largest blobs, ordered by decreasing size; if two have the same size, the upper one is first.
  * Unused elements are 0. */
 #ifndef FROB_BLOBS_DEFINED
 #define FROB_BLOBS_DEFINED
@@ -242,18 +242,18 @@ size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
 
 /* Computes the disparity of each pixel of the region, in 1/16 pixels. It is -1 if unknown: the
  * texture is too weak, two disparities match equally well, or matching from the right image, if
- * that pixel is within the region, gives another disparity. `stride` is the number of elements from
- * one row of the result to the next. Returns false and writes nothing if the images are not a pair
- * or the room is too small. */
+ * that pixel is within the region, results in a different disparity. `stride` is the number of
+ * elements from one row of the result to the next. Returns false and writes nothing if the images
+ * are not a pair or the room is too small. */
 bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);
 
-/* Depths in a region, in metres along the optical axis. For each of 16 columns: the depth that at
- * least 5 % and at least eight of its pixels reach or fall below, infinite at disparity 0. For the
- * whole region: the nearest depth, by the same rule, and the median. NaN if fewer pixels than that
- * are known, or if the cameras are at the same position. `known` is the fraction of pixels whose
- * disparity is known. */
+/* Depths in a region, in metres along the optical axis. For each of 16 columns: the smallest depth
+ * such that at least 5 %, and at least eight, of its pixels have this depth or a smaller one;
+ * infinite for disparity 0. For the whole region: the nearest depth, by the same rule, and the
+ * median. NaN if fewer pixels than that are known, or if the cameras are at the same position.
+ * `known` is the fraction of pixels whose disparity is known. */
 #ifndef FROB_DEPTHS_DEFINED
 #define FROB_DEPTHS_DEFINED
 struct frob_depths {

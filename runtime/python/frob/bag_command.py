@@ -1,10 +1,10 @@
-"""`python3 -m frob.bag_command BAG PROGRAM OUT.csv`: the recording of a program in a ROS 2 bag, for
-`frobc trace` and `frobc view`.
+"""`python3 -m frob.bag_command BAG PROGRAM OUT.csv`: extracts the recording of a program from a ROS
+2 bag, for `frobc trace` and `frobc view`.
 
 A bag is a folder of rosbag2, or one of its files (.db3 or .mcap). A program that runs as a ROS 2
-node publishes its instants: `NODE/columns` has the beginning of its recording, and `NODE/instants`
-has a number and a row for each instant. Only files in MCAP format need a package, mcap.
-"""
+node publishes its instants: `NODE/columns` contains the beginning of its recording, and
+`NODE/instants` contains a number and a row for each instant. Files in MCAP format require the
+package mcap."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def in_mcap(path: str) -> Iterator[Message]:
 
 
 def files_of(bag: str) -> List[str]:
-    """The files of a bag, in their order."""
+    """The files of a bag, in order."""
     if not os.path.isdir(bag):
         return [bag]
     names = [name for name in os.listdir(bag) if name.endswith((".db3", ".mcap"))]
@@ -99,7 +99,7 @@ def messages_of(bag: str) -> Iterator[Message]:
 
 
 def program_of(columns: str) -> str:
-    """The name of the program whose recording begins so."""
+    """The name of the program whose recording begins with these lines."""
     first = columns.split("\n", 1)[0]
     return first[len("# program ") :] if first.startswith("# program ") else ""
 

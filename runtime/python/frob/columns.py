@@ -243,8 +243,7 @@ SOME = 8192
 
 def steps(dt: Any, count: int) -> "NDArray[np.int64]":
     """Returns the dt of each instant in nanoseconds; the first is 0. If all instants have the same
-    dt, returns at most SOME + 1 of them, and all but the first are for reuse.
-    """
+    dt, returns at most SOME + 1 of them; the caller reuses all but the first."""
     np = numpy()
     if getattr(dt, "ndim", None) == 0 or isinstance(dt, (int, float)):
         same = np.full(min(count, SOME + 1), times.of_dt(step(dt, "dt")))

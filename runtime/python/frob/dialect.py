@@ -69,7 +69,7 @@ class Dialect:
         return time, to_front(time, ours)
 
     def cell(self, text: str) -> str:
-        """Replaces the decimal comma of a number by a decimal point."""
+        """Replaces the decimal comma of a number with a decimal point."""
         found = _DECIMAL_COMMA.fullmatch(text) if self.decimal_comma else None
         return f"{found[1]}.{found[2]}" if found else text
 

@@ -100,13 +100,13 @@ def falsify(
 ) -> List[Search]:
     """Searches for runs that violate the program's assertions, one assertion after the other.
 
-    `params` and `inputs` map names to ranges, either `(low, high)` or a text such as
-    `"2[1/m] to 8[1/m]"`. An input, which is a column as in a trace, may also have a fixed value.
-    Each input has `points` values during the run; it keeps each value until the next
-    (`shape="constant"`) or changes linearly between them (`shape="linear"`). The margin of the
-    assertion guides the search. `only` selects assertions by label, and `runs` is the maximum
-    number of runs for each. The same `seed` gives the same search. With `check_rate`, a violation
-    counts only if it also occurs with that many instants a second.
+    `params` and `inputs` map names to ranges, either `(low, high)` or a text such as `"2[1/m] to
+    8[1/m]"`. An input, which is a column as in a trace, may also have a fixed value. Each input has
+    `points` values during the run; it keeps each value until the next (`shape="constant"`) or
+    changes linearly between them (`shape="linear"`). The margin of the assertion guides the search.
+    `only` selects assertions by label, and `runs` is the maximum number of runs for each. Searches
+    with the same `seed` are identical. With `check_rate`, a violation counts only if it also occurs
+    with that many instants a second.
 
     A program that drives a robot runs in the simulator, in `world` or else in the world that
     `frobc run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and

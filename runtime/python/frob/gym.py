@@ -35,7 +35,7 @@ class Moment:
     action: Dict[str, float]
     truth: Truth
     before: Truth
-    """The true state at the instant before."""
+    """The true state at the previous instant."""
 
 
 class RobotEnv(gymnasium.Env[Floats, Floats]):

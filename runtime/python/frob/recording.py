@@ -39,9 +39,8 @@ if TYPE_CHECKING:
 
 
 class Columns(Dict[str, Any]):
-    """A table of columns by name, used if pandas is not installed. `attrs` is the same as a
-    DataFrame's.
-    """
+    """A table of columns by name, used if pandas is not installed. `attrs` is like that of a
+    DataFrame."""
 
     def __init__(self, columns: Dict[str, Any]) -> None:
         super().__init__(columns)

@@ -82,8 +82,9 @@ class Space:
         return found
 
     def corners(self, most: int, drawn: random.Random) -> Iterator[List[float]]:
-        """Yields points in which every parameter and input is at one end of its range, inputs for
-        the whole run. If there are more than `most` such points, yields a random selection."""
+        """Yields points in which every parameter and every input is at one end of its range; an
+        input stays there for the whole run. If there are more than `most` such points, yields a
+        random selection."""
         count = len(self.params) + len(self.inputs)
         if 2**count <= most:
             numbers: Sequence[int] = range(2**count)
@@ -96,8 +97,8 @@ class Space:
         """Draws a random point: parameters anywhere in their ranges, and inputs that change a few
         times. An input has at most `most` constant parts, or, if `is_restless`, as many parts as
         there are control points. Half of the changes come early, so that they have the rest of the
-        run to take effect. Many values are at an end of their range, and most of the last ones,
-        where the run settles."""
+        run to take effect. Many values are at an end of their range, especially the last value of
+        each input, at which the run settles."""
 
         def value(at_end: float) -> float:
             return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()

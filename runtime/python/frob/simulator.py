@@ -128,7 +128,7 @@ def robot_of(world: str) -> str:
 
 
 class Simulator:
-    """A world with a robot in it. Threads that share one take turns."""
+    """A world with a robot in it. Threads that share a world take turns."""
 
     def __init__(self, world: str, robot: str, seed: int, body: Any, picture: bool) -> None:
         self._lock = threading.Lock()

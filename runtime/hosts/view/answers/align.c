@@ -48,7 +48,7 @@ static bool has_setting(const struct buffer *settings, const char *setting)
     return false;
 }
 
-/* Appends the parameters of the other recording that have other values here. */
+/* Appends the parameters of the other recording that have different values in this one. */
 static void add_settings(const struct view *view, struct buffer *answer)
 {
     const struct buffer *here = &view->recording.params, *there = &view->other.driven.params;

@@ -70,7 +70,7 @@ void answer_contacts(const struct view *view, struct buffer *answer);
 /* ---- In align.c */
 
 /* Shifts the recording to compare with so that the first instants at which a condition holds have
- * the same time; an empty condition: the starts. */
+ * the same time. An empty condition aligns the starts. */
 void answer_align(struct view *view, const char *condition, struct buffer *answer);
 
 /* Appends the member `other`: the recording to compare with; nothing if there is none. */

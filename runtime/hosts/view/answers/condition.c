@@ -78,7 +78,7 @@ static void match(struct reader *r, enum operator operator, const struct dimensi
     r->wrong = true;
 }
 
-/* Replaces the dimensions of the operands of an operation by the dimension of its result. */
+/* Replaces the dimensions of the operands of an operation with the dimension of its result. */
 static void measure(struct reader *r, enum operator operator)
 {
     static const struct dimension none;
@@ -124,7 +124,7 @@ static struct operation *add(struct reader *r, enum operator operator, double nu
     return operation;
 }
 
-/* Adds an operand of a dimension. */
+/* Adds an operand with its dimension. */
 static struct operation *add_operand(struct reader *r, enum operator operator, double number,
                                      const struct dimension *dimension)
 {
@@ -134,7 +134,8 @@ static struct operation *add_operand(struct reader *r, enum operator operator, d
     return operation;
 }
 
-/* Returns the dimension of a signal. The unit of an inner signal without one may be unknown. */
+/* Returns the dimension of a signal. If no unit is listed for an inner signal, its unit may be
+ * unknown. */
 static struct dimension dimension_of(const struct signal *signal)
 {
     struct dimension dimension = { 0 };
@@ -169,7 +170,7 @@ static bool is_of_name(char c)
     return isalnum((unsigned char)c) || (c != '\0' && strchr("_'.[]", c) != NULL);
 }
 
-/* Reads a name or a word of the language. Returns false if there is none. */
+/* Reads a name or a keyword. Returns false if there is neither. */
 static bool take_name(struct reader *r, char *name, size_t size)
 {
     size_t length = 0;

@@ -3,10 +3,11 @@
  *   out.forward > 0.3[m/s] && mode.bug == circleTo
  *
  * A condition may contain `||`, `&&`, `not`, comparisons, `+ - * /`, `abs`, numbers with units,
- * True and False, `time` (since the start of the run), names of signals, and, as operands of `==` and `/=`, names of modes and
- * constructors. The end of a signal's name suffices if it identifies one signal of the input or
- * output, or else one inner signal. Units must be consistent, as in the language; 0 has any unit. A
- * comparison with a value that does not exist, such as an event that does not occur, is false. */
+ * True and False, `time` (since the start of the run), names of signals and, as operands of `==`
+ * and `/=`, names of modes and constructors. The end of a signal's name suffices if it identifies
+ * one signal of the input or output, or else one inner signal. Units must be consistent, as in the
+ * language; 0 has any unit. A comparison with a value that does not exist, such as an event that
+ * does not occur, is false. */
 #ifndef FROB_VIEW_CONDITION_H
 #define FROB_VIEW_CONDITION_H
 

@@ -1,4 +1,5 @@
-/* kept.h -- what a page keeps for the next run of the program: its plots, the sizes of its panels.
+/* kept.h -- the data that a page keeps for the next run of the program: its plots, the sizes of its
+ * panels.
  *
  * The page determines the format of the text; the viewer stores it in a file in $XDG_STATE_HOME or
  * ~/.local/state. If it cannot write the file, it keeps nothing. */

@@ -58,7 +58,7 @@ static void add_marks(const struct view *view, const void *output, struct buffer
     buffer_text(answer, "]");
 }
 
-/* Appends, instead of the image, that this image or a newer one is missing or has changed. */
+/* Reports, in place of the image, that this image or a newer one is missing or has changed. */
 static void add_loss(const struct lost_frame *lost, struct buffer *answer)
 {
     buffer_format(answer, ",\"lost\":{\"number\":%lu,\"k\":%lu,\"changed\":%s}",

@@ -247,7 +247,7 @@ void view_news(struct view *view, struct buffer *message)
             buffer_text(message, ",\"newest\":");
             answer_instant(view, view->recording.count - 1, message);
         }
-        /* Last, because answer_instant may have run the program up to there. */
+        /* This comes last, because answer_instant may have run the program up to that instant. */
         answer_extent(view, message);
         answer_progress(view, message);
     }
@@ -322,7 +322,7 @@ static bool take_number(const char **at, size_t limit, size_t *result)
     return true;
 }
 
-/* Reads the instant from which a path is requested; without one, it is the first. */
+/* Reads the instant from which a path is requested; the default is the first instant. */
 static bool take_first(const char **at, size_t count, size_t *first)
 {
     *first = 0;

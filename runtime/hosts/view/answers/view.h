@@ -35,7 +35,7 @@
  *   picture K WIDTH HAS        the image shown at instant K, or else the camera's last image,
  *                              with up to WIDTH columns; if K is `newest`, the newest image.
  *                              HAS is one more than the instant of the image that the page
- *                              already has, which is then not sent again; or 0
+ *                              already has, which is then not sent again; 0 if it has none
  *
  *   align CONDITION            shifts the recording to compare with so that CONDITION holds in both
  *                              for the first time at the same time; without CONDITION, aligns
@@ -45,9 +45,9 @@
  *
  *   more                       the page has drawn the last news and can take more
  *
- * While there is an edited program or another recording, instants and series contain its values as `others`, and each
- * assertion has the edited program's fate as `other`. Any other request is answered by
- * `{"is":"refused",…}` and has no effect. */
+ * While there is an edited program or another recording, instants and series contain its values as
+ * `others`, and each assertion has the edited program's fate as `other`. Any other request is
+ * answered by `{"is":"refused",…}` and has no effect. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
 
@@ -114,7 +114,7 @@ enum view_work {
 /* Works for about this many seconds. */
 enum view_work view_work(struct view *view, double seconds);
 
-/* Returns whether there is news for the pages. Returns true only once for each news. */
+/* Returns whether there is news for the pages. Returns true only once for each piece of news. */
 bool view_has_news(struct view *view);
 
 /* Appends the news. For a recording, this is the instant up to which the program has been run over

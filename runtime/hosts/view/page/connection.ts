@@ -1,4 +1,4 @@
-// The WebSocket to the viewer. It presents the token in its address, and reconnects when it was
+// The WebSocket to the viewer. It presents the token in its address, and reconnects after it was
 // closed. A question waits for its answer, across several connections if necessary; a command is
 // sent immediately or not at all.
 import { token } from "./address";

@@ -1,6 +1,6 @@
 // The state of the page that is kept for each program: its plots, the sizes of the panels, the
-// theme, the edited text. The tab keeps it over a reload, and the viewer keeps it for the next run
-// of the program.
+// theme, the edited text. The tab keeps it across a reload, and the viewer keeps it for the next
+// run of the program.
 import type { Link } from "./connection";
 
 /** Delay after a change until the state is kept, in ms. */

@@ -25,7 +25,7 @@ function set(name: string, share: number): void {
 }
 
 export class Layout {
-  /** The share of each panel whose size the user has chosen. */
+  /** For each panel whose size the user has chosen, its proportion of the row or column. */
   private shares: Record<string, number> = {};
 
   /** Called when the user has changed a size. */

@@ -212,7 +212,7 @@ function start(program: Program): Store {
 }
 
 let store: Store | null = null;
-/** May arrive before there is a store. */
+/** The state of the run, which may arrive before there is a store. */
 let run: Run | null = null;
 
 /** Handles the program message on a new connection to the same viewer. */

@@ -7,7 +7,7 @@ export interface Signal {
   readonly kind: "bool" | "int" | "float" | "event" | "sum" | "data" | "mode";
   /** The names that the numbers 0, 1, … of its plot represent; empty if they are numbers. */
   readonly names: readonly string[];
-  /** In Frob's syntax, such as `m/s`; empty if the signal has none. */
+  /** The unit in Frob's syntax, such as `m/s`; empty if the signal has none. */
   readonly unit: string;
   /** For a probe: the instance of a signal function that contains it, its name there, and where it
    * is defined. Otherwise empty. */
@@ -299,7 +299,7 @@ export interface WhatIf {
   readonly there: boolean;
   /** It ran in the simulator, from the start. */
   readonly drives?: boolean;
-  /** Why there is none, in the compiler's words; missing if none was requested. */
+  /** Why there is no edited program, in the compiler's words; missing if none was requested. */
   readonly why?: string;
   /** The first instant at which its outputs differ; missing if they do not differ. */
   readonly first?: number;

@@ -83,9 +83,9 @@ export class Store {
   whatIf: WhatIf | null = null;
   /** The recording to compare with; null if there is none. */
   other: Other | null;
-  /** Whether the editor receives keys, and the edited text, which is kept when the editor is closed;
-   * null if the text is unchanged. */
+  /** Whether the editor receives keys. */
   isEditing = false;
+  /** The edited text, which is kept when the editor is closed; null if the text is unchanged. */
   edited: string | null = null;
   continueEditing: (text: string) => void = () => undefined;
 

@@ -88,7 +88,8 @@ static void add(struct live *live, int64_t time_ns)
                 "not enough memory for more of this run: new instants are not stored\n");
 }
 
-/* Adds some or all of the instants that were overwritten in the ring. */
+/* Handles instants that were overwritten in the ring before they were read: reads up to `most` of
+ * them from the run's own recording or, if that is impossible, skips them and notes the gap. */
 static void make_up(struct live *live, size_t most)
 {
     struct recording *recording = live->recording;

@@ -19,8 +19,8 @@ struct live {
     bool has_ended;                        /* the run is over, and all of it has been added */
 };
 
-/* Prepares, without reading instants. The signals' program must be the host's, but may have probes
- * in addition. On failure prints a line on standard error and returns false. */
+/* Prepares, without reading instants. The signals' program must be the host's, but may have
+ * additional probes. On failure prints a line on standard error and returns false. */
 bool live_start(struct live *live, struct ring *ring, const char *file,
                 const struct signals *signals, struct recording *recording);
 void live_end(struct live *live);

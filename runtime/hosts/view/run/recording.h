@@ -66,8 +66,8 @@ bool recording_read_on(struct recording *recording);
  * standard error and returns false. */
 bool recording_set(struct recording *recording, const char *const *params, size_t count);
 
-/* Creates the growing recording of a live run. `name` is the run's. If memory runs out, prints a
- * line on standard error and returns false. */
+/* Creates the growing recording of a live run. `name` is the name of the run. If memory runs out,
+ * prints a line on standard error and returns false. */
 bool recording_begin(struct recording *recording, const struct signals *signals, const char *name,
                      size_t truth_size);
 

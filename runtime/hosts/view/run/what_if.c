@@ -245,7 +245,8 @@ static double rate_of(const struct recording *recording, double *seconds)
     const size_t last = recording->count - 1;
     const int64_t apart = last == 0 ? 0 : times[1] - times[0];
     for (size_t k = 1; k <= last; k++) {
-        /* To the nanosecond, because a period such as 1/3 s is not a whole number of nanoseconds. */
+        /* Compare to the nanosecond, because a period such as 1/3 s is not a whole number of
+         * nanoseconds. */
         const int64_t error = times[k] - times[k - 1] - apart;
         if (error < -1 || error > 1)
             return 0;
@@ -416,8 +417,8 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     return false;
 }
 
-/* Returns whether the edited text has another default for the parameter of a setting. If so, the
- * edited default applies. */
+/* Returns whether the edited text has a different default for the parameter of a setting. If so,
+ * the edited default applies. */
 static bool is_edited(const struct frob_program *edited, const struct frob_program *recorded,
                       const char *setting)
 {

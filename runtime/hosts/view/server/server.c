@@ -449,8 +449,8 @@ static const struct lws_protocols protocols[] = {
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
 
-/* Checks at each beat of a live run whether no page is open any more, its host wants the viewer to
- * end, or the host has ended. */
+/* Checks at each beat of a live run whether the viewer must end, because no page is open any more,
+ * the host has requested it, or the host has ended. */
 static bool is_to_end(struct server *server, bool is_over)
 {
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;

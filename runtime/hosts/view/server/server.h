@@ -17,8 +17,8 @@
 #define SERVER_MESSAGE 65536 /* maximum bytes of a request */
 #define SERVER_PENDING 64    /* maximum number of pending requests of a page */
 #define SERVER_PATIENCE 5    /* seconds to present the token */
-/* Seconds without a page after which the viewer of a finished run ends: before the first page
- * connects, unless there is a terminal; and while a page reloads. */
+/* Seconds without a page after which the viewer of a finished run ends. This limit applies before
+ * the first page connects, unless there is a terminal, and while a page reloads. */
 #define SERVER_LINGERS 5
 #define SERVER_RELOADS 2
 #define SERVER_ENDS 2              /* maximum seconds for shutting down */

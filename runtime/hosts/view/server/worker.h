@@ -50,7 +50,7 @@ bool worker_answer(struct worker *worker, unsigned long *who, struct buffer *ans
 /* Returns whether there has been news since the last call. */
 bool worker_has_news(struct worker *worker);
 
-/* Appends the newest news for the pages. */
+/* Appends the latest news for the pages. */
 void worker_news(struct worker *worker, struct buffer *news);
 
 #endif

@@ -10,7 +10,7 @@ import { hueSaturationValue } from "./colours";
 
 /** Height of the note below the image, in pixels. */
 const noteHeight = 20;
-/** Page pixels per image pixel from which single image pixels are drawn sharply. */
+/** Minimum number of page pixels per image pixel for drawing image pixels with sharp edges. */
 const largePixels = 3;
 
 /** Describes a frame that the recording names but does not contain. */

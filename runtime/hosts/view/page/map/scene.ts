@@ -65,8 +65,8 @@ export function blend(from: string, to: string, share: number): string {
   return `#${mixed.join("")}`;
 }
 
-/** A floor that reflects all light has the floor's own colour. On a dark page, bright and dark are
- * exchanged, so that lines on the floor stand out. */
+/** The colour of a floor with this reflectance: the theme's floor colour if it reflects all light.
+ * On a dark page, bright and dark are exchanged, so that lines on the floor stand out. */
 function shade(reflectance: number): string {
   return blend(colour("black-floor"), colour("floor"), reflectance);
 }

@@ -114,7 +114,7 @@ function knob(control: Control, touch: (x: number) => void): Shown {
   host.append(name, value, slider);
   draw();
   const show = (cell: string) => {
-    // Not while the user is turning it.
+    // Do nothing while the user is turning the knob.
     if (timer !== undefined || slider.matches(":active")) return;
     slider.value = cell;
     draw();
@@ -131,7 +131,7 @@ function note(text: string): Shown {
 /** Null if the page does not show this kind. */
 function make(store: Store, control: Control, number: number): Shown | null {
   const touch = (x: number) => void store.command(`touch ${number} ${x} 0`);
-  // Without contact the host releases the button by itself.
+  // Without contact, the host releases the button automatically.
   const hold = (x: number) => {
     if (x > 0 || !store.contact.isLost) store.command(`hold ${number} ${x}`);
   };

@@ -57,8 +57,8 @@ function quoted(cell: string): string {
 }
 
 /** Finds where a signal differs most from the other recording, in the visible range. Calls `then`
- * with the time, and with the largest and the root mean square difference; with null if it does not
- * differ. */
+ * with the time, the largest difference and the root mean square difference, or with null if the
+ * signal does not differ. */
 export function findLargest(
   store: Store,
   signal: number,

@@ -3,7 +3,7 @@
 import type { Series, Signal } from "../protocol";
 import type { Store } from "../store";
 
-/** A practically unlimited time, for requests of the newest data. */
+/** Maximum number of points in a request for the newest data, large enough for all of it. */
 const mostPoints = 100_000;
 
 type Values = (number | null)[];

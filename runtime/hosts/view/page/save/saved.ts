@@ -1,4 +1,4 @@
-// Answers the page's questions from the data in a saved page, in the place of a viewer.
+// Answers the page's questions from the data in a saved page, in place of a viewer.
 import type { Link, Listener } from "../connection";
 import type { Answer, Instant, Path, Series, Signal, Way } from "../protocol";
 import { unpack, type SavedRun } from "./format";

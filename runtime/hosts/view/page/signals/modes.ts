@@ -44,7 +44,7 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
 // The modes are arranged in a column. A transition to the next mode is a short line between them, a
 // transition further down is a curve on the right, and one further up a curve on the left.
 
-/** Distance of the modes, and their height. On a phone they are large enough for a finger. */
+/** Distance between the modes, and their height. On a phone they are large enough for a finger. */
 const narrow = matchMedia("(max-width: 820px)");
 const step = () => (narrow.matches ? 52 : 27);
 const height = () => (narrow.matches ? 44 : 20);
@@ -170,7 +170,7 @@ class Diagram {
     if (width === 0) return;
     const left = parseFloat(this.element.style.paddingLeft);
     const pill = (place: number) => this.pills.get(this.order[place] ?? 0);
-    // Lines and events are beside the modes, so that they do not cross any.
+    // Lines and events are beside the modes, so that they do not cross any mode.
     const most = width - this.margin(this.down) - left - 8;
     for (const pill of this.pills.values()) pill.style.maxWidth = `${Math.max(30, most)}px`;
     const right = (place: number) =>

@@ -17,7 +17,8 @@ function insert(view: EditorView, text: string): void {
   view.dispatch(view.state.replaceSelection(text), { scrollIntoView: true });
 }
 
-/** Deletes the selection, or else up to where a deletion of this kind goes; may join two lines. */
+/** Deletes the selection or, if there is none, the text that this kind of deletion covers; may join
+ * two lines. */
 function erase(view: EditorView, kind: string): void {
   const { main } = view.state.selection;
   const { doc } = view.state;

@@ -48,7 +48,7 @@ const look = EditorView.theme({
     whiteSpace: "nowrap",
     background: "linear-gradient(to right, transparent, var(--panel) 1.5ch)",
   },
-  // They let the text shine through while the pointer is on the text.
+  // The values are almost transparent while the pointer is on the text.
   ".cm-line:hover .values:not(:hover)": { opacity: "0.15" },
   ".values button": {
     font: "12px var(--mono)",
