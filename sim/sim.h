@@ -91,14 +91,15 @@ const char *frob_sim_camera_name(const struct frob_sim *sim, size_t number);
 const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int camera,
                                         int64_t time_ns);
 
-/* The same for the world's lidars: opens one on all robots, its name, and its newest scan. */
+/* The same functions for the world's lidars: they open a lidar on all robots, and return its name
+ * and its newest scan. */
 int frob_sim_open_lidar(struct frob_sim *sim, const char *lidar);
 const char *frob_sim_lidar_name(const struct frob_sim *sim, size_t number);
 const struct frob_scan *frob_sim_scan(struct frob_sim *sim, size_t robot, int lidar,
                                       int64_t time_ns);
 
-/* The same for the world's inertial measurement units. A reading contains the means of all
- * measurements that have arrived since the last call. */
+/* The same functions for the world's inertial measurement units. A reading contains the means of
+ * all measurements that have arrived since the last call. */
 int frob_sim_open_imu(struct frob_sim *sim, const char *imu);
 const char *frob_sim_imu_name(const struct frob_sim *sim, size_t number);
 const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu, int64_t time_ns);
@@ -114,8 +115,8 @@ void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
  * then skips the program's step and commands a stop. */
 int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
 
-/* The true pose of a robot in the world, and whether it has touched an object since the advance
- * before the last one. */
+/* The true pose of a robot in the world, and whether it touched an object during the last call of
+ * frob_sim_advance that made a step. */
 struct frob_sim_place {
     double x_m, y_m, heading_rad;
     int touches;

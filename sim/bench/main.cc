@@ -2,11 +2,11 @@
 //
 //   frob-sim-bench PROGRAM.so WORLD.toml [SECONDS [RATE [ROUNDS]]]
 //
-// Runs the program in the simulator, in each of the world's robots, and then the bare physics of
+// Runs the program in the simulator, on each of the world's robots, and then the bare physics of
 // that run: the same world in Box2D, its robots moved by the recorded velocities, and the same
-// sonar rays, but no controllers, sensors, noise or record. It runs the bare physics in two ways:
-// with Box2D's own ray casts, one by one through the whole world; and as the simulator does, which
-// looks up the objects in each cone once (see ray_fan.h).
+// sonar rays, but no controllers, sensors, noise or recording. It runs the bare physics in two
+// ways: with Box2D's own ray casts, one by one through the whole world; and as the simulator does,
+// which looks up the objects in each cone once (see ray_fan.h).
 //
 // The runs take turns, and the fastest round of each counts. Times are processor times, which the
 // machine's other work hardly affects. Prints the simulated seconds per second of each kind of run,

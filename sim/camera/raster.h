@@ -39,9 +39,9 @@ struct Finish {
     Tint tint; // colour, with the surface's light applied
     Texture texture = Texture::plain;
     const Print *print = nullptr; // a picture that replaces tint and texture; the chart then runs
-                                  // from 0 to 1,
-    double light = 1.0;           // this is the light on it,
-    double width = 1.0;           // and this is its width in metres
+                                  // from 0 to 1
+    double light = 1.0;           // light on the picture
+    double width = 1.0;           // width of the picture in metres
 };
 
 // Light on a surface with this normal: most of it comes from one side.
@@ -84,7 +84,7 @@ class Raster {
     void ball(Point middle, double radius, Tint tint);
 
     // Computes the light of a row: red, green and blue of each pixel. Call it after everything has
-    // been drawn, once for each row, in increasing order; the first row may be any.
+    // been drawn, for consecutive rows, starting at any row.
     void row(int y, float *to);
 
     // The thing at this column of the last row.
@@ -111,12 +111,12 @@ class Raster {
     struct Surface {
         int first, last; // rows
         // The current edge on the left of the outline and the end of the left edges, then the same
-        // for the right; the current edges move on as the rows do. Without edges the surface covers
-        // whole rows.
+        // for the right; the current edges change as the rows go down. Without edges the surface
+        // covers whole rows.
         std::size_t left, left_end, right, right_end;
         bool lies_below;
-        Planar inverse, u, v;    // 1 / depth, and the texture coordinates over the depth,
-        double u_start, v_start; // relative to these
+        Planar inverse, u, v;    // 1 / depth, and the texture coordinates divided by the depth
+        double u_start, v_start; // the origin of u and v
         Finish finish;
         Point normal; // unit vector towards the camera
         Thing thing;

@@ -30,9 +30,9 @@ class Patterns {
   private:
     void plaster(const Run &run, float *to);
 
-    std::vector<std::int32_t> cells_; // for each pixel of a run: its cell,
-    std::vector<float> right_, high_; // and its distance from the cell's centre towards the next
-                                      // one
+    std::vector<std::int32_t> cells_; // the cell of each pixel of a run
+    std::vector<float> right_, high_; // distance of each pixel from the centre of its cell towards
+                                      // the next cell
 };
 
 } // namespace frob::sim

@@ -83,7 +83,7 @@ void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corne
                 {11.0, palette::faint_ink, Anchor::end, false});
 }
 
-// A floor that reflects all light has the floor's own colour.
+// The colour of a floor with this reflectance: the floor's own colour if it reflects all light.
 Colour shade(double reflectance) {
     return blend(palette::black_floor, palette::floor, reflectance);
 }

@@ -27,7 +27,7 @@ class Sonar {
     // Returns this transducer's echo that has arrived since the last call, if there is one.
     std::optional<double> take(std::size_t transducer);
 
-    // Takes the echoes of all transducers into the events of a robot's input.
+    // Moves the echoes of all transducers to the events of a robot's input.
     template <typename Event, std::size_t count>
     void take_all(Event (&events)[count]) {
         constexpr std::uint8_t occurs = 1; // data Event a = NoEvent | Event a

@@ -1,6 +1,6 @@
 // A simulated robot in ROS 2: it publishes its sensor values as topics, and drives as cmd_vel says.
 //
-// The node is a process of its own (runtime/hosts/ros_robot), because the simulator does not depend
+// The node is a separate process (runtime/hosts/ros_robot), because the simulator does not depend
 // on ROS. A socket connects them; its messages are those of runtime/hosts/ros/messages.h.
 //
 // Stamps and /clock are the time of this machine, so that other nodes may use either of them.

@@ -22,7 +22,7 @@ class Server {
     // Advances the robot and the bytes in transit to this time.
     void advance(std::int64_t time_ns);
 
-    // When the next thing happens: the robot acts, or a byte arrives.
+    // The time of the next event: the robot acts, or a byte arrives.
     std::int64_t due_ns() const;
 
     // Waits until a byte arrives, something is due, or a signal interrupts it.

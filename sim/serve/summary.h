@@ -5,7 +5,7 @@
 
 namespace frob::serve {
 
-// Prints it to standard output, one `name: value unit` a line, as frob-sim does.
+// Prints the summary to standard output, with one `name: value unit` per line, as frob-sim does.
 void print_summary(const frob_sim *sim);
 
 } // namespace frob::serve

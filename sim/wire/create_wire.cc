@@ -108,7 +108,8 @@ void CreateWire::enter(Mode mode) {
     asked_.clear();
 }
 
-// The motors obey only in Safe and Full mode, except that zero speed is always obeyed.
+// The motors obey commands only in Safe and Full mode, except that they always obey a speed of
+// zero.
 void CreateWire::drive_wheels(int right_mm_s, int left_mm_s) {
     const bool obeys = mode_ == Mode::safe || mode_ == Mode::full;
     right_mm_s_ = obeys ? std::clamp(right_mm_s, -most_mm_s, most_mm_s) : 0;

@@ -6,8 +6,8 @@
 // effect. There is no watchdog: the last drive command stays in effect.
 //
 // The robot refreshes its sensors every 15 ms. It answers a query at the next refresh, but at least
-// a millisecond after the query, which it needs to process the query. So a client never receives an
-// answer immediately after writing a query.
+// a millisecond after the query, because it needs this time to process the query. So a client never
+// receives an answer immediately after writing a query.
 //
 // Opcode 7 restarts the robot. That takes 3 s, in which it ignores commands and sends the text of
 // its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a client

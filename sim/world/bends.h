@@ -1,4 +1,4 @@
-// Replaces the corners of a polyline by arcs, the way tape is laid.
+// Replaces the corners of a polyline with arcs, the way tape is laid.
 #pragma once
 
 #include <optional>

@@ -43,9 +43,9 @@ constexpr std::size_t most_points = 20'000;
 // few millimetres apart, so sizes must be at least a centimetre.
 enum class Range { any, not_negative, positive, size, share, part, error, turn };
 
-// Reads the keys of a table. `finish` then reports all unknown keys and all missing required keys,
-// except a missing key for which an unknown one was probably meant. After a mistake, the reader
-// returns a default and continues.
+// Reads the keys of a table. `finish` then reports all unknown keys and all missing required keys.
+// It does not report a missing key if an unknown key is probably a misspelling of it. After a
+// mistake, the reader returns a default and continues.
 class TomlReader {
   public:
     TomlReader(Mistakes &mistakes, const toml::table &table) : mistakes_(mistakes), table_(table) {}

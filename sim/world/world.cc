@@ -66,8 +66,8 @@ void add_wall(b2Body &body, const Wall &wall, std::size_t name) {
     }
 }
 
-// Box2D replaces triangles that it considers degenerate by a square of 1 m^2, so triangles too
-// narrow for it are left out.
+// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so this file leaves
+// out triangles that are too narrow for it.
 bool is_solid(const Triangle &t) {
     const double longest =
         std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
