@@ -1,6 +1,6 @@
 /* Tests properties that the compiler relies on, for all bits of the result, all arguments, and
- * both precisions: cos and hypot do not depend on the signs of their arguments, nor hypot on
- * their order. Prints one line, `ok` or `FAIL`.
+ * both precisions: cos and hypot do not depend on the signs of their arguments, and hypot
+ * does not depend on their order. Prints one line, `ok` or `FAIL`.
  *
  * usage: parity [COUNT]: the number of random bit patterns to test in addition to special
  * numbers. */

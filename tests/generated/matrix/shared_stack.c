@@ -1,7 +1,7 @@
-/* The smallest program that gcc 11 to 13 for aarch64 (-Os) miscompile as they did generated C.
- * The variables `v` of the two functions are never live at the same time, so they share a place
- * on the stack. The compiler considers the second one's zeros as already there, and moves a read
- * of it ahead of the stores of the first one, which have another type. Prints what is wrong; the
+/* The smallest program that gcc 11 to 13 for aarch64 (-Os) miscompile as they did generated C. The
+ * variables `v` of the two functions are never live at the same time, so they share a place on the
+ * stack. The compiler assumes that the second one already contains its zeros, and moves a read of
+ * it ahead of the stores to the first one, which have a different type. Prints what is wrong; the
  * exit status is then 1. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__) && !defined(STRICT)
 #pragma GCC optimize("no-strict-aliasing")

@@ -1,5 +1,5 @@
-/* Tests patches: cut as a slow version cuts them; found where they were drawn, under other
- * light, with noise, rotated, and scaled; and found again anywhere in the image. */
+/* Tests patches. They must be cut as a slow version cuts them; be found where they were drawn, in
+ * different light, with noise, rotated, and scaled; and be found again anywhere in the image. */
 #include "picture.h"
 
 #include <math.h>

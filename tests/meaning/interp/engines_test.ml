@@ -1,4 +1,4 @@
-(* Runs each program here and the examples in the interpreter and as C; both must give the same
+(* Runs each program here and the examples in the interpreter and as C; both must write the same
    bytes for the same input. The C is compiled once with tcc, and once by an optimizing compiler
    with sanitizers, which stop at out-of-bounds accesses and undefined behaviour. The input is
    random; if there is a recording next to a program, as the fuzzer prints it, it is used too. *)

@@ -136,7 +136,7 @@ let general =
     "Imu";
   ]
 
-(* The sentences with facts for warnings that the compiler does not understand. *)
+(* The sentences that state facts for warnings in a form that the compiler does not recognize. *)
 let sentences module_ =
   let program = load module_ in
   let facts = Typing.Doc_facts.of_program program in

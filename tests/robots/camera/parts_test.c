@@ -101,7 +101,7 @@ static void test_whole_streams(const uint8_t *jpeg, size_t size)
     CHECK(split(noisy, length, 0, 333) == 20);
 }
 
-/* A truncated frame must be lost alone, without affecting the next ones. */
+/* Only the truncated frame itself must be lost; the next ones must be unaffected. */
 static void test_torn_stream(const uint8_t *jpeg, size_t size)
 {
     static uint8_t torn[1 << 22];

@@ -29,7 +29,7 @@ static double last_dt;
 static double state;
 void *const frob_program_state = &state;
 
-/* Initially for no known robot: the loop has its own driver. */
+/* The loop has its own driver, for a robot that the runtime does not know. */
 static struct frob_driver own_driver = { .robot = "rover" };
 extern const struct frob_driver *const frob_own_driver;
 const struct frob_driver *const frob_own_driver = &own_driver;

@@ -1,7 +1,7 @@
 /* Tests the POSIX line with faulty system calls, drawn from seeds: EINTR, EAGAIN, short reads
  * and writes, a line that accepts no data, EIO, hang-ups.
  *
- * The linker replaces the system calls by the functions below (--wrap), which use bytes in
+ * The linker replaces the system calls with the functions below (--wrap), which use bytes in
  * memory and virtual time, so the test never waits and needs no device. */
 #include "check.h"
 #include "random.h"

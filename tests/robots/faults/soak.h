@@ -158,7 +158,7 @@ class Soak
         b_.to_driver.set({});
         b_.to_robot.set({});
         b_.line.blocked = false;
-        // A line that was lost is a new one when it comes back.
+        // When a lost line comes back, it is a new one.
         if (hung_up_) {
             hung_up_ = false;
             b_.wire.to_client.clear();

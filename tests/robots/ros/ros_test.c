@@ -363,7 +363,8 @@ static void receive(struct bench *b)
     }
 }
 
-/* For some time: odometry every 20 ms if `sends`, and after each poll a command if `drives`. */
+/* For some time, sends odometry every 20 ms if `sends`, and a command after each poll if
+ * `drives`. */
 static void run(struct bench *b, double seconds, bool sends, bool drives)
 {
     const int64_t end_ns = b->time.now_ns + (int64_t)(seconds * 1e9);

@@ -1,5 +1,5 @@
 // Tests the server between a client and the firmware: pauses, clients that leave in the middle of a
-// packet, and clients that connect while another one has the robot.
+// packet, and clients that connect while another one controls the robot.
 #include "../sim/check.h"
 
 #include <string>

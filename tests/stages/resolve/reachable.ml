@@ -1,4 +1,4 @@
-(* Tests which definitions of the library a program keeps: those of this module, in order. *)
+(* Tests which library definitions a program keeps. The library has this additional module. *)
 
 let extra =
   ( "stdlib/Extra.frob",

@@ -1,3 +1,3 @@
-(** Replaces all spans of a tree by the same one, so that equality compares everything else. *)
+(** Replaces all spans of a tree with the same one, so that equality compares everything else. *)
 
 val program : Syntax.Ir.program -> Syntax.Ir.program

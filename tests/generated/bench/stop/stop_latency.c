@@ -106,7 +106,7 @@ static int next(struct robot *r)
     return NOTHING;
 }
 
-/* Waits for a speed command that is zero, or that is not. */
+/* Waits for a speed command: for a zero speed if `zero`, otherwise for a nonzero one. */
 static bool wait_for(struct robot *r, bool zero, int64_t patience_ms)
 {
     int64_t end = now_ns() + patience_ms * 1000000;

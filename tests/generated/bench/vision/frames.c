@@ -198,8 +198,8 @@ static void through_pipe(const char *measure, const char *pipe, const struct fil
     rows(measure, took + WARM, COUNT - WARM, 1, "ms");
 }
 
-/* Measures the time from when a frame is due, which is its timestamp. On a busy machine, some
- * frames may be skipped. */
+/* Measures the time since the moment at which a frame is due, which is its timestamp. On a busy
+ * machine, some frames may be skipped. */
 static void from_file(const char *measure, const struct camera_options *options, double decoding_ms)
 {
     struct camera_process p = begin(options);

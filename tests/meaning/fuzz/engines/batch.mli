@@ -5,7 +5,7 @@ val size : int
 
 type failure = {
   number : int;  (** index of the program for its seed *)
-  recordings : Recording.t list;  (** its input, if it got that far *)
+  recordings : Recording.t list;  (** its input, if the test reached the point of generating it *)
   outcome : Engines.outcome;
   text : string;
   real : Basis.Real.t;
@@ -15,8 +15,8 @@ val summary : seed:int -> failure -> string
 (** A description in one line. *)
 
 val describe : seed:int -> failure -> string
-(** A description with the program and, if the engines differ, the recording. Saved as NAME.frob and
-    NAME.csv in [tests/meaning/interp] they become a test. *)
+(** A description with the program and, if the engines differ, the recording. If they are saved as
+    NAME.frob and NAME.csv in [tests/meaning/interp], they become a test. *)
 
 val first_failure :
   ?seen:Coverage.t ->
@@ -26,7 +26,7 @@ val first_failure :
   first:int ->
   count:int ->
   failure option
-(** Only finds out whether there is a failure. A failure of the whole batch is reported under its
+(** Only determines whether there is a failure. A failure of the whole batch is reported under its
     first number. *)
 
 val shrunk : Engines.tools -> Engines.c_engine list -> seed:int -> failure -> failure

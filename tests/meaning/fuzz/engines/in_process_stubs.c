@@ -2,7 +2,7 @@
  *
  * A program that crashes or does not terminate must not end the fuzzer. While it runs, the
  * signals for this jump back here. Nothing is allocated on the OCaml heap meanwhile, so the jump
- * leaves only plain memory behind. */
+ * leaks only plain memory. */
 #define _XOPEN_SOURCE 700
 #include <frob/cell.h>
 #include <frob/elementary.h>

@@ -9,4 +9,5 @@ val make : Random.State.t -> kind -> Interp.Shape.t -> rows:int -> Recording.t
 
 val with_dt : Random.State.t -> Basis.Real.t -> Interp.Shape.t -> rows:int -> Recording.t
 (** Tame values, each with a dt of this precision: common periods and values close to them, halves
-    of nanoseconds, and sometimes any number. One recording in six reaches the end of time. *)
+    of nanoseconds, and sometimes any number. One recording in six reaches the largest possible
+    time. *)

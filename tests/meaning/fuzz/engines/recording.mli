@@ -5,13 +5,13 @@
 
 type row = {
   time_ns : int;
-  dt : float option;  (** in seconds; if None, the difference of the times *)
+  dt : float option;  (** in seconds; if None, the time since the previous row *)
   value : Interp.Value.t;
   cells : string list;  (** the cells of the value, in the order of the columns *)
 }
 
 type param = {
-  line : string;  (** its line above the header *)
+  line : string;  (** the line above the header that sets it *)
   cell : string;
   setting : Core.Ir.Global.t * Interp.Value.t;
 }
@@ -20,7 +20,8 @@ type param = {
 type t
 
 val params : t -> param list
-(** The parameters set by {!with_params}, all of the program's in order; otherwise empty. *)
+(** The parameters set by {!with_params}: all of the program's parameters, in order. Empty if
+    {!with_params} was not called. *)
 
 val with_params : param list -> t -> t
 
@@ -28,8 +29,8 @@ val make : Interp.Shape.t -> (int * Interp.Value.t) list -> t
 (** A recording with nondecreasing times in nanoseconds, and values of this shape. *)
 
 val with_dt : Basis.Real.t -> Interp.Shape.t -> (float * Interp.Value.t) list -> t
-(** A recording with dts, in seconds and of this precision, and values. One with singles is for
-    [NAME_step] of a single-precision program. *)
+(** A recording with dts, in seconds and of this precision, and values. A recording with
+    single-precision dts is for [NAME_step] of a single-precision program. *)
 
 val read : Interp.Shape.t -> string -> (t, string) result
 (** Parses CSV in the format of {!csv}. *)

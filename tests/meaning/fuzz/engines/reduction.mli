@@ -15,5 +15,5 @@ val without_some : separator:string -> string list -> (string -> bool) -> string
     must be [good]. *)
 
 val at : string -> int -> (int * string list) option
-(** [at text i] is the first place from [i] on where a part can be replaced, and the whole texts
-    with smaller replacements there, the smallest first. *)
+(** [at text i] is the first place at or after [i] where a part can be replaced, and the whole texts
+    with smaller replacements at that place, the smallest first. *)

@@ -27,7 +27,7 @@ let floats =
 let odd_floats =
   [ "(0.0 / 0.0)"; "(1.0 / 0.0)"; "((-1.0) / 0.0)"; "(-0.0)"; "1.0e300"; "(-1.0e300)"; "5.0e-324" ]
 
-(* Replaces numbers that are out of range in single precision by numbers near the end of its
+(* Replaces numbers that are out of range in single precision with numbers near the end of its
    range. *)
 let in_range : Basis.Real.t -> string -> string = function
   | Double -> Fun.id

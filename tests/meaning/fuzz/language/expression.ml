@@ -252,8 +252,8 @@ and event s fuel payload =
   | _, Tuple [ x; y ] -> f "(pairEvents %s %s)" (any x) (any y)
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
-(* An expression that resembles its operand or a constant; often the compiler must not replace it
-   by that. *)
+(* An expression that is nearly the same as its operand or as a constant. Often the compiler must
+   not simplify the expression to that. *)
 and nearly_nothing s fuel ty =
   let e = expression s fuel ty in
   match (ty : Type.t) with

@@ -13,7 +13,8 @@ type t = {
   run : (t -> int -> Type.t -> string) option;
       (** makes an instance with an output of this type; None if instances are not allowed here *)
   senses : (t -> int -> Type.t -> string) option;
-      (** the same within branches and functions, for stateless instances only *)
+      (** like [run], but within branches and functions, where only stateless instances are allowed
+      *)
 }
 
 val fresh : t -> string -> string

@@ -25,7 +25,7 @@ val alike : int
 
 val of_program : seed:int -> int -> t
 (** The bias of the program with this number. The biases alternate: balanced, event-heavy, many
-    switches, NaN-heavy, deep, wide, array-heavy, small root, cascades of modes, modes that hand on
+    switches, NaN-heavy, deep, wide, array-heavy, small root, cascades of modes, modes that pass on
     numbers, a single task. *)
 
 val count : int

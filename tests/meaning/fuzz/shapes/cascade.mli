@@ -3,7 +3,7 @@
     In the generated C, a loop goes from mode to mode within an instant, at most as often as the
     compiler has proved possible; and it does not test whether a mode ends if the compiler has
     proved that the mode lasts beyond its first instant. Both proofs use the ranges of the numbers
-    that modes hand on. So the conditions in these modes test such numbers, and the input determines
+    that modes pass on. So the conditions in these modes test such numbers, and the input determines
     whether the numbers are low or high. *)
 
 val one_of_few : ?by:string -> Scope.t -> string

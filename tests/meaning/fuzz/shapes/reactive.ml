@@ -157,8 +157,8 @@ let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
       m.signal_function values (fuel - 1) a b)
 
-(* Nested switches, several of which may occur at one instant: each hands on a number, and the
-   next one mostly tests it. *)
+(* Nested switches, several of which may occur at one instant: each passes on a number, which the
+   next one usually tests. *)
 let rec cascade m ?latest fuel a b =
   let random = m.values.random in
   let text, bound = Pattern.any m.values a in

@@ -6,4 +6,4 @@ val definition : Scope.t -> string -> string * Type.t
 (** A signal function of this name: its text, and the type of its input. *)
 
 val part : Scope.t -> Type.t -> call:string -> string option
-(** The component of this type of a call's result; the call is given as text. *)
+(** The component that has this type in the result of a call. The call is given as text. *)

@@ -199,7 +199,7 @@ static void imu(sensor_msgs__msg__Imu *m)
     m->orientation.w = cos(0.25);
 }
 
-/* The commands to a simulated robot, whose node this is: to drive ahead, during the fault "drive". */
+/* The commands that the node of a simulated robot receives: during the fault "drive", drive ahead. */
 static bool velocity(geometry_msgs__msg__Twist *m)
 {
     memset(m, 0, sizeof *m);

@@ -1,5 +1,5 @@
-/* Keeps a distance from a wall, in C, as a careful programmer would write it. The first dt is 0, and
- * no later one. */
+/* Keeps a distance from a wall, in C, as a careful programmer would write it. Only the first dt is
+ * 0. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 

@@ -3,7 +3,7 @@
 
 BENCH(modes)
 
-/* Occasional bumps; the way is free again after a while. */
+/* Occasional bumps; the way is clear again after a while. */
 static void make_input(size_t i)
 {
     input[i].bump = bench_chance(0.02);

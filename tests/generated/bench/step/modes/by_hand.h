@@ -1,4 +1,4 @@
-/* Follow a wall; back up for 1 s after a bump; turn until the way is free. Written in C as a
+/* Follow a wall; back up for 1 s after a bump; turn until the way is clear. Written in C as a
  * careful programmer would. */
 #ifndef BY_HAND_H
 #define BY_HAND_H

@@ -1,4 +1,4 @@
-/* Follow a wall; after a bump, back up for 1 s and wait for 0.5 s; turn until the way is free. A
+/* Follow a wall; after a bump, back up for 1 s and wait for 0.5 s; turn until the way is clear. A
  * state machine in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H

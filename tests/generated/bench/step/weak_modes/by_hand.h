@@ -1,5 +1,5 @@
 /* Follow a wall, back up, turn away, in C, as a careful programmer would write it. A transition takes
- * effect in the next instant. The first dt is 0, and no later one. */
+ * effect in the next instant. Only the first dt is 0. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
