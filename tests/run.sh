@@ -24,7 +24,8 @@ awk -v files=$((cram + golden)) -v status="$status" '
     /\[FAIL\] |^Error: |^Fatal error: |^File "[^"]*dune[^"]*", line / { bad[++bads] = $0 }
     # A program that ended without a report, for example with a traceback. The next line names it.
     / alias [^ ]+ \(exit [0-9]+\)$/ { getline; bad[++bads] = $0 }
-    # Where dune may say why a command failed; shown only if nothing else tells the reason.
+    # Lines in which dune may say why a command failed. They are shown only if nothing else gives a
+    # reason.
     /^File "|^Command (exited|got)|^Alert|^make|signal [A-Z]|[Tt]imeout|rror:/ { clue[++clues] = $0 }
     # "Test Successful in 0.002s. 14 tests run." or "2 failures! in 0.004s. 14 tests run."
     / tests? run\.$/ {

@@ -1,9 +1,10 @@
 #!/bin/sh
-# Installs the formatters that `make fmt` runs, in pinned versions, into _build/formatters. What is
-# there already is kept. A formatter that cannot be downloaded is named, and the others still work.
+# Installs the formatters that `make fmt` runs, in pinned versions, into _build/formatters.
+# Formatters that are already there are kept. If a formatter cannot be downloaded, the script names
+# it, and the others still work.
 #
 # ocamlformat comes from Debian 13 (the package source of this machine, with the suite replaced).
-# Its program needs Debian 13's C library, so both are unpacked beside each other, and a script
+# Its program needs Debian 13's C library, so both are unpacked next to each other, and a script
 # starts the program through that library's own loader. clang-format and ruff come from PyPI,
 # prettier from npm.
 set -u

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Checks that programs have the same meaning everywhere: runs random programs and those of FILES, on
 # recorded input, with many compilers and on many machines, and compares the outputs with those of
-# the reference interpreter. The interpreter does not know the fields of the state, so their values
+# the reference interpreter. The interpreter does not have the fields of the state, so their values
 # after each instant are compared with those of the first build.
 #
 # usage: run.sh EMIT LIBRARY RUNTIME COUNT SEED BUILD,BUILD… FILES…

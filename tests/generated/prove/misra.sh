@@ -4,9 +4,9 @@
 # usage: misra.sh FROBC RUNTIME PAGE PROGRAM.frob…
 #
 # A rule that cppcheck reports for one of the programs needs a row in the table of PAGE
-# (docs/generated-c.md). A row needs a finding, so that the table has no rules that hold. The rows
-# below are exceptions. Prints what differs; the exit status is 1 if anything does. Without cppcheck
-# it says that the test is skipped.
+# (docs/generated-c.md). Each row needs a finding, so that the table lists no rule that generated C
+# obeys. The rows below are exceptions. Prints what differs; the exit status is 1 if anything does.
+# Without cppcheck it says that the test is skipped.
 set -eu
 frobc=$1 runtime=$2 page=$3
 shift 3

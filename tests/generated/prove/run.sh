@@ -55,7 +55,8 @@ parameter() { # in|out, header
 
 # Proves the program that was compiled to $made.
 prove() {
-    # Parameters may have any values, if the program has some; the caller must pass valid booleans.
+    # If the program has parameters, they may have any values, but the caller must pass valid
+    # booleans.
     if grep -q "^struct ${name}_params {" "$made/$name.h"; then
         params="static struct ${name}_params params;" by=", &params"
     else

@@ -64,7 +64,7 @@ def print_input(seed, steady):
         print(f"{time:.9f}", *map(repr, cells), *bools, repr(manual), sep=",")
 
 
-# What models have in common
+# Code that models share
 
 
 def finite(*xs):
@@ -88,7 +88,7 @@ class Clock:
 
 
 class Held:
-    """A filter with one number of state: the state and the time of its last finite output."""
+    """A filter whose state is one number: that number, and the time of its last finite output."""
 
     def __init__(self, first, update):
         self.first, self.update, self.state, self.time = first, update, None, 0.0
@@ -130,7 +130,7 @@ class Slope:
         if self.x is None:
             self.low = x
         elif self.tau > 0:
-            # the low-pass filter is behind its input by tau times the slope
+            # the low-pass filter lags behind its input by tau times the slope
             self.low = x - (self.tau / (self.tau + h)) * (x - self.x + self.tau * self.d)
             self.d = (x - self.low) / self.tau
         elif h > 0:

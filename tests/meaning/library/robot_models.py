@@ -13,7 +13,7 @@ def nanoseconds(t):
 
 
 def settled(q):
-    since = [None]  # the start of the time in which the layer wants the robot
+    since = [None]  # the time since which the layer has requested the robot
 
     def step(time, layer):
         since[0] = None if layer is None else time if since[0] is None else since[0]
@@ -24,7 +24,7 @@ def settled(q):
 
 
 def sticky(q):
-    held = [None, 0.0]  # the last command, and when the layer got the robot
+    held = [None, 0.0]  # the last command, and when the layer took control of the robot
 
     def step(time, layer):
         command, since = held

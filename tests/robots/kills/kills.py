@@ -1,9 +1,9 @@
 """usage: kills.py FROBC COUNT SEED
 
 Programs drive the three served robots. COUNT times on each, processes of the run are killed with
-SIGKILL: the supervisor, the controller, a guard, or two of them, in random order, at once or up to
-0.15 s apart. In every case the robot must receive the stop command in time, and no process may
-remain; if only guards are killed, the run must continue with new guards.
+SIGKILL: the supervisor, the controller, a guard, or two of them, in random order, simultaneously or
+up to 0.15 s apart. In every case the robot must receive the stop command in time, and no process
+may remain; if only guards are killed, the run must continue with new guards.
 
 The times of commands come from the robot's log. Where the system permits it, the run and the robot
 have real-time priority, so that other work on the machine does not delay them. They still wait: for
@@ -28,7 +28,7 @@ HALL = os.path.abspath("../robot/hall.toml")
 STATED = 0.1  # seconds from the last kill until the stop command, or until guards are back
 PATIENCE = 30  # timeout in seconds for events that must happen, however busy the machine is
 LOOK = 0.005
-BUSY = STATED  # seconds of waiting for a processor with which a delay is still judged
+BUSY = STATED  # if processes wait longer for a processor, in seconds, the delay is not judged
 
 # The robot drives in circles, so that it meets no obstacle.
 DRIVES = """import Robot

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs examples through each robot's driver and line, with many seeds of noise. They must reach the
-# same goals as in the simulator; BUG also if a USB adapter holds bytes back for 16 ms and a step
-# takes 5 ms. Prints the seeds that are out of bounds.
+# same goals as in the simulator; BUG must also do so if a USB adapter holds bytes back for 16 ms
+# and a step takes 5 ms. Prints the seeds that are out of bounds.
 #
 # usage: seeds.sh FROBC FROB_LINE EXAMPLES COUNT
 frobc=$1 line=$2 examples=$3 count=$4

@@ -2,7 +2,7 @@
 
     devices.py lidar RUN SIZE    compares the scans of a recording with distances that this script
                                  computes; prints the largest difference, the standard deviation,
-                                 and the share of directions without a distance
+                                 and the fraction of directions without a distance
     devices.py imu RUN           compares the readings with the motion that the recording shows
 
 The room is 6 m by 4 m with a pillar at (3, 2) of radius 0.3 m. The robot starts at (1, 1) with a

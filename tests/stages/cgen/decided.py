@@ -1,4 +1,5 @@
-"""Reports conditions that a branch around them has decided: `if (t1)` or `t1 ?` inside `if (t1)`.
+"""Reports conditions whose value an enclosing branch has decided: `if (t1)` or
+`t1 ?` inside `if (t1)`.
 
 Usage: decided.py FILE.c...
 """

@@ -93,7 +93,7 @@ class Mirror:
         return self.text[self.offset(range["start"]) : self.offset(range["end"])]
 
     def boundary(self, i):
-        """Whether the position is not between the two characters of a line end."""
+        """Whether the position is not between the two characters of a line ending."""
         return i + 1 if self.text[i - 1 : i + 1] == "\r\n" else i
 
 

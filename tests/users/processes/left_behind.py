@@ -321,8 +321,9 @@ def moves(log):
 
 
 def viewer_ends_by_itself():
-    """The viewer of a killed run ends by itself, and not by the alarm that bounds its end. Its exit
-    status comes here, because it becomes a child of this process when its parent has ended."""
+    """The viewer of a killed run ends normally, not because of the alarm that limits the time to
+    end. This process receives its exit status, because it becomes the viewer's parent when the
+    original parent has ended."""
     PR_SET_CHILD_SUBREAPER = 36
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     run = [FROBC, "run", BUG, "--robot", "pioneer", "--realtime", "--view=print"]

@@ -124,7 +124,8 @@ def main():
         path = lambda name: os.path.join(folder, name)
         world = os.path.join(os.path.dirname(program), "world.toml")
         record(frobc, program, path("run.csv"))
-        # Noise of another seed alone does not move the time at which the obstacle is seen by much.
+        # By itself, the noise of another seed hardly changes the time at which the obstacle is
+        # seen.
         with open(world) as file, open(path("near.toml"), "w") as near:
             near.write(file.read().replace("x = 0.8", "x = 1.3"))
         record(frobc, program, path("other.csv"), "--world", path("near.toml"), "--seed", "2")

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Measures how much of a tracker's work is the Frob program itself rather than the kernels: its
-# share of the instructions of a step, counted by callgrind, on the frames of a run
-# (tests/robots/trackers). Its share of the time is smaller, because an instruction of a kernel
+# Measures how much of a tracker's work the Frob program itself does, rather than the kernels: its
+# fraction of the instructions of a step, counted by callgrind, on the frames of a run
+# (tests/robots/trackers). Its fraction of the time is smaller, because an instruction of a kernel
 # takes longer than an average one. The argument is the working folder.
 set -eu
 out=$1/share

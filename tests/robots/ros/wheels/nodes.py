@@ -53,7 +53,7 @@ class Run:
     def __init__(self, *options, patient=True, program="ahead.frob", executable=None):
         self.errors = open(os.path.join(FOLDER, "errors"), "w+", encoding="utf-8")
         OPEN.append(self.abandon)
-        # frobc replaces itself by the program.
+        # frobc replaces itself with the program.
         self.process = subprocess.Popen(
             (
                 [os.path.join(FOLDER, "with"), executable]
@@ -483,7 +483,7 @@ def test_simulator():
 
 
 def test_simulator_stamped():
-    """The simulated robot takes TwistStamped with --stamped, and otherwise explains it."""
+    """The simulated robot takes TwistStamped with --stamped, and otherwise names that option."""
     served = Served("--stamped", "--ros-args", "-r", "odom:=base/odom", "-r", "__ns:=/sim", "--")
     assert served.names[:2] == ["node: /sim/robot", "odometry: /sim/base/odom"], served.names
     served.end()

@@ -1,7 +1,7 @@
 """A robot's base in rclpy, for tests of programs that run as ROS 2 nodes.
 
-It follows the commands on cmd_vel and publishes odom. It runs in a thread of its own, so a
-test can change its behaviour at any time.
+It follows the commands on cmd_vel and publishes odom. It runs in a separate thread, so a test can
+change its behaviour at any time.
 """
 
 import math

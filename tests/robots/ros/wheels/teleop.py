@@ -1,5 +1,5 @@
-"""A plain rclpy node that knows nothing of Frob: it drives a robot ahead until an object is near,
-turns to the left until the way is free, and prints what it sees at the end.
+"""A plain rclpy node without any of Frob's code: it drives a robot ahead until an object is near,
+turns to the left until the way is clear, and finally prints what it has seen.
 
 usage: teleop.py SECONDS [stamped]
 """
