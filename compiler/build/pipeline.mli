@@ -13,8 +13,8 @@ type front = {
   typed : Typing.Ir.program;
   core : Core.Ir.program;
   margin : Span.t -> Core.Formula.t option;
-      (** for each assertion, by its place: how far it is from being violated, if the request asks
-          for margins *)
+      (** for each assertion, by its place: how far it is from being violated, if the request
+          includes margins *)
 }
 
 (** The results that remain valid if a later stage fails. *)

@@ -1,7 +1,7 @@
 (** Ends a command: prints messages on standard error and determines the exit status. *)
 
 val colour : unit -> bool
-(** Whether standard error is a terminal that shows colours, and the user wants them. *)
+(** Whether standard error is a terminal that shows colours, and the user has not disabled them. *)
 
 val print_diagnostics : Common_options.format -> Basis.Source.t -> Basis.Diagnostic.sink -> unit
 (** Prints all diagnostics on standard error. *)

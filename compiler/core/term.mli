@@ -32,4 +32,4 @@ val parts : Ir.expr -> Ir.expr list
 (** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
-(** Replaces the {!parts} of the expression by their images, computed in order. *)
+(** Replaces the {!parts} of the expression with their images, computed in order. *)

@@ -111,7 +111,7 @@ and rhs =
       (** payload: all leaves of all fields, in order *)
   | Is_constructor of atom * int
   | Payload of { value : atom; constructor : int; leaf : int }
-      (** the result is unspecified, but harmless, if [value] has another constructor *)
+      (** the result is unspecified, but harmless, if [value] has a different constructor *)
   | Delay of { init : atom; next : atom }
       (** [init] in the first instant, then the previous value of [next]; [init] is static *)
   | Elements of atom list  (** an array with these elements *)

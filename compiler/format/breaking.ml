@@ -209,7 +209,7 @@ let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
 (* {1 Lists} *)
 
 (* Breaks a list that starts a line: each line takes as many elements as fit, continuation lines
-   start with a comma, and the closing bracket has a line of its own. *)
+   start with a comma, and the closing bracket is on its own line. *)
 let list (words : Word.t array) ~first ~column =
   let opener = words.(first) and close = words.(first).partner in
   let inside = words.(first + 1).frame in

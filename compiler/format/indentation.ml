@@ -5,7 +5,7 @@ type t = { columns : int array; ended : (int * int) list array }
 (* Indentation of a block relative to the line that opens it, and of a continuation line. *)
 let step = 4
 
-(* Indentation of [then], [else] and [where] on lines of their own. *)
+(* Indentation of [then], [else] and [where] at the start of a line. *)
 let half_step = 2
 
 type bracket = {

@@ -2,7 +2,8 @@
     the layout information.
 
     Invariants: the [comments] of a word are between the previous word and this one; the [partner]
-    of a bracket is the matching bracket. Lines count from 1, columns from 0 and in characters. *)
+    of a bracket is the matching bracket. Lines are numbered from 1; columns are numbered from 0, in
+    characters. *)
 
 type comment = {
   text : string;  (** without trailing spaces; may have several lines if it is [{- … -}] *)

@@ -23,7 +23,7 @@ val many : string -> docv:string -> doc:string -> string list Term.t
 (** An option that may be repeated. *)
 
 val time_span : string -> docv:string -> doc:string -> string list Term.t
-(** The user gives a time span; the host receives it in seconds. *)
+(** The user specifies a time span; the host receives it in seconds. *)
 
 val all : string list Term.t list -> string list Term.t
 (** The arguments of all these options, in this order. *)

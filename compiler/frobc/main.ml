@@ -456,7 +456,7 @@ let messages =
    that recurses until the stack is full takes time quadratic in the stack's size. *)
 let largest_stack = 1 lsl 25
 
-(* Names of commands in other tools that cmdliner would correct to other commands. *)
+(* Commands of other tools whose names cmdliner would correct to the wrong command. *)
 let command_meant = function "fmt" -> Some "format" | "lint" -> Some "check" | _ -> None
 
 let evaluate () =

@@ -17,5 +17,5 @@ val value : program -> Core.Ir.Global.t -> (Value.t, problem) result
     value. *)
 
 val known : program -> (unit -> 'a) -> ('a, problem) result
-(** Runs a function that forces parts of such values, and returns its result or the problem it met.
-*)
+(** Runs a function that forces parts of such values, and returns its result or the problem that it
+    encountered. *)

@@ -2,7 +2,7 @@
 
     The interpreter and compiled programs use the same C functions. When the interpreter checks a
     compiled program that uses images, it therefore checks everything that the compiler generated,
-    but not the kernels themselves. Programs can call kernels without a C file of their own. *)
+    but not the kernels themselves. Programs can call kernels without having their own C file. *)
 
 val is_known : string -> bool
 (** Whether there is a kernel with this name. *)

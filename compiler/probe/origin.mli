@@ -1,9 +1,9 @@
 (** Finds the sources of a column's value: one step back along the equations.
 
-    From the equation of a signal, the search goes back through everything that has no column of its
-    own (such as the results of functions, and signals without a name) to the nearest columns. These
-    can be parameters, signals of other equations, inner signals of instances, or the program's
-    input. *)
+    From the equation of a signal, the search goes back through everything that does not have its
+    own column (such as the results of functions, and signals without a name) to the nearest
+    columns. These can be parameters, signals of other equations, inner signals of instances, or the
+    program's input. *)
 
 open Basis
 

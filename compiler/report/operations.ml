@@ -220,8 +220,8 @@ let whole_nanoseconds (program : M.program) =
   | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
   | Single -> Cost.several 2 Choices
 
-(* The root converts dt and replaces it by 0 in the first instant; see the helpers of the generated
-   C. *)
+(* The root converts dt and replaces it with 0 in the first instant; see the helpers of the
+   generated C. *)
 let root_clock (program : M.program) (root : M.node) =
   let whole = whole_nanoseconds program in
   let to_integer = match program.real with Double -> [ Cost.one Conversions ] | Single -> [] in

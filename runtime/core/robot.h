@@ -23,8 +23,8 @@
  *   - If the reading that the program used is older than the patience when the
  *     command arrives, the command is dropped and the robot stopped.
  *   - If the caller has not polled for longer than the patience (for example
- *     because its process was stopped), the line holds old readings. Readings that
- *     arrive within one more patience are ignored; the robot is stopped until then.
+ * because its process was stopped), the line contains old readings. Readings that arrive within one
+ * more patience are ignored; the robot is stopped until then.
  * No function waits, allocates or makes a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
@@ -56,7 +56,7 @@ struct frob_robot {
     enum frob_robot_state state;
     enum frob_status status; /* status of the last call to the driver */
     bool at_rest;            /* no command since it was connected or halted */
-    bool rests_first;        /* replace the next command by zero */
+    bool rests_first;        /* replace the next command with zero */
     int64_t stop_due_ns;     /* when to repeat the stop command while at rest */
     int64_t halted_ns;       /* time of the last frob_robot_halt */
     int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN: none yet */

@@ -16,7 +16,7 @@ static bool has_columns_inside(const struct frob_value *value)
     if (value->kind != FROB_PRODUCT)
         return false;
     product = &value->constructors[0];
-    /* The parts of arrays, tuples and records are columns of their own; other types with one
+    /* The parts of arrays, tuples and records are separate columns; other types with one
      * constructor are a single cell. */
     return product->name == NULL || product->is_record;
 }

@@ -80,8 +80,8 @@ struct frob_driver {
     /* Returns when the newest complete sensor reading arrived; INT64_MIN: never. */
     int64_t (*sensed_ns)(const void *device);
 
-    /* Fills in the robot's sensor readings. An event (an echo) is in the first input after
-     * its arrival, and only there. */
+    /* Fills in the robot's sensor readings. An event (an echo) is in the first input after its
+     * arrival, and in no later one. */
     void (*sense)(void *device, void *input);
 
     /* Sends the commanded values to the robot. Each is a finite number within the limits. */

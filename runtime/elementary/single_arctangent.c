@@ -30,7 +30,7 @@ static uint32_t less_than_slope(uint32_t z)
 }
 
 /* The angle of (x, y), between 0 and pi/2, for positive x and y; if `behind`, pi minus that angle.
- * If the quotient is below 1/4, the polynomial gives the angle directly. Otherwise
+ * If the quotient is below 1/4, the polynomial yields the angle directly. Otherwise
  *
  *   atan(y/x) = atan(c) + atan((y - c x) / (x + c y)), with c = 1/2 or 1.
  *

@@ -7,8 +7,8 @@
 
 namespace frob::sim {
 
-// Converts the plan to text: one line for each item, with tabs between its cells. Where only the
-// compiler can find a mistake, the second cell is the item's place in the file:
+// Converts the plan to text: one line for each item, with tabs between its cells. If only the
+// compiler can find mistakes in an item, its second cell is its place in the file:
 //     program PLACE FILE
 //     trial PLACE LABEL
 //     seeds FIRST LAST            lasts SECONDS            rate HZ

@@ -24,7 +24,7 @@ class Body {
     Pose pose() const;
 
     // Casts a ray of length `reach` from `origin` in direction `angle`. Returns the distance to the
-    // first thing it meets other than the robot itself, or no value.
+    // first object that it hits, other than the robot itself, or no value.
     std::optional<double> ray(Vec origin, double angle, double reach) const;
 
     // Whether the robot overlaps any other object.

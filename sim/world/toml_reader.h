@@ -69,7 +69,7 @@ class TomlReader {
     // Returns the tables of `[[key]]`; empty if there are none.
     std::vector<const toml::table *> tables(std::string_view key);
 
-    // Returns the one table of `[key]`, or those of `[[key]]`.
+    // Returns the single table of `[key]`, or the tables of `[[key]]`.
     std::vector<const toml::table *> table_or_tables(std::string_view key);
 
     // Where this table starts, `FILE:LINE:COLUMN`.

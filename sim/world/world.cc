@@ -40,7 +40,7 @@ void add_polygon(b2Body &body, const b2Vec2 *points, int count, bool skin, std::
     b2PolygonShape shape;
     shape.Set(points, count);
     // Box2D keeps polygons apart by a skin on each. Solids get no skin, so that the sonar and the
-    // bumper meet them at the same place.
+    // bumper detect them at the same place.
     if (!skin) shape.m_radius = 0.0f;
     add_fixture(body, shape, 0.0f, name);
 }

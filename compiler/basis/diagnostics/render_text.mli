@@ -12,8 +12,8 @@ error[E0401]: signal `speed` needs its own value in the same instant
    = hint: read the previous value instead, with `delay`
     v}
 
-    Columns count characters. A place in a file whose text is not in the table is shown without an
-    excerpt. *)
+    Columns are counted in characters. A place in a file whose text is not in the table is shown
+    without an excerpt. *)
 
 val diagnostic : colour:bool -> Source.t -> Diagnostic.t -> string
 (** The text ends with a newline. Colours use ANSI escape sequences. *)

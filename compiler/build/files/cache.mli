@@ -13,8 +13,8 @@ val entry :
 (** [entry ~name ~key ~suffix ~reuse make] returns the path of an entry. [key] is a digest of
     everything that it depends on; [name] is the start of its file name. If [reuse] is true, a
     complete entry is reused. Otherwise, [make ~folder path] must create it at [path]; it may use
-    [folder] for temporary files. The error is a text for the user: the one of [make], or the reason
-    why nothing could be written. *)
+    [folder] for temporary files. The error is a text for the user: the error of [make], or the
+    reason why nothing could be written. *)
 
 val is_kept : unit -> (string, string) result
 (** The folder of the cache, or the folder that cannot be used. In the latter case, results are

@@ -192,8 +192,7 @@ let put ?(finish = ignore) ~permissions files =
     | Ok () -> Ok (finish at)
     | Error reason -> Error (as_error path reason)
     | exception Sys_error reason ->
-        (* The user does not know the name of the temporary file, so it is removed from the
-           message. *)
+        (* The user does not know the temporary file, so its name is removed from the message. *)
         let reason = List.hd (List.rev (String.split_on_char ':' reason)) in
         Error (Printf.sprintf "cannot write %s:%s" (Basis.Printable.name path) reason)
   in

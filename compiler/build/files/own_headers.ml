@@ -10,7 +10,7 @@ let joined text =
   let text = Str.global_replace (Str.regexp_string "??=") "#" text in
   Str.global_replace (Str.regexp "\\\\[ \t]*\r?\n") "" text
 
-(* Replaces each comment by a space, as a C compiler does. A string or character literal ends at
+(* Replaces each comment with a space, as a C compiler does. A string or character literal ends at
    the end of its line at the latest. *)
 let without_comments text =
   let n = String.length text and kept = Buffer.create (String.length text) in

@@ -13,9 +13,9 @@ val unfit : string
 (** The code for a program that does not fit the robot, or any robot. *)
 
 val known : string option -> (t option, string) result
-(** The robot that the option names, if it is given: a robot of the library by its name, or a
-    user-defined robot by the file of its module, which ends in [.frob]. The error is a text for the
-    user. *)
+(** The robot that the option names, if the option is given: a robot of the library by its name, or
+    a user-defined robot by the file of its module, which ends in [.frob]. The error is a text for
+    the user. *)
 
 val own_of : string option -> t option
 (** The robot that the option names, if it is the user's own and exists. *)
@@ -41,7 +41,7 @@ val is_open : program -> bool
 
 val closed : Diagnostic.sink -> t option -> program -> (Core.Ir.program * Core.Ir.Global.t) option
 (** The program for a specific robot, with its entry. If the program's type leaves the robot open,
-    the robot is the one that the option names or, for an entry without a signature, the one of
+    this is the robot that the option names or, for an entry without a signature, the robot of
     [RobotInput]. [None] after an error. *)
 
 val sampled : program -> (Core.Ir.program * Core.Ir.Global.t) option

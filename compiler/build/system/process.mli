@@ -21,5 +21,5 @@ val hand_over : string -> string list -> (int, failure) result
     \+ n if signal n ended it). *)
 
 val become : string -> string list -> failure
-(** Replaces this process by another program, which then also receives its signals. Returns only if
-    the program cannot be started. *)
+(** Replaces this process with another program, which then also receives its signals. Returns only
+    if the program cannot be started. *)

@@ -9,8 +9,8 @@ val option : string
 (** Makes the compiler list the included files on standard error. *)
 
 val in_folder : string -> string
-(** The folder in a spelling that lets {!check} recognize the files that were found there. Pass it
-    to the compiler in place of the folder. *)
+(** A spelling of the folder's path by which {!check} recognizes the files found in that folder.
+    Pass it to the compiler in place of the folder. *)
 
 val lists_some : string -> bool
 (** Whether the compiler's output lists at least one file. Each program that [frobc] generates

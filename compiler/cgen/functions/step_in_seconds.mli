@@ -2,5 +2,5 @@
 
 val of_step : Vocabulary.t -> root:int -> Ir.function_ -> Ir.function_
 (** A function that rounds dt to whole nanoseconds and calls this step of the root. If the program
-    can observe the first dt, the function replaces it by 0. It contains only the conversions that
+    can observe the first dt, the function replaces it with 0. It contains only the conversions that
     the step needs. *)

@@ -1,10 +1,11 @@
 (** Computes the margins of assertions: how close each condition was to changing.
 
     The condition of each assertion is analysed, through variables and functions, down to
-    comparisons. For each comparison the proc gets another equation, whose value is the difference
-    of the operands and whose name cannot occur in source code. For a condition without comparisons,
-    the value is the condition itself. Like assertions, these equations have no dependents; they
-    exist only to be recorded. Each assertion also gets a {!Formula} over these columns.
+    comparisons. For each comparison the proc gets an additional equation, whose value is the
+    difference of the operands and whose name cannot occur in source code. For a condition without
+    comparisons, the value is the condition itself. Like assertions, these equations have no
+    dependents; they exist only to be recorded. Each assertion also gets a {!Formula} over these
+    columns.
 
     A comparison that depends only on time counts as a plain condition, because no change of the
     inputs can bring it closer. *)

@@ -170,7 +170,7 @@ let textmate tree : Json.t =
              repository) );
     ]
 
-(* Prints each member on a line of its own, so that changes are easy to review. *)
+(* Prints each member on its own line, so that changes are easy to review. *)
 let rec pretty indent (json : Json.t) =
   let lines open_ close elements =
     let inner = indent ^ "  " in

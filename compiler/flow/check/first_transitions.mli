@@ -14,8 +14,8 @@ val of_program : ?patient:bool -> Ir.program -> t
     literals in the program, and only then to infinity. *)
 
 val of_machine : t -> Ir.machine -> Ir.transition list array
-(** For each mode of the machine, in order, the possible transitions in their order. They are
-    physically equal to those of the mode's node. *)
+(** The possible transitions of each mode, both in the order of the machine. They are physically
+    equal to those of the mode's node. *)
 
 (** {1 Chains of transitions}
 
@@ -36,8 +36,8 @@ val from_running : t -> int -> (Ir.transition * state) list
 (** The possible transitions of this node, a mode that may have run for any time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** The possible ones among these transitions, which are the start or the controls of this node's
-    machine. *)
+(** Keeps only the possible transitions of this list, which is the start or the controls of this
+    node's machine. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
 (** The possible transitions of this node, a mode that has just been entered in this state. *)

@@ -11,8 +11,8 @@ type t = {
           for its outputs and for the arguments of its transitions *)
 }
 
-(* Whether the sum is a slot for a mark. The module is checked because programs may define a [Mark]
-   of their own. *)
+(* Whether the sum is a slot for a mark. The module is checked because programs may define their own
+   [Mark]. *)
 let slot (program : Ir.program) (sum : Ir.sum) =
   String.equal sum.name "Event Mark"
   &&

@@ -16,5 +16,5 @@ val settle : Ir.program -> (call -> bool) -> unit
     inputs. *)
 
 val replaced : Ir.program -> (int -> int -> Ir.atom option) -> Ir.program
-(** Replaces parameters, identified by node and index, by atoms. Returns the same program,
+(** Replaces parameters, identified by node and index, with atoms. Returns the same program,
     physically, if nothing is replaced. *)

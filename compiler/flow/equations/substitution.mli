@@ -1,4 +1,4 @@
-(** Replaces signals of a node by equal atoms.
+(** Replaces signals of a node with equal atoms.
 
     A pass collects replacements and finally applies them to the whole node. Replacements may be
     chained. Replaced signals lose their definitions. *)

@@ -1,4 +1,4 @@
-(** Inlining: replaces instances by the equations of their nodes.
+(** Inlining: replaces instances with the equations of their nodes.
 
     An instance is inlined in two cases. (a) It is necessary: an instance cannot run as one call if
     one of its outputs feeds back to an input that the output does not need in the same instant. A

@@ -1,4 +1,4 @@
-(** Replaces a machine that stays in its initial mode by that mode.
+(** Replaces a machine that stays in its initial mode with that mode.
 
     There are two cases. In the first case, the machine never leaves its initial mode; an example is
     a task that drives forever. In the second case, the machine leaves it for a mode that does

@@ -115,8 +115,8 @@ let has_constructor known add value constructor : Ir.rhs option =
   in
   test 0 value
 
-(* The leaf of a payload. For values with another constructor the leaf is unspecified. If only one
-   branch has the constructor, that branch is used; if neither has, the result is 0. *)
+(* The leaf of a payload. For values with a different constructor the leaf is unspecified. If only
+   one branch has the constructor, that branch is used; if neither has, the result is 0. *)
 let payload known add ty value constructor leaf : Ir.rhs option =
   let rec part depth value =
     match definition known value with

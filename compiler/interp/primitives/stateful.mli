@@ -1,6 +1,6 @@
 (** The primitive signal functions, which contain all the state of a program (language reference,
-    section 3). The first step has length 0, so the integral is 0 there, and the derivative keeps
-    its last value, which is initially 0. *)
+    section 3). In the first step, whose length is 0, the integral is 0, and the derivative has its
+    initial value, which is 0 as well. *)
 
 val delay : Value.thunk -> Value.instance
 (** The argument is the initial value. *)

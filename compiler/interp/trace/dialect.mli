@@ -1,6 +1,6 @@
-(** Reads recordings from other programs, which may use another separator, a decimal comma, or other
-    column names. The hosts have the same options (runtime/hosts/common/dialect.h) and the same
-    messages. *)
+(** Reads recordings from other programs, which may use a different separator, a decimal comma, or
+    other column names. The hosts have the same options (runtime/hosts/common/dialect.h) and the
+    same messages. *)
 
 type t = {
   separator : char;
@@ -26,7 +26,7 @@ val to_front : int -> 'a list -> 'a list
 (** Moves the element at this index to the front of the list. *)
 
 val cell : t -> string -> string
-(** Replaces the decimal comma of a number by a decimal point. *)
+(** Replaces the decimal comma of a number with a decimal point. *)
 
 (** {1 Hints for error messages}
 
@@ -36,8 +36,8 @@ val time_hint : t -> string list -> string
 (** The hint for the error that the first column of the header must be [time]. *)
 
 val separator_hint : t -> string list -> string option
-(** The part of {!time_hint} about another separator. If the result is [Some], the names are not the
-    columns of the file, so messages about the other columns would be misleading. *)
+(** The part of {!time_hint} about a different separator. If the result is [Some], the names are not
+    the columns of the file, so messages about the other columns would be misleading. *)
 
 val column_hint : missing:string -> unknown:string list -> string
 (** The hint for the error that a column is missing, if the recording has unknown columns. *)

@@ -10,5 +10,5 @@ val line : Core.Ir.program -> Core.Ir.param -> Value.t -> string
 
 val read : Core.Ir.program -> set:settings -> string -> (settings, string) result * string option
 (** Reads a line and returns the parameters that it sets, except those in [set], which an option has
-    set. The second result is a warning for the user, if the line sets a parameter in [set] to
-    another value, or names a parameter that the program does not have. *)
+    set. The second result is a warning for the user, if the line sets a parameter in [set] to a
+    different value, or names a parameter that the program does not have. *)

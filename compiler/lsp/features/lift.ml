@@ -76,8 +76,8 @@ let rec with_comments text ~column line =
     with_comments text ~column above
   else line
 
-(* A declaration on lines of its own. If it is the only declaration of a `where`, the `where` is
-   removed with it. *)
+(* A declaration that shares its lines with no other code. If it is the only declaration of a
+   `where`, the `where` is removed with it. *)
 let piece text ~alone (start, stop) =
   let line = start_of_line text start and behind = end_of_line text stop in
   let column = start - line in

@@ -18,7 +18,7 @@ let contents t = t.contents
 type encoding = Utf8 | Utf16 | Utf32
 type position = { line : int; character : int }
 
-(* Length in bytes of the character that starts there, and in units of the encoding. *)
+(* Length of the character that starts at offset [i], in bytes and in units of the encoding. *)
 let character encoding text i =
   let length, code = Utf8.decode text i in
   match (length, encoding) with

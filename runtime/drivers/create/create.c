@@ -48,8 +48,8 @@ static const uint8_t streamed[] = {
 #define SILENCE_NS INT64_C(1000000000)
 #define ANSWER_NS INT64_C(500000000)
 #define MOST_ATTEMPTS 3
-/* Number of consecutive frames that must report another mode before the driver believes it, because
- * a frame's checksum is a single byte. */
+/* Number of consecutive frames that must report a different mode before the driver believes them,
+ * because a frame's checksum is a single byte. */
 #define OUT_OF_MODE_FRAMES 2
 /* For this long after the stream was requested, frames may still come from an earlier session, or
  * from the time between START and the change of mode, because a radio link or a busy adapter may

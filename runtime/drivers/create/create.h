@@ -68,7 +68,7 @@ struct frob_create {
     int64_t byte_ns;                 /* when the last byte arrived */
     int64_t sensed_ns;               /* when the last frame arrived; INT64_MIN: never */
     int64_t asked_ns;                /* when the stream was requested */
-    unsigned out_of_mode;            /* number of consecutive frames with another mode */
+    unsigned out_of_mode;            /* number of consecutive frames with a different mode */
     bool refused;                    /* the robot is not in a mode in which it drives */
     struct frob_wire_numbers speeds; /* the wheel speeds sent last */
     uint8_t lights[4];               /* the LEDS command sent last */

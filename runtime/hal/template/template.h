@@ -1,6 +1,6 @@
 /* hal/template/template.h -- a port to copy: it compiles, and does nothing.
  *
- * For a new board, copy this folder, and replace each function by code for the board.
+ * For a new board, copy this folder, and replace each function with code for the board.
  * docs/porting.md explains each function and in which order to try them. A board with one robot
  * needs one line and one clock, so the memory of both is static here. */
 #ifndef FROB_HAL_TEMPLATE_H

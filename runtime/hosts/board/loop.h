@@ -7,8 +7,8 @@
  *       wait until bytes arrive or loop_round();
  *
  * There is no second process. Instead of a supervisor there is loop_watch, which a timer interrupt
- * calls. If a step does not end within the patience, or the loop is stuck elsewhere, it tells the
- * robot to stop, and repeats this ten times a second until the loop runs again. */
+ * calls. If a step does not end within the patience, or the loop is stuck elsewhere, loop_watch
+ * sends a stop command, ten times a second, until the loop runs again. */
 #ifndef FROB_HOST_BOARD_LOOP_H
 #define FROB_HOST_BOARD_LOOP_H
 

@@ -21,12 +21,12 @@ struct camera {
     int socket;
     bool works, has_failed;
     char seen[640];      /* format of its frames; empty before the first */
-    uint32_t given;      /* number of frames given to the program */
+    uint32_t given;      /* number of frames passed to the program */
     int64_t last_number; /* number of the last of them; -1: none yet */
     uint32_t failures;
 };
 
-/* Two cameras whose frames are given in pairs, such as a stereo head's. */
+/* Two cameras whose frames are passed in pairs, such as those of a stereo head. */
 struct stereo_pair {
     struct camera *left, *right; /* NULL: none */
     struct pair pair;

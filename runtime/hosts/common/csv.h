@@ -12,7 +12,7 @@ struct csv_dialect {
     char separator;          /* between cells; 0: a comma */
     bool decimal_comma;      /* numbers as 0,5 */
     const char *time_column; /* NULL: the first column, `time` */
-    const char **columns;    /* NAME=COLUMN, for a column of another name */
+    const char **columns;    /* NAME=COLUMN, for a column with a different name */
     size_t column_count;
 };
 

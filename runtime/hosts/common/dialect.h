@@ -1,5 +1,5 @@
-/* dialect.h -- reads recordings from other programs: another separator, a decimal comma, other
- * column names. If such a file is rejected, the error message suggests the options. */
+/* dialect.h -- reads recordings from other programs, with a different separator, a decimal comma,
+ * or other column names. If such a file is rejected, the error message suggests the options. */
 #ifndef FROB_HOST_DIALECT_H
 #define FROB_HOST_DIALECT_H
 
@@ -23,8 +23,8 @@ enum csv_status dialect_translate(struct csv *csv);
 /* For the error that the first column of the header must be `time`. */
 const char *dialect_time_hint(struct csv *csv);
 
-/* The part of dialect_time_hint about another separator; NULL if the separator seems right. If it
- * is not NULL, the names are not the columns of the file, so do not report the other columns. */
+/* The part of dialect_time_hint about a different separator; NULL if the separator seems right. If
+ * it is not NULL, the names are not the columns of the file, so do not report the other columns. */
 const char *dialect_separator_hint(const struct csv *csv);
 
 /* For the error that a column is missing; the recording has `unknown` unknown columns, one of

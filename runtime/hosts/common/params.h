@@ -35,8 +35,8 @@ enum params_result {
 enum params_result params_read(struct params *params, const char *setting, char *why);
 
 /* Reads a line before the header of the recording `name`, if the line is about a parameter. Prints
- * a warning if the program has no such parameter, or if an option has set it to another value. If
- * the text is not a value, prints a line on standard error and returns false. */
+ * a warning if the program has no such parameter, or if an option has set it to a different value.
+ * If the text is not a value, prints a line on standard error and returns false. */
 bool params_recorded(struct params *params, const char *name, const char *line);
 
 /* Appends the parameter's number in the form that params_read accepts, without the unit in

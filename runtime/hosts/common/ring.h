@@ -91,7 +91,7 @@ void ring_show_alive(struct ring *ring);
 /* Returns whether a viewer has requested the run to stop. */
 bool ring_is_stopped(const struct ring *ring);
 
-/* How a viewer wants the run to proceed. */
+/* The pace of the run that a viewer has requested. */
 struct ring_pace {
     uint32_t beats; /* changes as long as the reader is alive */
     bool paused;

@@ -25,8 +25,8 @@ struct controller {
 bool controller_start(struct controller *c, const struct params *params,
                       const struct options *options);
 
-/* Requests a step, dt_ns after the previous one. The process replaces the dt of its first step by 0.
- * Returns false if the process is gone. */
+/* Requests a step, dt_ns after the previous one. The process replaces the dt of its first step with
+ * 0. Returns false if the process is gone. */
 bool controller_ask(struct controller *c, int64_t dt_ns, const void *input);
 
 enum controller_answer { CONTROLLER_BUSY, CONTROLLER_ANSWERED, CONTROLLER_GONE };

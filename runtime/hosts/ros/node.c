@@ -84,7 +84,7 @@ static void refuse_because(const struct node *n, const char *what, const char *w
         fprintf(stderr, "error: %s\n", refused.reason);
 }
 
-/* The same, with the reason that rcl gives. */
+/* The same, with the reason that rcl reports. */
 static void refuse(const struct node *n, const char *what)
 {
     refuse_because(n, what, rcl_get_error_string().str);

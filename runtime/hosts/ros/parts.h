@@ -11,7 +11,7 @@
 struct topic {
     const char *name; /* after remapping */
     const char *type; /* "nav_msgs/msg/Odometry" */
-    bool told;        /* whether a node with another type was reported */
+    bool told;        /* whether a node with a different type was reported */
     bool told_silence;
     bool told_durability; /* whether a node with an incompatible durability was reported */
 };
@@ -32,8 +32,8 @@ int64_t node_now_ns(void);
 /* The time for stamps: that of /clock with use_sim_time, otherwise that of this machine. */
 int64_t node_stamp_ns(void);
 
-/* Checks the other nodes once a second, and reports topics without a publisher, messages of another
- * type, and a second node with the same name, each once. */
+/* Checks the other nodes once a second, and reports topics without a publisher, messages of a
+ * different type, and a second node with the same name, each once. */
 void graph_look(struct graph *graph, const rcl_node_t *node);
 
 #endif

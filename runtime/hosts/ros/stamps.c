@@ -1,7 +1,8 @@
 #include "stamps.h"
 
-/* How long messages with another clock must arrive before that clock is accepted. Also how long
- * after the start a message may be ahead, because the first one may have been delayed. */
+/* Minimum time for which messages with a different clock must arrive before that clock is accepted.
+ * Also the time after the start in which a message may be ahead, because the first message may have
+ * been delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
 /* Clocks run at different speeds: the smallest difference may grow by one part in this number

@@ -42,7 +42,7 @@ struct controllers {
     bool has_stepped;                 /* false before the first instant */
     int64_t stepped_ns;               /* time of the last instant */
     bool is_away;                     /* during an outage of the world: no instants */
-    bool rests;                       /* replace the next command by zero, as after a real outage */
+    bool rests;                       /* replace the next command with zero, as after an outage */
     void *rest;                       /* an output that is all zero */
     size_t count;
     size_t running; /* number of controllers whose program has not ended */

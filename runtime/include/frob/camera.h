@@ -1,8 +1,8 @@
 /* frob/camera.h -- camera frames as part of a program's input.
  *
  * The program's table lists the cameras that it uses (`console`, with the kind FROB_CAMERA) under
- * their labels: "camera", or "left" and "right". At each instant a host gives each camera its
- * newest frame, or none if there is no new one. Each frame is given once. */
+ * their labels: "camera", or "left" and "right". At each instant a host passes the newest frame of
+ * each camera, or none if there is no new frame. Each frame is passed once. */
 #ifndef FROB_CAMERA_H
 #define FROB_CAMERA_H
 

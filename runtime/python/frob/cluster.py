@@ -1,9 +1,9 @@
 """Performs the runs of a sweep on the workers of a `dask.distributed` cluster.
 
 Each task is a shard of the runs (`frobc sweep --shard`). Workers that can see the client's folder
-for rows write there, each into its own file. Other workers return their rows as the task's result,
-and the client writes them. If a worker is killed, the scheduler gives its task to another worker,
-which performs the missing runs. So the rows are the same on any mixture of machines."""
+for rows write to that folder, each into its own file. Other workers return their rows as the task's
+result, and the client writes them. If a worker is killed, the scheduler gives its task to another
+worker, which performs the missing runs. So the rows are the same on any mixture of machines."""
 
 from __future__ import annotations
 

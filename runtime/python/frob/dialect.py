@@ -1,4 +1,5 @@
-"""Recordings from other programs: another separator, a decimal comma, other column names.
+"""Recordings from other programs, with a different separator, a decimal comma, or other column
+names.
 
 `frobc trace` reads them with the same options (compiler/interp/trace/dialect.mli).
 """

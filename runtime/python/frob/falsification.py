@@ -36,7 +36,7 @@ class Counterexample:
     margin: float
     """The margin of the violation; 0 if it is unknown."""
     runs: int
-    """How many runs it took to find it."""
+    """The number of runs that it took to find this violation."""
     params: Dict[str, Any]
     settings: Dict[str, str]
     """The parameters as texts with their units, for `--param`."""

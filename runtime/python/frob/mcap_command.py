@@ -1,6 +1,5 @@
-"""`python3 -m frob.mcap_command IN.mcap OUT.csv`: reads an MCAP file of another program for
-`frobc convert`. Uses the package mcap, and mcap_ros2 for the messages of ROS 2.
-"""
+"""`python3 -m frob.mcap_command IN.mcap OUT.csv`: reads an MCAP file that another program wrote,
+for `frobc convert`. Uses the package mcap, and mcap_ros2 for the messages of ROS 2."""
 
 from __future__ import annotations
 

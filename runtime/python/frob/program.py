@@ -145,9 +145,8 @@ class Program:
         for a DataFrame, a DataFrame; and for a list of values as `step` takes them, a list.
 
         `dt` is the duration of a step in seconds, one for all steps or one for each. Alternatively,
-        `time` gives the time of each instant in seconds; the default is the inputs' column `time`,
-        if there is one. If `inputs` is an array, `out` may be an array for the outputs.
-        """
+        `time` contains the time of each instant in seconds; the default is the inputs' column
+        `time`, if there is one. If `inputs` is an array, `out` may be an array for the outputs."""
         if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
             raise InputError("out: this is only supported if the inputs are an array")
         if isinstance(inputs, list):

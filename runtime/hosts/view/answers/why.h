@@ -17,8 +17,8 @@ const struct frob_origin *why_origin(const struct frob_origin *origins,
  *            if that is too long ago, a later instant, and `longer` is true
  *   "file", "line", "last": the place of its equation; "" if it has none
  *   "sources": [{"signal", "k", "time", "cell"}, …]: the values it was computed from, and when
- *   "switches": if the signal is the running mode of a machine that had another mode before,
- *               the transitions of one instant that led here: [{"from", "to", "label", "k",
+ * "switches": if the signal is the running mode of a machine that had a different mode before, the
+ * transitions of one instant that led here: [{"from", "to", "label", "k",
  *               "time", "file", "line", "last", "sources"}, …]
  *
  * `origins` may be NULL. */

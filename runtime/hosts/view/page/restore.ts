@@ -55,7 +55,7 @@ function restoreMap(store: Store, kept: Kept, view: View | null): void {
   });
 }
 
-/** Restores the edited text, unless it belongs to another version of the program. */
+/** Restores the edited text, unless it belongs to a different version of the program. */
 function restoreEdited(store: Store, kept: Kept): void {
   const own = store.program.sources.find(({ library }) => !library);
   const before = kept.get("edited");

@@ -65,7 +65,7 @@ export class Store {
   /** The time range of plots, in seconds. */
   range: readonly [number, number];
   plots: Plot[] = [];
-  /** The plot to which the next picked signal is added; null: it gets its own. */
+  /** The plot to which the next picked signal is added; null: the signal gets its own plot. */
   target: Plot | null = null;
   playing = false;
   speed = 1;

@@ -34,7 +34,7 @@ bool compare_start(struct what_if *other, const struct signals *recorded, const 
     }
     while (!replay_is_whole(&other->replay))
         replay_advance(&other->replay);
-    /* A recording from another version of the program has outputs, but no inner signals. */
+    /* A recording from a different version of the program has outputs, but no inner signals. */
     if (other->replay.diverged)
         other->replay.runs = false;
     series_start(&other->series, &other->replay);

@@ -1,5 +1,5 @@
 /* compare.h -- a second recording to compare with, in place of an edited program. It may come from
- * another version of the program; then only its inputs and outputs are known. */
+ * a different version of the program; then only its inputs and outputs are known. */
 #ifndef FROB_VIEW_COMPARE_H
 #define FROB_VIEW_COMPARE_H
 

@@ -56,7 +56,7 @@ static struct kept_series *find(struct series *series, const struct signal *sign
 }
 
 /* Returns whether a signal is in the recording, so that the program need not be run for it.
- * Recorded outputs count as long as the program's outputs do not differ. */
+ * Recorded outputs qualify only as long as the program's outputs are equal to them. */
 static bool is_recorded(const struct replay *replay, const struct signal *signal)
 {
     const size_t number = (size_t)(signal - replay->signals->all);

@@ -4,7 +4,7 @@
 
 #include "replay.h"
 
-/* Number of signals whose values are cached, the most recently used ones. */
+/* Number of signals whose values are cached: those that were used most recently. */
 #define SERIES_KEPT 32
 
 struct series {

@@ -357,8 +357,9 @@ static size_t first_difference(const struct signals *signals, enum side side,
     return k;
 }
 
-/* Checks that the simulator reproduces the recording. With another world or seed, or if somebody
- * pressed keys, it does not, and an edited program's run could not be compared. */
+/* Checks that the simulator reproduces the recording. It does not if the world or the seed is
+ * different, or if somebody pressed keys; then the run of an edited program could not be compared
+ * with the recording. */
 static bool repeats(const struct attempt *a, what_if_command command, const char *file,
                     const struct recording *recording, const struct signals *signals)
 {

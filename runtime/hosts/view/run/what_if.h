@@ -16,7 +16,7 @@ struct what_if {
     struct replay replay;
     struct series series;
     size_t first;                  /* first instant at which its outputs differ */
-    const struct signal *first_in; /* output that differs there; NULL if none does */
+    const struct signal *first_in; /* output that differs at that instant; NULL if none differs */
     bool is_repeatable;            /* the simulator has reproduced the recording */
 };
 

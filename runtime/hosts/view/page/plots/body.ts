@@ -22,7 +22,7 @@ export interface Body {
   load(): void;
   /** Requests the data that has arrived since the last request, if the plot follows a live run. */
   grow(): void;
-  /** Draws the plot with another height, or with other colours. */
+  /** Draws the plot with a new height, or with new colours. */
   build(height: number): void;
   /** Called when the instant or the mark has changed. */
   moved(): void;

@@ -1,4 +1,5 @@
-// The program's assertions: the result of each, and where it was violated. A click goes there.
+// The program's assertions: the result of each, and where it was violated. A click goes to a
+// violation.
 import type { Claim, Fate } from "../protocol";
 import type { Store } from "../store";
 

@@ -89,7 +89,7 @@ function namesIn({ name: file, text }: Source): Named[] {
     else if (signature && part.startsWith(`${signature.name} `))
       for (const [name, type] of ofDefinition(signature.type, part))
         add(name, type, start + 1, end);
-    // Fields of records, and variables with a signature of their own.
+    // Fields of records, and variables with their own signature.
     for (const [, name = "", type = ""] of part.matchAll(
       /(?:^|[{,]|\s)([a-z]\w*)\s*::\s*(\w+)(?=\s*[,}]|\s{2,}|\s*$)/g,
     ))
