@@ -1,4 +1,4 @@
--- Follow a wall; back up for 1 s after a bump; turn until the way is free: a
+-- Follow a wall; back up for 1 s after a bump; turn until the way is clear: a
 -- Copilot specification, which has no modes but a stream with the mode's
 -- number.
 module Main (main) where
