@@ -147,7 +147,7 @@ let descriptors t =
 
 (* {2 Changed texts} *)
 
-(* Marks the open texts that read this file, or have messages, for another check. *)
+(* Marks for another check all open texts that read this file or have messages. *)
 let touched t path =
   Hashtbl.iter
     (fun _ (doc : Document.t) ->

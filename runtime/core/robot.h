@@ -71,8 +71,8 @@ struct frob_robot {
 };
 
 /* Starts to connect. Copies what `serial` and `clock` point to; `settings` must stay valid.
- * `patience_ns` is the maximum age of a reading, greater than zero. The data that `device` has from
- * earlier connections is kept. */
+ * `patience_ns` is the maximum age of a reading, greater than zero. Keeps the data in `device` from
+ * earlier connections. */
 void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver, void *device,
                       const double *settings, const struct frob_serial *serial,
                       const struct frob_clock *clock, int64_t patience_ns);

@@ -47,7 +47,7 @@ struct Box {
 
 // A ball on the floor. It rolls along a path, or rests until it is pushed.
 struct Ball {
-    std::vector<Vec> way; // its path; one point if it rests. At the end it rolls back
+    std::vector<Vec> way; // its path, a single point if it rests; at the end it rolls back
     bool closed = false;  // the path leads from its end to its start
     double speed = 0.0;   // m/s
     double radius = 0.1;

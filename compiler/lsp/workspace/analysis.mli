@@ -3,7 +3,7 @@
 open Basis
 
 type t = {
-  path : string;  (** path of the file, whose contents may differ, and which may not exist *)
+  path : string;  (** path of the file; the file may have different contents, or not exist *)
   text : Text.t;
   shown : string;  (** the file name in the spans of this text *)
   tree : Syntax.Ir.program option;  (** [None] if it cannot be parsed *)

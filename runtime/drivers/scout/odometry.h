@@ -1,7 +1,7 @@
 /* scout/odometry.h -- the pose and speed of a Scout, computed from its state packets.
  *
- * The position fields wrap around, so the odometry adds up differences. The pose is kept from one
- * connection to the next; it is zero, pointing along x, where the first state found the robot. A
+ * The position fields wrap around, so the odometry adds up differences. The pose is zero, pointing
+ * along x, at the place of the first state, and continues from one connection to the next. A
  * packet's checksum is a single byte, so a damaged state gets through now and then: positions that
  * the robot cannot have reached since the last state are rejected, unless it repeats them. Speeds
  * are measured over a fifth of a second, because one count is as much as 2.54 mm. */

@@ -45,8 +45,8 @@ struct cameras {
     bool tells; /* also report cameras that work */
 };
 
-/* Counts the cameras that the program uses, for frames or for tags in them, and initializes their
- * options, by their labels. Prints a line on standard error and returns false if there are too
+/* Counts the cameras that the program uses, for frames or for tags, and initializes the options of
+ * each camera, with its label. Prints a line on standard error and returns false if there are too
  * many. */
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program);

@@ -12,9 +12,9 @@ struct overrides {
     char **argv; /* NULL if memory ran out or a value is wrong */
 };
 
-/* Returns the command line, with an option `--param NAME=VALUE` for each value of a parameter of the
- * program in the arguments for ROS, and a setting of the driver for use_sim_time. Reports names that
- * the program does not have, and wrong values. The result is never freed. */
+/* Returns the command line, extended by an option `--param NAME=VALUE` for each of the program's
+ * parameters that the arguments for ROS set, and by a driver setting if they set use_sim_time.
+ * Reports names that the program does not have, and wrong values. The result is never freed. */
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program);
 
 /* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: its

@@ -118,7 +118,7 @@ static int look_through(struct controllers *c, size_t i)
     return number;
 }
 
-/* Opens the world's cameras by the labels that the program uses, and the tag finder. */
+/* Opens the tag finder, and the world's cameras by the labels that the program uses. */
 static bool open_cameras(struct controllers *c)
 {
     const struct frob_program *program = c->program;

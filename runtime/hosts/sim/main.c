@@ -192,7 +192,8 @@ static bool has_frames_for_viewer(const struct options *options, const struct fr
     return false;
 }
 
-/* Checks this before the run rather than after it. Removes the file if it did not exist before. */
+/* Checks before the run, rather than after it, that the file can be written. Removes the file if it
+ * did not exist before. */
 static bool is_writable(const char *path)
 {
     FILE *file = fopen(path, "rb");

@@ -3,7 +3,7 @@ import type { Signal } from "../protocol";
 import { niceStep } from "../ticks";
 import { formatNumber, formatPoint } from "../values";
 
-/** Whether the values of a signal are truth values or names, which need a low plot. */
+/** Whether the values of a signal are truth values or names, which need only a low plot. */
 export function isNamed(signal: Signal): boolean {
   return signal.kind === "bool" || signal.kind === "mode" || signal.kind === "sum";
 }
