@@ -1,5 +1,5 @@
 `make` first installs missing packages, except those that another package provides, as Debian 13's
-Emacs provides elpa-eglot. This test replaces Debian's tools by stubs.
+Emacs provides elpa-eglot. This test replaces Debian's tools with stubs.
 
   $ mkdir bin
   $ cat > bin/dpkg-query <<'SH'

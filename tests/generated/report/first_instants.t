@@ -1,6 +1,6 @@
-The report lists the events that switch: which of them cannot occur at the first
-instant of the mode that they end, and because of which signal function. Events
-of the library:
+The report lists the events that cause switches. It shows which of them cannot
+occur at the first instant of the mode that they end, and which signal function
+is the reason. Events of the library:
 
   $ events() { frobc report "$1" | sed -n '/^switching events/,$p'; }
   $ cat > library.frob <<'FROB'

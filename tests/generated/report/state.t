@@ -20,7 +20,7 @@ them.
       delay             1  delay  smooth.frob:2
       (padding)         7
 
-Modes share memory: it has the size of the largest one.
+Modes share memory, which has the size of the largest mode.
 
   $ cat > modes.frob <<EOF
   > main :: SF Float Float

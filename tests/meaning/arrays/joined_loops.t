@@ -73,7 +73,8 @@ total, and `fromFirst` needs an element before the loop has computed it.
   nan,nan,nan,nan,0,2,nan,nan
   12,0.66666666666666663,0.16666666666666666,0.16666666666666666,0,-6,-6,11.000000000000002
 
-A loop that depends on another one through a third, which has another size, is not fused with it.
+A loop that depends on another one through a third, which has a different size,
+is not fused with it.
 
   $ cat > around.frob <<'EOF'
   > main :: SF (Array 3 Float, Array 2 Float) (Float, Float)

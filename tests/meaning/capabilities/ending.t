@@ -1,5 +1,5 @@
-A task that ends: from then on the robot is at rest, and the output contains the task's result. Both
-engines agree.
+A task that ends: from then on the robot stands still, and the output contains
+the task's result. Both engines agree.
 
   $ cat > there_and_back.frob <<'FROB'
   > import Robot

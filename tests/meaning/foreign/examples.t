@@ -21,8 +21,7 @@ the same results.
   1.100000000,
   $ trace ofParts | diff whole -
 
-If the window moves along with the blob, the tracker does not lose it when it
-becomes faster:
+If the window moves along with the blob, the tracker does not lose a blob that becomes faster:
 
   $ trace leading | tail -3
   0.900000000,"Blob {column = 3.5, row = 5.5, size = 4}"

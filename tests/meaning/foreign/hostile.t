@@ -1,6 +1,7 @@
-Code by somebody else must not reach the C compiler without the user's permission, whatever contains
-it: headers, imported modules, labels, comments, file names, recordings, Python modules. Each header
-here would write a file as soon as a host loads the program.
+Code by somebody else must not reach the C compiler without the user's
+permission, wherever it is: headers, imported modules, labels, comments, file
+names, recordings, Python modules. Each header here would write a file as soon
+as a host loads the program.
 
   $ evil() { mkdir -p "$(dirname "$1")"; cat > "$1" <<C
   > #include <stdio.h>
@@ -183,8 +184,8 @@ include:
   $ names linux/../stdio.h
   [1] error[E0232]: `linux/../stdio.h` is outside of this module's folder
 
-A header with the name of one that frobc generates, whether or not by an earlier run: the user's C
-includes it, and gets the generated one.
+A header has the name of a header that frobc generates, in this run or an
+earlier one. The user's C, which includes that name, gets the generated header.
 
   $ mkdir mine && echo '#include "header.h"' > mine/mine.c && cp header.frob evil.h mine
   $ printf '#include "evil.h"\n' > mine/header.h
@@ -274,7 +275,7 @@ The text of a recording is never compiled.
   error: run.csv: the parameter `v` is a number of 1, not `1; foreign include "evil.h"`; to override the recorded value, use `--param`
 
 Allowing a header does not allow others in its folder. Here the user's own C includes the standard
-header in quotes, and the C compiler finds a header of the stranger.
+header in quotes, and the C compiler finds the stranger's header.
 
   $ mkdir stranger own
   $ echo 'static inline double fine(double x) { return x; }' > stranger/fine.h

@@ -56,7 +56,7 @@ A negative time counts as 0:
   Nothing,Nothing
   Just 2,Just 2
 
-An attempt that fails at once is repeated after 0.1 s, then after 0.2 s, then after 0.3 s, which
+An attempt that fails immediately is repeated after 0.1 s, then after 0.2 s, then after 0.3 s, which
 is the longest wait; the fourth is the last. 7 is the output while it waits:
 
   $ cat > backoff.frob << FROB

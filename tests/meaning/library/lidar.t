@@ -91,8 +91,8 @@ and 0.7 m on the right. Objects disappear after half a second:
   4.85862603,4.87091969,4.86170353,0
   $ single senses
 
-The functions from which `byLidar` computes them. `seen` delivers objects only at instants with a
-scan, and an object that is farther away than the range of the lidar is none:
+The functions from which `byLidar` computes them. `seen` delivers objects only
+at instants with a scan, and only objects within the range of the lidar:
 
   $ cat > parts.frob << 'FROB'
   > import Capability

@@ -1,5 +1,6 @@
-Motions, with an ideal robot: it follows its commands exactly. How they do with noise, on the robots
-of the library: tests/robots/run/motions.t.
+Motions, with an ideal robot: it follows its commands exactly. For their
+behaviour with noise, on the robots of the library, see
+tests/robots/run/motions.t.
 
   $ . ./trace.sh
 
@@ -44,8 +45,9 @@ A path of one point, and one whose points are all the same:
   0,1,2,0,0,1,2,0
   0,1,2,0,0,1,2,0
 
-The heading past obstacles: the wanted one if it is free, else the next one to the side to which
-the robot was going already; none if the points are all around:
+The heading past obstacles: the desired one if it is clear, otherwise the next
+one on the side to which the robot was already heading; none if there are points
+all around:
 
   $ cat > headings.frob << FROB
   > import Geometry
@@ -69,7 +71,8 @@ the robot was going already; none if the points are all around:
   Just 0,Nothing,false
   Just 0,Nothing,false
 
-A robot that follows its commands exactly. `motorsOf` gives what each task commands, and how it ends:
+A robot that follows its commands exactly. `motorsOf` returns the commands of
+each task, and how it ends:
 
   $ cat > ideal.frob << FROB
   > import Geometry
@@ -94,8 +97,9 @@ A robot that follows its commands exactly. `motorsOf` gives what each task comma
   $ frobc trace ideal.frob --real float --input ideal.csv | last
   2.00 1.90 Just true -2.76 Just true 1.00 0.95 1.54 Just true
 
-Each ends for what is in its way, or because it is stuck. A path back to where it begins is driven
-whole, and a bad setting counts as the least one:
+Each task ends because of an object in the robot's way, or because the robot is
+stuck. A path that leads back to its start is driven completely, and an invalid
+setting counts as the smallest valid one:
 
   $ cat > ends.frob << FROB
   > import Capability

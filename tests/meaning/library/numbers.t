@@ -2,7 +2,7 @@ Numbers are total: every division, conversion and power has a value.
 
   $ . ./trace.sh
 
-On Int, `+ - *` wrap around; `div` and `mod` round to minus infinity; division
+On Int, `+ - *` wrap around; `div` and `mod` round towards minus infinity; division
 by 0 yields 0, and the least Int divided by -1 is itself. The expected values,
 computed with doubles:
 

@@ -1,5 +1,5 @@
 The module Pid, compared with an independent implementation: steps of uneven length, steps of
-length 0, gaps, NaN for single instants, jumps of the setpoint, and a while of manual control.
+length 0, gaps, NaN for single instants, jumps of the setpoint, and a period of manual control.
 
   $ . ./models.sh
   $ cat > controllers.frob << 'FROB'

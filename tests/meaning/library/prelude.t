@@ -109,7 +109,7 @@ Combinators; the last two are `delay 1 >>> (+ 1)` and a counter.
   4,20,2,40,4,20,4,2,2,2,7,3
   6,30,3,60,6,30,6,3,3,3,7,6
 
-Sums and means, also of Ints; the first and the last elements, also more than there are:
+Sums and means, also of Ints; the first and the last elements, also more of them than there are:
 
   $ cat > arrays.frob << FROB
   > main :: SF (Float, Int) (Float, Float, Int, Array 2 Int, Array 4 Int, Array 2 Int, Array 4 Int, Array 3 Int)

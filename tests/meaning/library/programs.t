@@ -56,8 +56,8 @@ Float.
   ok    gets to the other side of the table and touches nothing: 2 seeds, 40 s
   1 test: all hold
 
-The interpreter gives the same verdicts at each instant of the tests, and the same commands to the
-robots.
+The interpreter computes the same verdicts at each instant of the tests, and the
+same commands to the robots.
 
   $ awk 'BEGIN { print "time"; for (k = 0; k < 500; k++) print k / 50 }' >steps.csv
   $ agree() { # agree NAME ARGUMENTS...: traces in both engines

@@ -32,7 +32,7 @@ reversed if a is odd; d is True if b grows.
   1.000000000,0,0,true
   2.000000000,8,-3.9188697572715303e-15,false
 
-The paper's integral is late by a step, because its loop has a delay: it adds (t
+The paper's integral lags by one step, because its loop has a delay: it adds (t
 - t') v one instant later. The library's integral adds dt times the previous
 input.
 

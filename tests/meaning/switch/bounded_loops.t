@@ -1,5 +1,5 @@
 A cycle of modes that ends within the instant is not an error. The compiler derives how far it goes
-from the known ranges of the numbers that modes hand on, and of the input, which is the same for all
+from the known ranges of the numbers that modes pass on, and of the input, which is the same for all
 of them. The report states the number of steps.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cut -d, -f2- c.csv | xargs && frobc report "$1" | sed -n 's/.*, \(at most.*instant\)$/\1/p'; }
@@ -138,8 +138,7 @@ The condition that ended one mode keeps the next one running.
   out 0 1 0 1 1 1 0 1
   at most 2 stepped within one instant
 
-A task that measures from the robot's own position has not gone far at its
-start.
+A task that measures the distance from the robot's own position starts with a distance of 0.
 
   $ cat > square.frob <<'EOF'
   > import Geometry

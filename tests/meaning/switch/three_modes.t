@@ -1,5 +1,5 @@
-A controller with three modes: follow a wall; back up for 1 s after a bump; turn until the way is
-free.
+A controller with three modes: follow a wall; back up for 1 s after a bump; turn
+until the way is clear.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > three_modes.frob <<'EOF'

@@ -242,7 +242,7 @@ fixes it: it neither waits for a change nor stops.
   $ yes 3 | head -5 | rows in | trace until | cut -d, -f2 | xargs
   out Left 1 Left 2 Left 1 Left 2 Left 1
 
-A task in a combinator of the library is called by its own name.
+The message shows a task in a combinator of the library under the task's own name.
 
   $ cat > blink.frob <<'EOF'
   > main :: SF Float (Either Float ())

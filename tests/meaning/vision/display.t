@@ -1,5 +1,5 @@
-The image that a camera sees is shown with marks on it, in pixels. The program that drives contains
-nothing of this.
+The image that a camera sees is shown with marks on it, in pixels. The program
+for a robot contains no code for this.
 
   $ cat > world.toml <<'TOML'
   > robot = "pioneer"

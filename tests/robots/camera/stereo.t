@@ -43,8 +43,9 @@ frames without a partner are skipped and counted.
   $ frobc trace both.frob --robot pioneer --input log.csv | cmp - recorded.csv
   $ frobc trace both.frob --robot pioneer --input log.csv --engine interp | cmp - recorded.csv
 
-If no frames are as close as required, the program has no pairs, the robot stands still, and a
-message says what may help. If the frames of one camera arrive later, it states by how much.
+If no frames are as close as required, the program has no pairs, the robot
+stands still, and a message suggests a fix. If the frames of one camera arrive
+later, it states by how much.
 
   $ feed="$(frames_of one 0.1 0) $(frames_of two 0.1 0.15)"
   $ wants="grep -q '^warning.*give no pairs' messages"

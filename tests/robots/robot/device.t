@@ -1,4 +1,4 @@
-If a device cannot be opened, the message says what helps.
+If a device cannot be opened, the message says how to fix that.
 
   $ . ./robot.sh
   $ frobc run drive.frob --device ./nothing

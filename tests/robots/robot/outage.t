@@ -1,6 +1,7 @@
-The robot is away for 4 s: its server is killed and restarted, or stopped with SIGSTOP. The program
-has one instant whose step is the outage, and `outage` returns its length. The first speed on the
-line afterwards is zero. A rate limit and a PID count at most 0.2 s, a low-pass the whole time.
+The robot is unreachable for 4 s: its server is killed and restarted, or stopped
+with SIGSTOP. The program has one instant whose step is the outage, and `outage`
+returns its length. The first speed on the line afterwards is zero. A rate limit
+and a PID count at most 0.2 s, a low-pass the whole time.
 
   $ . ./robot.sh
   $ cat > drives.frob <<FROB

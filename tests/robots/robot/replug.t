@@ -1,6 +1,7 @@
-The cable is pulled and plugged in again, and the device then has another name: the run continues,
-with zero first. The robot's own watchdog is not involved, because the robot would resume its old
-speed. At most two seconds after the robot's return, it drives again.
+The cable is pulled and plugged in again, and the device then has another name:
+the run continues, starting with a speed of zero. The robot's own watchdog is
+not involved, because the robot would resume its old speed. At most two seconds
+after the robot's return, it drives again.
 
   $ . ./robot.sh
   $ now () { awk -v slow=$FROB_SLOW '{ print $1 / slow }' /proc/uptime; } # by the robot's clock

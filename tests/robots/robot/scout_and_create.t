@@ -74,8 +74,9 @@ which has one.
   >   end_robot
   > done
 
-The cable is pulled and plugged in again: the run continues, with zero first. Meanwhile the Create
-drives on; the Scout's watchdog stops it after a second.
+The cable is pulled and plugged in again: the run continues, starting with a
+speed of zero. Meanwhile the Create drives on; the Scout's watchdog stops it
+after a second.
 
   $ for kind in scout create; do
   >   start_robot

@@ -15,7 +15,7 @@ All sources are installed.
   $ (cd "$share/runtime"; find . -name '*.[chl]*' | sed 's|^\./||' | sort) | diff here -
 
 For an unknown target, the message lists the others; for a missing compiler, it
-says what helps.
+says how to install one.
 
   $ frobc build drive.frob --target arduino
   error: there is no target `arduino`; the targets are host, linux, aarch64-linux, armhf-linux, cortex-m; for Arduino, use `frobc export --platformio`

@@ -58,7 +58,7 @@
     </export>
   </package>
 
-It needs nothing of frobc: here built without CMake, and with the fake ROS 2.
+Building it does not require frobc. Here it is built without CMake, with the fake ROS 2.
 
   $ includes=$(for folder in prefix/include/*; do echo "-isystem $folder"; done)
   $ gcc -std=gnu11 -D_GNU_SOURCE -O1 -ffp-contract=off -fno-strict-aliasing -Wall -Werror -Idrive/src $includes $(find drive/src -name '*.c') -Lprefix/lib -lrcl -Wl,-rpath,$PWD/prefix/lib -ldl -lm -o node

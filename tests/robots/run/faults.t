@@ -15,7 +15,7 @@ frobc.
   $ frobc run ahead.frob --for 5s --strict | grep collisions
   collisions: 0
 
-A command that is not a number means rest: it stops a moving robot.
+A command that is not a number stops the robot.
 
   $ cat > dead_sensor.frob <<EOF
   > import Robot

@@ -1,4 +1,4 @@
-Following a rolling ball, seen by a camera with latency, noise and lost frames.
+The robot follows a rolling ball with a camera that has latency, noise and lost frames.
 
   $ follow=../../../examples/follow_ball/follow_ball.frob
   $ sh seeds.sh ../../../examples/follow_ball pioneer 3 collisions 0 0 mean_ball_distance_error 0 0.03 largest_ball_distance_error 0 0.05 -- --for 45s

@@ -8,7 +8,7 @@ its axle, which is at 7.28 m then, 6.68 m from the start).
   $ tail -1 hold.csv | awk -F, '{ error = $4 + 25 * 3.14159265 / 180; print (error < 0.02 && error > -0.02), ($30 < 0.02 && $30 > -0.02) }'
   1 1
 
-The trial also holds at other rates.
+The trial also succeeds at other rates.
 
   $ for rate in 20 100; do frobc test ../../../examples/heading_hold/heading_hold.frob --rate $rate | grep -c '^ok'; done
   7

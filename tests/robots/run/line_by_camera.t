@@ -1,4 +1,4 @@
-Round a course of tape, seen by a camera with latency, noise and lost frames.
+The robot follows a course of tape with a camera that has latency, noise and lost frames.
 
   $ sh seeds.sh ../../../examples/line_by_camera pioneer 1 collisions 0 0 mean_distance_from_the_tape 0 0.03 largest_distance_from_the_tape 0 0.07 distance_along_the_tape 12 14 -- --for 60s
   pioneer: 0 of 1 seeds out of bounds

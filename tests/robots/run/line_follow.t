@@ -1,4 +1,4 @@
-Three times round a course of tape, on the robot that senses the floor.
+The robot that senses the floor drives three times round a course of tape.
 
   $ sh seeds.sh ../../../examples/line_follow create 5 collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 distance_along_the_tape 45 50 -- --for 220s
   create: 0 of 5 seeds out of bounds

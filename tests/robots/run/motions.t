@@ -1,6 +1,6 @@
 The motions of the library on each robot, with noise: a path with sharp corners that crosses itself,
-poses and turns; around pillars; again and again after a blocked way; and without a goal. (`make
-seeds` runs the same with many more seeds.)
+poses and turns; a drive around pillars; repeated attempts after a blocked way;
+and wandering without a goal. (`make seeds` runs the same with many more seeds.)
 
   $ for robot in pioneer scout create; do
   >   for name in follow again wander; do frobc test motions/$name.frob --robot $robot --seeds 2 | grep -v '^   '; done
@@ -36,7 +36,7 @@ seeds` runs the same with many more seeds.)
   ok    drives around three pillars by lidar: 2 seeds, 60 s
   1 test: all hold
 
-Each task of the first ends with True, also in single precision:
+Each task of the first program ends with True, also in single precision:
 
   $ frobc run motions/follow.frob --robot pioneer --world motions/hall.toml --for 90s --exit-when-done --real float |
   >   grep -e result -e collisions

@@ -1,5 +1,6 @@
-Back and forth between two places, past a pillar that is in the way: within three minutes at least
-twice at each end (by odometry), touching nothing.
+The robot drives back and forth between two places, past a pillar in its way.
+Within three minutes it is at each end at least twice (by odometry), and it
+touches nothing.
 
   $ for robot in pioneer scout create; do
   >   sh seeds.sh ../../../examples/patrol $robot 2 collisions 0 0 distance_driven 30 45 -- --for 3min

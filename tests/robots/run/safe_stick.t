@@ -1,5 +1,5 @@
-The stick, limited by the sonars, on a table of inputs: both engines agree. A dead sonar reads NaN,
-and then the speed is NaN, for which a robot rests.
+The stick, limited by the sonars, on a table of inputs: both engines agree. A
+dead sonar reads NaN, and then the speed is NaN, which stops a robot.
 
   $ example=../../../examples/safe_stick
   $ frobc trace $example/safe_stick.frob --entry safely --input $example/drive.csv | tee driven.csv

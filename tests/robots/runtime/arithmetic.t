@@ -1,5 +1,5 @@
 The check finds each fault of the arithmetic, under each compiler option that
-causes one; and none if there is none.
+causes one. It finds none if the arithmetic is correct.
 
   $ cat > ask.c <<'END'
   > #include <frob/arithmetic.h>

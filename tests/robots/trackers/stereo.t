@@ -1,7 +1,8 @@
-A robot with a stereo head drives back and forth, a good two metres in front of a wall; pixels are
-noisy, frames lost, and the right camera is slightly misaligned. Each depth is compared with the
-world. Every depth of the wall is off by at most five percent, by whichever function; a box and a
-side wall are where the floor plan has them.
+A robot with a stereo head drives back and forth, slightly more than two metres
+in front of a wall; pixels are noisy, frames lost, and the right camera is
+slightly misaligned. Each depth is compared with the world. Every depth of the
+wall is off by at most five percent, by whichever function; a box and a side
+wall are where the floor plan has them.
 
   $ frobc run stereo.frob --world stereo.toml --for 6s --seed 1 --record run.csv > summary
   $ frobc trace stereo.frob --entry judged --input run.csv > judged.csv

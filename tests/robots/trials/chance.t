@@ -1,4 +1,4 @@
-A trial may require that only a given proportion of its runs hold. Runs continue until this is
+A trial may require only a given proportion of its runs to succeed. Runs continue until this is
 decided, or until there are no more seeds; the outcome does not depend on how many run at a time.
 
   $ cat > chance.frob << 'FROB'
@@ -62,8 +62,9 @@ removed without which it still fails.
   35:slip = 0.1
   37:# noise = 0.1 # of light
 
-The report about a run is about that run alone, and the same for the simpler one: the time, the
-outputs, the seed and the command that shows it agree with each other and with the recording.
+The report about a run describes only that run, and so does the report about the
+simpler one: the time, the outputs, the seed and the command that shows it agree
+with each other and with the recording.
 
   $ cat > agree.py << 'PY'
   > import csv, re, shlex, sys

@@ -1,4 +1,4 @@
-The trials of the examples hold, on each robot that they are for.
+The trials of the examples succeed, on each robot that they are for.
 
   $ examples=../../../examples
   $ frobc test $examples | grep -v '^      '

@@ -1,5 +1,5 @@
-Two comparisons of a number that are never both true, or of which one always is: clang warns about
-them if they have a branch.
+Two comparisons of a number that are never both true, or never both false: clang
+would warn about `&&` or `||` between them, so the C calls a function instead.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > contrary.frob <<'END'

@@ -162,7 +162,7 @@ Only `frobc convert` writes and reads MCAP:
   error: run.mcap is not a Frob program but an MCAP recording; convert it: `frobc convert run.mcap RUN.csv`
   [2]
 
-Names that do not say what to do, or that ask for nothing:
+Names that do not determine a conversion, or that require none:
 
   $ frobc convert run.csv run.bag
   error: the name of run.bag must end in .csv, .csv.gz or .csv.zst for a recording, or in .mcap for MCAP

@@ -1,4 +1,4 @@
-`frobc doctor` looks at everything that a command may need. Its last lines depend on the computer,
+`frobc doctor` checks everything that a command may need. Its last lines depend on the computer,
 so this test selects lines.
 
   $ unset CC VIRTUAL_ENV FROB_PYTHON; export HOME=$PWD/home XDG_CACHE_HOME=$PWD/cache XDG_DATA_HOME=$PWD/data

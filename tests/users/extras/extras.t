@@ -1,4 +1,4 @@
-`frobc extras` installs Python packages of others in an environment that belongs to frobc. In this
+`frobc extras` installs third-party Python packages in an environment that belongs to frobc. In this
 test, a script stands in for Python, so that no network is needed.
 
   $ unset VIRTUAL_ENV FROB_PYTHON; export TOP=$PWD XDG_DATA_HOME=$PWD/data

@@ -1,5 +1,5 @@
-Each command that lacks a Python package names the command that installs it. Here, Python has no
-packages of others.
+Each command that lacks a Python package names the command that installs it.
+Here, Python has no third-party packages.
 
   $ unset VIRTUAL_ENV FROB_PYTHON; export XDG_DATA_HOME=$PWD/data
   $ mkdir bin; printf '#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n' > bin/python3; chmod +x bin/python3

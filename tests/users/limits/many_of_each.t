@@ -66,7 +66,7 @@ the first 100 of them, JSON the first 1,000, and then the number of omitted ones
   status 1
   200000 errors; the first 100 are shown
 
-If the stack must not grow, the message has a place and says what to do:
+If the stack is not allowed to grow, the message has a place and says what to do:
 
   $ (ulimit -S -s 1024; ulimit -H -s 1024; OCAMLRUNPARAM=l=100000 within 30 frobc check cases.frob)
   error[E0106]: the program is too large, or nested too deeply, for the stack of frobc

@@ -31,8 +31,9 @@ The world and the plan:
   $ frobc sweep speeds.toml 2> progress | head -1
   4 runs: 4 held, 0 failed
 
-A recording whose columns do not fit the program, or a world or plan with a key that this version
-does not know, is refused by that name:
+A recording whose columns do not fit the program, or a world or plan with a key
+that this version does not know, is rejected. The message names the column or
+key:
 
   $ sed 's/in.leftStall/in.leftBlocked/' pioneer.csv > other.csv
   $ frobc trace drive.frob --robot pioneer --input other.csv 2>&1 | cut -c 1-100

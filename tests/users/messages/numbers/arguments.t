@@ -1,5 +1,5 @@
-Arguments of the wrong form: a negative number, a tuple of another size, a value for a signal
-function.
+Arguments of the wrong form: a negative number, a tuple of a different size, a
+value for a signal function.
 
   $ cat > negative.frob <<'FROB'
   > f :: Float -> Float

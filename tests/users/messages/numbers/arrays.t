@@ -1,4 +1,4 @@
-Arrays of another size, ranges, patterns of another length.
+Arrays of a different size, ranges, patterns of a different length.
 
   $ cat > ranges.frob <<'FROB'
   > import Robot

@@ -46,7 +46,7 @@ A size variable of a signature has no value. The message says how to compute the
   $ grep '^middle xs' sizes.frob
   middle xs = at ((length xs) `div` 2) 0 xs
 
-A definition, a variable or a type with this name is another thing:
+A definition, a variable or a type with this name is something else:
 
   $ cat > others.frob <<'FROB'
   > n :: Int

@@ -62,7 +62,7 @@ A factor that also converts the number stays:
   1 error
   [1]
 
-A constant with another unit, where it is defined:
+A constant with the wrong unit, reported where it is defined:
 
   $ cat > turn.frob <<'FROB'
   > import Robot
@@ -119,7 +119,7 @@ A constant with another unit, where it is defined:
   $ sed 's:0.2\[m/s^2\]:0.2[m/s]:' acceleration.frob > pasted.frob && frobc check pasted.frob
   $ sed 's:setVelTR v:setVelTR (integral v):' acceleration.frob > pasted.frob && frobc check pasted.frob
 
-A parameter whose type in the signature has another unit:
+A parameter whose type in the signature has the wrong unit:
 
   $ cat > parameter.frob <<'FROB'
   > import Robot
@@ -145,7 +145,7 @@ A parameter whose type in the signature has another unit:
   [1]
   $ sed -e 's:turn \:\: Angle:turn \:\: AngularVelocity:' -e 's:0.8:0.8[rad/s]:' parameter.frob > pasted.frob && frobc check pasted.frob
 
-A gain with another unit, beside a gain for the rate:
+A gain with the wrong unit, next to a gain for the rate:
 
   $ cat > gains.frob <<'FROB'
   > import Robot

@@ -60,7 +60,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
   1 error
   [1]
 
-There are no assignments, in any branch; a choice by constructors is a `case`:
+There are no assignments, in any branch; use `case` to choose between constructors:
 
   $ cat > assigned.frob <<'FROB'
   > main :: SF (Velocity, Velocity) Velocity
@@ -179,7 +179,7 @@ Records require constructors, and commas:
   1 error
   [1]
 
-With any number of such mistakes; other mistakes are still reported:
+However many such mistakes there are, other mistakes are still reported:
 
   $ cat > semicolons.frob <<'FROB'
   > data P = P
