@@ -361,11 +361,11 @@ let commands =
       Running.trace;
       Running.run;
       Trying.test;
-      Trying.sweep;
+      Sweeping.sweep;
       Falsifying.falsify;
-      Running.view;
+      Viewing.view;
       Converting.convert;
-      Running.serve;
+      Serving.serve;
       build;
       export;
       report;

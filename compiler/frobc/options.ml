@@ -220,3 +220,13 @@ let dialect =
     { Interp.Dialect.separator; decimal_comma; time_column; columns }
   in
   Term.(const make $ separator $ decimal_comma $ time_column $ columns)
+
+let some_string name ~docv ~doc = Arg.(value & opt (some string) None & info [ name ] ~docv ~doc)
+
+let jobs =
+  let doc = "Number of parallel processes. The default is the number of processors." in
+  Arg.(value & opt (some int) None & info [ "j"; "jobs" ] ~docv:"N" ~doc)
+
+let positive name = function
+  | Some n when n < 1 -> Error (Printf.sprintf "%s must be a number of at least 1" name)
+  | _ -> Ok ()

@@ -24,6 +24,15 @@ val real : Basis.Real.t Term.t
 val robot_names : string
 (** The robots in the library, for a manual page. *)
 
+val some_string : string -> docv:string -> doc:string -> string option Term.t
+(** An option with this name whose value is a text. *)
+
+val jobs : int option Term.t
+(** The option [--jobs]. *)
+
+val positive : string -> int option -> (unit, string) result
+(** Checks that the value of the option with this name is at least 1, if it is given. *)
+
 val time_span : float Arg.conv
 (** A time such as [1.5s] or [2min], converted to seconds. *)
 

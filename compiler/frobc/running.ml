@@ -2,7 +2,6 @@ open Cmdliner
 open Options
 module Simulating = Tools.Simulating
 module Tracing = Tools.Tracing
-module Viewing = Tools.Viewing
 module Reporting = Build.Reporting
 
 let trace =
@@ -66,8 +65,6 @@ let trace =
 (* Options of `frobc run`. Those of hosts are in three groups: for all hosts, for the simulator only,
    and for robots only. *)
 
-let some_string name ~docv ~doc = Arg.(value & opt (some string) None & info [ name ] ~docv ~doc)
-
 let for_hosts =
   Host_option.
     [
@@ -120,84 +117,54 @@ let for_robots =
         ~doc:"With $(b,--device) or $(b,--ros2): keep the program's memory from being swapped out.";
     ]
 
-(* An option of [frobc view] and [frobc run --view]. *)
-let print_address =
-  let doc = "Print the address of the page and do not open a browser." in
-  Arg.(value & flag & info [ "print" ] ~doc)
+let world =
+  some_string "world" ~docv:"WORLD.toml"
+    ~doc:
+      "The world to drive in: a file in this folder or in the program's folder, or the name of a \
+       world that comes with frobc. The default is $(b,world.toml) in the program's folder, or the \
+       room that comes with frobc if there is no such file."
 
-(* `--view=print` is the older spelling of `--view --print`. *)
-let look =
-  let parts = [ ("print", `Print); ("control", `Control) ] in
+let record =
+  some_string "record" ~docv:"LOG.csv"
+    ~doc:
+      "Write the input and output of every instant, in the format of $(b,frobc trace). The file is \
+       compressed if its name ends in $(b,.gz) or $(b,.zst)."
+
+let picture =
+  some_string "picture" ~docv:"P.svg|P.png" ~doc:"Draw the world, the robot's path and the signals."
+
+let device =
+  some_string "device" ~docv:"DEV"
+    ~doc:
+      "Run on the robot at this serial port (a path, preferably in $(b,/dev/serial/by-id)) or this \
+       address ($(b,tcp:HOST:PORT)) instead of in the simulator."
+
+let ros2 =
   let doc =
-    "Show the run live on a page with all signals, in real time; without $(b,--for), the run \
-     continues until you stop it. Prints the address of the page, and opens a browser if there is \
-     a desktop, unless you add $(b,--print). $(b,--view=control) lets viewers send events to a \
-     real robot; otherwise they can only stop it."
+    "Run as a ROS 2 node, for the robot $(b,ros), instead of in the simulator. Source the setup \
+     script of ROS 2 first."
   in
-  let make view print =
-    match view with
-    | None when print -> Error "--print only works with --view: add it"
-    | None -> Ok None
-    | Some parts ->
-        let browser = not (print || List.mem `Print parts) in
-        Ok (Some { Viewing.browser; control = List.mem `Control parts })
+  Arg.(value & flag & info [ "ros2" ] ~doc)
+
+let ros_arguments =
+  let doc =
+    "With $(b,--ros2): arguments for ROS 2, up to $(b,--) or the end, as in $(b,--ros-args -r \
+     odom:=base/odom -r __node:=follower)."
   in
-  Term.(
-    const make
-    $ Arg.(
-        value
-        & opt ~vopt:(Some []) (some (list (enum parts))) None
-        & info [ "view" ] ~docv:"HOW" ~doc)
-    $ print_address)
+  Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
+
+(* The real robot to run on, if any, with the option that chose it. *)
+let way device ros2 ros_arguments =
+  let open Tools.Real_robot in
+  match (device, ros2, ros_arguments) with
+  | Some _, true, _ ->
+      Error "the robot is either on a serial line or in ROS 2: remove --device or --ros2"
+  | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
+  | _, true, arguments -> Ok (Some (Ros2 arguments, "--ros2"))
+  | Some device, false, [] -> Ok (Some (Device device, "--device"))
+  | None, false, [] -> Ok None
 
 let run =
-  let world =
-    some_string "world" ~docv:"WORLD.toml"
-      ~doc:
-        "The world to drive in: a file in this folder or in the program's folder, or the name of a \
-         world that comes with frobc. The default is $(b,world.toml) in the program's folder, or \
-         the room that comes with frobc if there is no such file."
-  in
-  let record =
-    some_string "record" ~docv:"LOG.csv"
-      ~doc:
-        "Write the input and output of every instant, in the format of $(b,frobc trace). The file \
-         is compressed if its name ends in $(b,.gz) or $(b,.zst)."
-  in
-  let picture =
-    some_string "picture" ~docv:"P.svg|P.png"
-      ~doc:"Draw the world, the robot's path and the signals."
-  in
-  let device =
-    some_string "device" ~docv:"DEV"
-      ~doc:
-        "Run on the robot at this serial port (a path, preferably in $(b,/dev/serial/by-id)) or \
-         this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
-  in
-  let ros2 =
-    let doc =
-      "Run as a ROS 2 node, for the robot $(b,ros), instead of in the simulator. Source the setup \
-       script of ROS 2 first."
-    in
-    Arg.(value & flag & info [ "ros2" ] ~doc)
-  in
-  let ros_arguments =
-    let doc =
-      "With $(b,--ros2): arguments for ROS 2, up to $(b,--) or the end, as in $(b,--ros-args -r \
-       odom:=base/odom -r __node:=follower)."
-    in
-    Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
-  in
-  let way device ros2 ros_arguments =
-    let open Tools.Real_robot in
-    match (device, ros2, ros_arguments) with
-    | Some _, true, _ ->
-        Error "the robot is either on a serial line or in ROS 2: remove --device or --ros2"
-    | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
-    | _, true, arguments -> Ok (Some (Ros2 arguments, "--ros2"))
-    | Some device, false, [] -> Ok (Some (Device device, "--device"))
-    | None, false, [] -> Ok None
-  in
   let ( let* ) = Reporting.( let* ) in
   let make general entry sources device ros2 ros_arguments world record picture look host realtime
       simulator robot file =
@@ -229,7 +196,7 @@ let run =
     Term.(
       const make
       $ judging (with_params probed)
-      $ entry $ sources $ device $ ros2 $ ros_arguments $ world $ record $ picture $ look
+      $ entry $ sources $ device $ ros2 $ ros_arguments $ world $ record $ picture $ Viewing.look
       $ Host_option.all for_hosts $ realtime $ Host_option.all for_simulator
       $ Host_option.all for_robots $ file)
 
@@ -248,164 +215,4 @@ let demo =
          its files, so that you can change them and run $(tname) again.";
     ]
   in
-  command "demo" ~man ~doc:"drive an example in the simulator" Term.(const make $ look)
-
-let view =
-  let recording =
-    let doc = "The recording, written by $(b,frobc run --record)." in
-    Arg.(required & pos 0 (some string) None & info [] ~docv:"RUN.csv" ~doc)
-  in
-  let file =
-    let doc = "The $(b,.frob) program that was recorded." in
-    Arg.(required & pos 1 (some string) None & info [] ~docv:"FILE" ~doc)
-  in
-  let port =
-    let doc = "The port of the page. The default is any free port." in
-    Arg.(value & opt (some int) None & info [ "port" ] ~docv:"N" ~doc)
-  in
-  let world =
-    let doc =
-      "The world to draw on the map. The default is the world that $(b,frobc run) would use."
-    in
-    Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
-  in
-  let only_build =
-    let doc =
-      "Compile the program for the viewer and print the path of the result, without opening the \
-       page."
-    in
-    Arg.(value & flag & info [ "only-build" ] ~doc)
-  in
-  let why_nan =
-    let doc =
-      "Do not open the page. Print where NaN in the program's output comes from: the signal that \
-       is NaN although no signal that it depends on is NaN, and its line."
-    in
-    Arg.(value & flag & info [ "why-nan" ] ~doc)
-  in
-  let compare =
-    let doc =
-      "A second recording to show over the first one, of this program or of another version of it."
-    in
-    Arg.(value & opt (some string) None & info [ "compare" ] ~docv:"OTHER.csv" ~doc)
-  in
-  let seed =
-    let doc = "The seed of the run in the simulator, to drive the same run again." in
-    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
-  in
-  let at =
-    let doc = "The time to show first, as in $(b,12.5s). The default is the start." in
-    let parse text = Result.map_error (fun e -> `Msg e) (Build.Time_span.parse_instant text) in
-    let print out at = Format.pp_print_string out (Build.Time_span.print at) in
-    let time = Arg.conv (parse, print) in
-    Arg.(value & opt (some time) None & info [ "at" ] ~docv:"TIME" ~doc)
-  in
-  let run general dialect entry sources print port world compare seed at only_build why_nan
-      recording file =
-    (* The order of `trace` and `run`, which have the program first, is accepted, too. *)
-    let is_program name = Filename.check_suffix name ".frob" in
-    let recording, file =
-      if is_program recording && not (is_program file) then (file, recording) else (recording, file)
-    in
-    let recording = if only_build && recording = "-" then None else Some recording in
-    Viewing.view general ~entry ~sources
-      {
-        recording;
-        dialect;
-        browser = not print;
-        port;
-        world;
-        compare;
-        seed;
-        at;
-        only_build;
-        why_nan;
-      }
-      file
-  in
-  let man =
-    [
-      `S Manpage.s_description;
-      `P
-        "Runs the program again on the recorded inputs, and shows each of its signals at any \
-         instant, in plots and in the source. It compares the outputs with the recorded ones.";
-      `P
-        "The page is only available on this computer, at the printed address. To open it on \
-         another computer, run $(b,ssh -L PORT:127.0.0.1:PORT) there and use the same address.";
-    ]
-  in
-  command "view" ~man ~doc:"show a recorded run on a page, at any instant"
-    Term.(
-      const run $ with_params general $ dialect $ entry $ sources $ print_address $ port $ world
-      $ compare $ seed $ at $ only_build $ why_nan $ recording $ file)
-
-let serve =
-  let robot =
-    some_string "robot" ~docv:"ROBOT"
-      ~doc:"The robot, or the file of the module of your own robot. The default is $(b,pioneer)."
-  in
-  let world =
-    some_string "world" ~docv:"WORLD.toml"
-      ~doc:"The world of the robot. The default is the room that comes with frobc."
-  in
-  let host =
-    Host_option.(
-      all
-        [
-          one Arg.int ~absent:"1" "seed" ~docv:"N" ~doc:"Seed of all noise.";
-          one Arg.int "tcp" ~docv:"PORT"
-            ~doc:
-              "Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 chooses a free \
-               port.";
-          one Arg.int "camera" ~docv:"PORT"
-            ~doc:
-              "Serve the images of the world's cameras as MJPEG over HTTP, on this port of \
-               127.0.0.1; 0 chooses a free port. Prints a line $(b,camera:) with the address of \
-               each camera, for $(b,frobc run --camera) or a browser.";
-          time_span "for" ~docv:"TIME" ~doc:"How long to run. By default it runs until you stop it.";
-          one Arg.string "model" ~docv:"MODEL" ~print:Fun.id
-            ~doc:"The model of the robot, such as $(b,p3dx) for a Pioneer.";
-        ])
-  in
-  let log =
-    some_string "log" ~docv:"FILE"
-      ~doc:"Log each received command to this file, with its time on the monotonic clock."
-  in
-  let link =
-    some_string "link" ~docv:"PATH" ~doc:"Maintain a symbolic link to the device at this path."
-  in
-  let sources =
-    let doc = "A C file of your own robot, with its body or its board. Can be repeated." in
-    Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
-  in
-  let stamped =
-    let doc = "With the robot $(b,ros): commands are of the type TwistStamped instead of Twist." in
-    Arg.(value & flag & info [ "stamped" ] ~doc)
-  in
-  let ros_arguments =
-    let doc =
-      "With the robot $(b,ros): arguments for ROS 2, up to $(b,--) or the end, as in \
-       $(b,--ros-args -r odom:=base/odom)."
-    in
-    Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
-  in
-  let make robot sources world log link stamped ros_arguments host =
-    Tools.Real_robot.serve ~robot ~sources { world; log; link; stamped; ros_arguments; host }
-  in
-  let man =
-    [
-      `S Manpage.s_description;
-      `P
-        "Simulates a robot that speaks its serial protocol, byte by byte and in real time. The \
-         first line on standard output is $(b,device:) and the address to connect to: the path of \
-         a pseudo-terminal, or $(b,tcp:127.0.0.1:PORT). The last lines are a summary.";
-      `P "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again and prints the new device.";
-      `P
-        "The robot $(b,ros) has no serial line: it is a ROS 2 node, which publishes $(b,odom), \
-         $(b,scan), $(b,imu) and $(b,/clock), and drives as $(b,cmd_vel) says. Source the setup \
-         script of ROS 2 first. The first lines on standard output are the names of the node and \
-         of its topics.";
-    ]
-  in
-  command "serve" ~man ~doc:"simulate a robot at a serial port, or in ROS 2"
-    Term.(const make $ robot $ sources $ world $ log $ link $ stamped $ ros_arguments $ host)
+  command "demo" ~man ~doc:"drive an example in the simulator" Term.(const make $ Viewing.look)

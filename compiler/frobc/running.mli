@@ -5,5 +5,3 @@ open Cmdliner
 val trace : int Cmd.t
 val run : int Cmd.t
 val demo : int Cmd.t
-val view : int Cmd.t
-val serve : int Cmd.t

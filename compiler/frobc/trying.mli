@@ -1,6 +1,5 @@
-(** The commands that test programs in many runs: their options and help texts. *)
+(** The command that runs tests and trials: its options and help texts. *)
 
 open Cmdliner
 
 val test : int Cmd.t
-val sweep : int Cmd.t

@@ -1,0 +1,10 @@
+(** The command that shows runs on a page, and the options of other commands that do so: their help
+    texts. *)
+
+open Cmdliner
+
+val look : (Tools.Viewing.look option, string) result Term.t
+(** The options [--view] and [--print] of a command that runs a program: how to show the run, or
+    what is wrong with them. *)
+
+val view : int Cmd.t
