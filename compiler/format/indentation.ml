@@ -167,6 +167,65 @@ let ends (words : Word.t array) =
   done;
   ends
 
+(* The frames that a word at [column] opens or changes before the layout of its line: a block has the
+   column of its first item, and a bracket that of its first word, if this follows on the same line. *)
+let place state (words : Word.t array) i ~column =
+  let w = words.(i) in
+  match (inside state).kind with
+  | Block block when w.item ->
+      if block.column = None then (
+        block.column <- Some column;
+        block.written <- w.column);
+      let column = Option.value block.column ~default:column in
+      (inside state).base <- column;
+      (inside state).bar <- None;
+      state.base <- column
+  | Bracket ({ content = None; _ } as b) when not w.starts -> (
+      match words.(i - 1).token.token with
+      | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> b.content <- Some column
+      | _ -> ())
+  | _ -> ()
+
+(* Opens the frame of a word at [column]. *)
+let enter state (words : Word.t array) i ~column =
+  let w = words.(i) in
+  let frame = inside state and first = i = 0 || w.starts in
+  match w.token.token with
+  | LPAREN | LBRACKET | UNIT_BRACKET | LBRACE ->
+      let is_record = w.token.token = LBRACE and commas_first = w.commas_first in
+      push state ~base:state.base
+        (Bracket { column; first; content = None; element = None; is_record; commas_first })
+  | IF ->
+      let then_, blocks, else_ =
+        if first then (column + half_step, column, column + half_step)
+        else if words.(i - 1).token.token = ELSE && words.(i - 1).starts then
+          (state.line + half_step, state.line, state.line)
+        else (frame.base + step, frame.base + step, frame.base + step)
+      in
+      push state ~base:frame.base (If { then_; blocks; else_ })
+  | ELSE ->
+      let base = frame.base in
+      (match frame.kind with If _ -> pop state | Block _ | Bracket _ | Else -> ());
+      push state ~base Else
+  | BAR -> frame.bar <- Some (w.column, column)
+  | EQUAL when frame.bar = None -> frame.bar <- Some (w.column, column)
+  | _ -> ()
+
+(* What a keyword that opens a block changes for the block. *)
+let announce state (words : Word.t array) i ~column =
+  let w = words.(i) in
+  match w.token.token with
+  | WHERE ->
+      state.opened_by <- 1;
+      state.let_ <- None
+  | DO | OF | LAMBDA_CASE | REC ->
+      state.opened_by <- 0;
+      state.let_ <- None
+  | LET ->
+      state.opened_by <- 0;
+      state.let_ <- (if i = 0 || w.starts then Some column else None)
+  | _ -> ()
+
 let lines ~break (words : Word.t array) =
   let n = Array.length words in
   let ends = ends words in
@@ -186,62 +245,12 @@ let lines ~break (words : Word.t array) =
       starts_line words state i column)
     else at := !at + w.gap;
     let column = !at in
-    (match (inside state).kind with
-    | Block block when w.item ->
-        if block.column = None then (
-          block.column <- Some column;
-          block.written <- w.column);
-        let column = Option.value block.column ~default:column in
-        (inside state).base <- column;
-        (inside state).bar <- None;
-        state.base <- column
-    | Bracket ({ content = None; _ } as b) when not w.starts -> (
-        match words.(i - 1).token.token with
-        | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> b.content <- Some column
-        | _ -> ())
-    | _ -> ());
+    place state words i ~column;
     (if break && (i = 0 || w.starts) then
        let outer = (inside state).base + step and inner = state.base + step in
        Breaking.line words ~first:i ~last:ends.(i) ~column ~outer ~inner);
-    let frame = inside state in
-    (match w.token.token with
-    | LPAREN | LBRACKET | UNIT_BRACKET | LBRACE ->
-        let first = i = 0 || w.starts in
-        push state ~base:state.base
-          (Bracket
-             {
-               column;
-               first;
-               content = None;
-               element = None;
-               is_record = w.token.token = LBRACE;
-               commas_first = w.commas_first;
-             })
-    | IF ->
-        let then_, blocks, else_ =
-          if i = 0 || w.starts then (column + half_step, column, column + half_step)
-          else if words.(i - 1).token.token = ELSE && words.(i - 1).starts then
-            (state.line + half_step, state.line, state.line)
-          else (frame.base + step, frame.base + step, frame.base + step)
-        in
-        push state ~base:frame.base (If { then_; blocks; else_ })
-    | ELSE ->
-        let base = frame.base in
-        (match frame.kind with If _ -> pop state | Block _ | Bracket _ | Else -> ());
-        push state ~base Else
-    | BAR -> frame.bar <- Some (w.column, column)
-    | EQUAL when frame.bar = None -> frame.bar <- Some (w.column, column)
-    | LET -> state.let_ <- (if i = 0 || w.starts then Some column else None)
-    | _ -> ());
-    (match w.token.token with
-    | WHERE ->
-        state.opened_by <- 1;
-        state.let_ <- None
-    | DO | OF | LAMBDA_CASE | REC ->
-        state.opened_by <- 0;
-        state.let_ <- None
-    | LET -> state.opened_by <- 0
-    | _ -> ());
+    enter state words i ~column;
+    announce state words i ~column;
     at := !at + w.width
   done;
   let rec blocks = function

@@ -166,31 +166,83 @@ let input_names m (value : Value.t) =
 let parameter node ~name (hole : Specialization_key.hole) =
   Node.signal node ~name ~span:hole.local.span hole.ty
 
+(* The output of a signal function in a mode. *)
+let run_in m node (mode : mode) ~name ~result =
+  let in_mode trail = Context.enter m.context trail ~name ~span:mode.at in
+  m.evaluator.run (position ~in_mode m node mode.place) ~result
+
+(* The transitions to what the continuation of a switch returns for its event. *)
+let after_event m node (mode : mode) input ~delayed ty event (continuation : Value.t) =
+  let span = Origin.place ~otherwise:mode.place continuation in
+  let occurs, payload = occurrence m node ~span ty event in
+  match occurs with
+  | Bool false -> []
+  | _ ->
+      let argument : Value.argument = { value = payload (); ty } in
+      let after =
+        let result = signal_function m in
+        m.evaluator.apply (position m node span) ~result continuation [ argument ]
+      in
+      let by : Ir.follower =
+        match continuation with
+        | Function { name; _ } -> Continuation name
+        | _ -> Continuation mode.name
+      in
+      transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
+
+(* The output of the task's first statement, a condition for its end, and its result. *)
+let statement m node (mode : mode) input primitive ~output ~result signal_function =
+  let at = mode.place and types = m.context.types in
+  let run = run_in m node mode ~name:mode.name in
+  if primitive = Core.Primitive.Make_task then
+    let both : Core.Ir.ty = Tuple [ output; Core.Signature.event result ] in
+    let both = run ~result:both signal_function input in
+    let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
+    (Leaves.component both 0, occurs, ended)
+  else
+    let ty = Core.Signature.either output result in
+    let either = run ~result:ty signal_function input in
+    let part constructor =
+      Leaves.payload types node Unnamed ~span:at ty either ~constructor ~field:0
+    in
+    let occurs = Leaves.is_constructor types node Unnamed ~span:at ty either 1 in
+    (part 0, occurs, fun () -> part 1)
+
+(* The output and transitions of [runTask task]; [runs] returns the value of [runTask] for another
+   task. *)
+let task_behaviour m node (mode : mode) ~(runs : Value.argument -> Value.t) (task : Value.argument)
+    (input : Value.argument) =
+  (* A machine for a single task returns output and result separately; as a mode of a switch, a task
+     returns the same as [runTask]. *)
+  let output ~shown ~has_ended ~ended : Value.t =
+    match m.result with
+    | Tuple _ -> Product [| shown; Atom (Bool has_ended); ended |]
+    | _ when has_ended -> Constructed { constructor = 1; arguments = [ ended ] }
+    | _ -> Constructed { constructor = 0; arguments = [ shown ] }
+  in
+  let follow occurs task after =
+    let definition, span = Task.next task in
+    transitions m node ~input ~from:(Some mode.growth) ~by:(Statement definition) ~span
+      ~delayed:false occurs after
+  in
+  match Task.head task.value with
+  | Ends result -> (output ~shown:Unspecified ~has_ended:true ~ended:result.value, [])
+  | Passes ->
+      ( output ~shown:Unspecified ~has_ended:false ~ended:Unspecified,
+        follow (Bool true) task.value (runs task) )
+  | Runs { signal_function; primitive; output = while_it_runs; result } ->
+      let shown, occurs, ended =
+        statement m node mode input primitive ~output:while_it_runs ~result signal_function
+      in
+      let left () =
+        let result : Value.argument = { value = ended (); ty = result } in
+        runs { task with value = Task.after task.value result }
+      in
+      let after = match occurs with Bool false -> [] | _ -> follow occurs task.value (left ()) in
+      (output ~shown ~has_ended:false ~ended:Unspecified, after)
+
 (* The output and transitions of a mode's signal function. *)
 let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
-  let c = m.context and at = mode.place in
-  let run ~name ~result =
-    let in_mode trail = Context.enter c trail ~name ~span:mode.at in
-    m.evaluator.run (position ~in_mode m node at) ~result
-  in
-  let next ~delayed ty event (continuation : Value.t) =
-    let span = Origin.place ~otherwise:at continuation in
-    let occurs, payload = occurrence m node ~span ty event in
-    match occurs with
-    | Bool false -> []
-    | _ ->
-        let argument : Value.argument = { value = payload (); ty } in
-        let after =
-          let result = signal_function m in
-          m.evaluator.apply (position m node span) ~result continuation [ argument ]
-        in
-        let by : Ir.follower =
-          match continuation with
-          | Function { name; _ } -> Continuation name
-          | _ -> Continuation mode.name
-        in
-        transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
-  in
   match value with
   | Primitive
       {
@@ -200,60 +252,18 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         _;
       } ->
       let result : Core.Ir.ty = Tuple [ m.result; Core.Signature.event ty ] in
-      let outputs = run ~name:(Core.Primitive.name primitive) ~result before.value input in
-      let delayed = primitive = Delayed_switch in
-      (Leaves.component outputs 0, next ~delayed ty (Leaves.component outputs 1) continuation.value)
+      let name = Core.Primitive.name primitive in
+      let outputs = run_in m node mode ~name ~result before.value input in
+      let delayed = primitive = Delayed_switch and event = Leaves.component outputs 1 in
+      ( Leaves.component outputs 0,
+        after_event m node mode input ~delayed ty event continuation.value )
   | Primitive { primitive = Initially; arguments = [ chosen ]; _ } ->
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
-      (Unspecified, next ~delayed:false input.ty event chosen.value)
-  | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) -> (
-      (* A machine for a single task returns output and result separately; as a mode of a switch, a
-         task returns the same as [runTask]. *)
-      let output ~shown ~has_ended ~ended : Value.t =
-        match m.result with
-        | Tuple _ -> Product [| shown; Atom (Bool has_ended); ended |]
-        | _ when has_ended -> Constructed { constructor = 1; arguments = [ ended ] }
-        | _ -> Constructed { constructor = 0; arguments = [ shown ] }
-      in
-      let follow occurs task after =
-        let definition, span = Task.next task in
-        transitions m node ~input ~from:(Some mode.growth) ~by:(Statement definition) ~span
-          ~delayed:false occurs after
-      in
-      match Task.head task.value with
-      | Ends result -> (output ~shown:Unspecified ~has_ended:true ~ended:result.value, [])
-      | Passes ->
-          ( output ~shown:Unspecified ~has_ended:false ~ended:Unspecified,
-            follow (Bool true) task.value value )
-      | Runs { signal_function; primitive; output = while_it_runs; result } ->
-          let name = mode.name in
-          let shown, occurs, ended =
-            if primitive = Make_task then
-              let both =
-                let both : Core.Ir.ty = Tuple [ while_it_runs; Core.Signature.event result ] in
-                run ~name ~result:both signal_function input
-              in
-              let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
-              (Leaves.component both 0, occurs, ended)
-            else
-              let ty = Core.Signature.either while_it_runs result in
-              let either = run ~name ~result:ty signal_function input in
-              let part constructor =
-                Leaves.payload c.types node Unnamed ~span:at ty either ~constructor ~field:0
-              in
-              let occurs = Leaves.is_constructor c.types node Unnamed ~span:at ty either 1 in
-              (part 0, occurs, fun () -> part 1)
-          in
-          let left () =
-            let result : Value.argument = { value = ended (); ty = result } in
-            let task = { task with value = Task.after task.value result } in
-            Value.Primitive { runs with arguments = [ task ] }
-          in
-          let after =
-            match occurs with Bool false -> [] | _ -> follow occurs task.value (left ())
-          in
-          (output ~shown ~has_ended:false ~ended:Unspecified, after))
-  | _ -> (run ~name:mode.name ~result:m.result value input, [])
+      (Unspecified, after_event m node mode input ~delayed:false input.ty event chosen.value)
+  | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) ->
+      let runs task : Value.t = Primitive { runs with arguments = [ task ] } in
+      task_behaviour m node mode ~runs task input
+  | _ -> (run_in m node mode ~name:mode.name ~result:m.result value input, [])
 
 let build m ~input_value ~input_holes (mode : mode) =
   let c = m.context in
