@@ -29,7 +29,8 @@ let create sink =
     unknown = [];
   }
 
-(* Codes of diagnostics about unknown names, which are merged over all places of a name. *)
+(* Is this a diagnostic about an unknown name? Such diagnostics are merged over all places of the
+   name. *)
 let is_of_unknown (d : Diagnostic.t) =
   List.mem d.code [ "E0205"; "E0206"; "E0207"; "E0208"; "E0215" ]
 

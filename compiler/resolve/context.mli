@@ -8,7 +8,7 @@ type t
 val create : Diagnostic.sink -> t
 
 val emit : t -> Diagnostic.t -> unit
-(** Emits the diagnostic, but holds back one about an unknown name until {!tell}. *)
+(** Emits the diagnostic. If it is about an unknown name, holds it back until {!tell} is called. *)
 
 val holds_many : t -> bool
 (** Are at least 1,000 diagnostics held back? *)
@@ -26,7 +26,7 @@ val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
 type absent = {
   imports : string list;
   listed : Syntax.Ir.import option;
-      (** an import of the name's module whose list of names lacks it *)
+      (** an import of the name's module with a list of names that does not contain this name *)
   code : string;
   noun : string;
   name : Syntax.Ir.name;

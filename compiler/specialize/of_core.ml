@@ -34,8 +34,8 @@ let refuse_ends (c : Context.t) (core : Ir.definition) =
     |> hint "choose between tasks inside one `reactimateTask`"
     |> emit c.sink)
 
-(* Reports that functions capture functions too deeply, a depth that {!Context.enter} does not
-   count. *)
+(* Reports that functions capture functions too deeply. {!Context.enter} does not count this
+   depth. *)
 let refuse_depth (c : Context.t) (core : Ir.definition) =
   Diagnostic.(
     error ~code:"E0413" ~at:core.span "`%s` needs functions that nest too deeply" core.name.name

@@ -20,7 +20,7 @@ type t = {
   mutable extra : int;  (** continuation bytes of UTF-8 characters on this line before [at] *)
   mutable fresh : bool;  (** no token on this line yet *)
   mutable doc : string list;  (** lines of the current doc comment, last one first *)
-  mutable doc_line : int;  (** line number of the last of them *)
+  mutable doc_line : int;  (** line number of the last line in [doc] *)
   mutable bad_line : int;  (** line number of the last unexpected character *)
   mutable colons : string option list;  (** hints already given for colons *)
   mutable cut_off : bool;  (** an unterminated comment hides the rest of the text *)

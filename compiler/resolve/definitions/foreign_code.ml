@@ -13,8 +13,8 @@ let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
   Diagnostic.error ~code:"E0232" ~at:text.span "%s is not %s in C" what wanted
   |> Diagnostic.hint hint |> Context.emit scope.context
 
-(* The meaning that C or its headers may give to the name. Generated C that declared the name would
-   be invalid or refer to something else. *)
+(* The meaning that C or its headers may give to the name. If generated C declared the name, the C
+   would be invalid or refer to something else. *)
 let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =

@@ -48,7 +48,7 @@ and binding found (b : Ir.binding) =
       add_local found Equation [] local;
       if is_measured b || Labels.is_name local.name then found.told <- number :: found.told
   | Destructure p ->
-      (* A pattern without variables is unused on purpose, so it counts as named `_`. *)
+      (* A pattern without variables is intentionally unused, so it counts as named `_`. *)
       let name = if Patterns.variables p = [] then "_" else "" in
       ignore (add found { name; at = p.span; kind = Equation; needs = [] });
       add_pattern found [ number ] p);

@@ -64,7 +64,7 @@ let modules_in loader directory =
 (* Further messages are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-(* The hint for a module whose contents are in another module of the library. *)
+(* The hint for an unknown module whose contents are in a library module with a different name. *)
 let hint_for_library ~imported (target : Syntax.Ir.name) =
   Option.map
     (fun (what, module_) ->

@@ -82,7 +82,7 @@ let quote ~text (at : Span.t) =
   Source.add sources ~file:at.file text;
   Source.quote sources at
 
-(* The text of [whole] with this replacement for [part], which is a part of it. *)
+(* The text of [whole], in which this replacement takes the place of [part]. *)
 let with_part ~text (whole : Span.t) ~(part : Span.t) replacement =
   Option.map
     (fun written ->
@@ -109,7 +109,7 @@ let switch_around program (name : name) =
       Some (List.nth all (List.length (List.filter same all) - 1))
 
 (* The value that depends on the name: the application with the name as its last argument, and the
-   place of this application with the parentheses around it. *)
+   place of this application, including the parentheses around it. *)
 let value_of program (name : name) =
   let rec go (value : expr) = function
     | ({ desc = Apply (_, x); _ } as whole : expr) :: outer when x.span = value.span ->

@@ -25,7 +25,8 @@ let is_measuring (g : Ir.Global.t) =
 let of_tests = "Trial"
 let holding : Ir.Global.t = { module_ = of_tests; name = "holding" }
 
-(* A qualifier that cannot occur in source code, so no name of the program hides these. *)
+(* A qualifier that cannot occur in source code, so that no name of the program hides the imported
+   ones. *)
 let qualifier = "library " ^ of_tests
 
 let of_library text (span : Span.t) : Syntax.Ir.qualified =

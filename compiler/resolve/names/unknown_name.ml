@@ -268,7 +268,7 @@ let of_another_proc t (signal : Proc_signals.t) (name : Syntax.Ir.name) =
 let of_ended_proc ({ text; edits } : Ended_proc.hint) diagnostic =
   Diagnostic.hint text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
 
-(* The import that has a list of names which lacks this one, although the module exports it. *)
+(* An import whose list of names does not contain this one, although the module exports it. *)
 let incomplete_import t space name =
   let lacks (import : Syntax.Ir.import) =
     match import.items with
@@ -289,7 +289,7 @@ let speeds_in_text t (name : Syntax.Ir.name) =
       Some (whole, String.concat " " ("setVelTR" :: arguments))
   | Some _ | None -> None
 
-(* The name of a sensor for a word of another language, applied to the input: `speed i`. *)
+(* Explains the name of a sensor in another language, applied to the input: `speed i`. *)
 let of_a_reading t (name : Syntax.Ir.name) =
   match Name_in_text.application ~text:t.text name.span with
   | Some (whole, [ (("i" | "input") as input) ]) ->
@@ -305,7 +305,8 @@ let is_previous t ~locals (name : Syntax.Ir.name) =
   in
   List.find_opt is_signal (Other_languages.current name.text)
 
-(* The hint about a word of robots, and the text to write in its place, if that is certain. *)
+(* The hint for a word that other robot libraries use, and the text to write in its place, if that
+   is certain. *)
 let of_robot t ~locals (name : Syntax.Ir.name) =
   match (of_a_reading t name, is_previous t ~locals name) with
   | Some (whole, text), _ -> Some (Printf.sprintf "write `%s`" text, Some (whole, text))
@@ -349,7 +350,7 @@ let with_suggestion t space ~locals (name : Syntax.Ir.name) diagnostic =
       |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
   | Some _ | None -> suggested
 
-(* A signal of a `proc` in this definition that ends before the name. *)
+(* Explains a signal whose `proc` is in this definition, but ends before the name. *)
 let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where diagnostic =
   Diagnostic.label ~at:signal.name.span
     (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)

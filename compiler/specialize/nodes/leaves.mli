@@ -6,7 +6,7 @@ val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flo
 (** The leaves of a value of a closed first-order type. Known constructors become equations. *)
 
 val known : Types.table -> Core.Ir.ty -> Value.t -> Flow.Ir.atom option list
-(** The atom of each leaf, if it exists without adding an equation. *)
+(** For each leaf its atom, or [None] if obtaining the atom requires an additional equation. *)
 
 val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom
 (** The atom of a value whose type has a single leaf. *)

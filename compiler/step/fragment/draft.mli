@@ -7,7 +7,7 @@ type t
 val create : unit -> t
 
 val resolve : t -> Flow.Ir.atom -> Flow.Ir.atom
-(** The original of which an atom is a copy. *)
+(** The atom that this one is a copy of; the atom itself if it is not a copy. *)
 
 val add : t -> Fragment.item -> unit
 

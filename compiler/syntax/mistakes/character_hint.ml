@@ -2,7 +2,7 @@ type t = { hint : string option; instead : string option }
 
 let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
 
-(* The longest run of characters satisfying the predicate that ends at this place. *)
+(* The longest run of characters that ends at this place and satisfies the predicate. *)
 let ending text at is_part =
   let rec start i = if i > 0 && is_part text.[i - 1] then start (i - 1) else i in
   let first = start at in

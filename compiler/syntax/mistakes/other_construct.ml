@@ -118,7 +118,7 @@ let reserved found =
 
 (* {1 Brackets} *)
 
-(* The part of a text before the bracket that closes around it. *)
+(* The part of the text before the closing bracket of the pair that encloses it. *)
 let before_closing text =
   let rec go i depth =
     if i >= String.length text then None

@@ -1,5 +1,5 @@
-(** Commands for real robots, on a serial line or in ROS 2: simulated robots on a serial line, and
-    programs that drive real robots. Each returns the exit status, like {!Commands}. *)
+(** Commands for robots on a serial line or in ROS 2: those that simulate such a robot, and those
+    that run or build a program for a real one. Each returns the exit status, like {!Commands}. *)
 
 type serve = {
   world : string option;

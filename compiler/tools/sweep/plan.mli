@@ -11,7 +11,7 @@ type sampling = Grid | Random | Latin
 type t = {
   program : string placed;
   trial : string placed option;  (** label of the trial; [None] if the program has only one *)
-  seeds : (int * int) option;  (** [None] here or in [lasts]: as in the trial *)
+  seeds : (int * int) option;  (** [None] here or in [lasts] means the trial's value *)
   lasts : float option;
   rate : float option;  (** Hz; 50 if [None] *)
   worlds : string placed list;

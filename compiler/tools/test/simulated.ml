@@ -64,8 +64,8 @@ let run_again p ~world seed =
 
 (* {1 Running all seeds} *)
 
-(* Explains why the simulator was killed. It writes a line after each run, so the number of lines
-   identifies the run. *)
+(* Explains why the simulator was killed. The simulator writes a line after each run, so the number
+   of lines identifies the interrupted run. *)
 let ended_by p ~first (result : Workers.result) =
   match Signals.name result.status with
   | Some signal when String.trim result.errors = "" ->

@@ -31,7 +31,7 @@ type group = {
   definitions : Resolve.Ir.expr Int_table.t;
       (** values of the local variables that have no parameters *)
   first_uses : Span.t option Int_table.t;
-      (** place where each local function without a signature is first applied *)
+      (** for each local function without a signature, the place of its first application *)
   mutable errors : int;
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)

@@ -129,10 +129,10 @@ val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)
 
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
-(** The scheme as a type, and the state for inferring the code below it, in which the scheme's
-    variables are in scope, one level deeper. [by]: the construct that introduces the variables, for
-    messages. Reports a constraint on something other than a variable ([E0365]) and on a variable
-    that the type does not mention ([E0364]). *)
+(** The scheme as a type, and the state for inferring the code that has this type: the scheme's
+    variables are in scope there, one level deeper. [by]: the construct that introduces the
+    variables, for messages. Reports a constraint on something other than a variable ([E0365]) and
+    on a variable that the type does not mention ([E0364]). *)
 
 val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Like {!with_variables}, for the signature of a definition. *)

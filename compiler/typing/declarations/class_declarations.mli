@@ -28,8 +28,8 @@ type instance = {
   of_class : class_;
   head : Type.t;
   scheme : Type.scheme;
-      (** the variables of the instance in the order of its head, and its context; not the type of a
-          value *)
+      (** not the type of a value: quantifies the variables of the instance, in the order of its
+          head, and contains its context *)
   inner : Context.t;  (** the context in which its definitions are checked *)
   definitions : (Ir.Global.t * Resolve.Ir.binding) list;
   place : Span.t;

@@ -16,7 +16,7 @@ let open_representation r =
   | Rigid_representation r -> Some r.variable
   | Int | Float | Flexible_representation _ -> None
 
-(* Replaces an undetermined representation by its default. *)
+(* Replaces an undetermined representation with its default. *)
 let decided t =
   match t with
   | Type.Number (r, u) -> (
@@ -118,8 +118,8 @@ let variable_of t : Ir.variable option =
 let given_of ctx (variable : Ir.variable) =
   Option.value (Hashtbl.find_opt ctx.given variable.id) ~default:[]
 
-(* Records the first use that requires a constraint. A later use replaces it if it requires the
-   class of the constraint directly and the first one does not. *)
+(* Records the first use that requires a constraint. A later use replaces the first one if only the
+   later one requires the constraint's class directly. *)
 let note ctx (variable : Ir.variable) class_ (required : required) =
   let constraint_ = (variable.id, class_) in
   match Hashtbl.find_opt ctx.needs constraint_ with

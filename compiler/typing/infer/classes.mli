@@ -1,5 +1,5 @@
 (** Solves class constraints. A type has the built-in classes if it does not contain functions,
-    signal functions or labels. It has another class if there is an instance.
+    signal functions or labels. It has any other class if there is an instance for it.
 
     Codes: [E0307] the type has no equality or order · [E0308] a class is required of a type that
     nothing determines · [E0309] the signature's context lacks a constraint · [E0360] there is no

@@ -280,7 +280,8 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   in
   follow [] otherwise constraint_
 
-(* Adds the needs. Called when all definitions are known. *)
+(* Adds the needs of the constraints in a definition's context. Called when all definitions are
+   known. *)
 let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
   let is_library file =
     List.exists

@@ -77,7 +77,7 @@ let rec without_first n = function
   | _ :: rest when n > 0 -> without_first (n - 1) rest
   | list -> list
 
-(* The types given for the parameters after this argument. *)
+(* The types of the arguments after this one. *)
 let later given argument = without_first argument.position given
 
 (* The reason why the argument must have the parameter's type. *)

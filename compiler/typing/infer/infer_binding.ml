@@ -22,8 +22,8 @@ let rec parameters_allowed t =
   | Flexible _ | Erroneous -> None
   | _ -> Some 0
 
-(* The corrected left-hand side `mix (x, y) = …` for `mix x y = …` with a signature that takes a
-   tuple. *)
+(* The corrected left-hand side `mix (x, y) = …`, if the program has `mix x y = …` although the
+   signature takes a tuple. *)
 let as_one_tuple words ~name parameters (expected : Expected.t) =
   match (name, Type.expand expected.ty) with
   | Some name, Function (first, _) -> (
@@ -90,7 +90,7 @@ let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left 
                 diagnostic
           | _ -> diagnostic))
 
-(* `f (x, y) = …` with a signature that takes separate parameters. *)
+(* Handles `f (x, y) = …`, if the signature takes separate parameters. *)
 let as_several parameters allowed (expected : Expected.t) =
   match ((parameters : Resolve.Ir.pattern list), Type.expand expected.ty) with
   | [ { desc = Tuple_of (_ :: _ :: _ as parts); span } ], Function (first, _)
@@ -120,7 +120,7 @@ let is_proc (b : Resolve.Ir.binding) =
   | [ { condition = None; value = { desc = Proc _; _ } } ] -> true
   | _ -> false
 
-(* The signature with these types before its result, a signal function. *)
+(* The signature with these types inserted before its result, which is a signal function. *)
 let with_types signature types =
   let insert i =
     String.sub signature 0 i

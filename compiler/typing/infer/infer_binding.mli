@@ -35,5 +35,5 @@ val undecided : Expected.t -> bool
 (** Is the expected type unconstrained, or a task with an unconstrained result? *)
 
 val beside : undecided:bool -> Expected.t -> Span.t -> Expected.t
-(** The expected type for the branches that follow the branch at this place. [undecided]:
-    {!undecided} before that branch. *)
+(** The expected type for the branches that follow the branch at this place. [undecided]: the result
+    of {!undecided} before that branch was checked. *)

@@ -236,7 +236,7 @@ and lacks_a_comma (e : Resolve.Ir.expr) =
   | Apply { head; style = Juxtaposed; _ } -> lacks_a_comma head
   | _ -> false
 
-(* All elements must have the type of the first. *)
+(* All elements must have the same type as the first one. *)
 and array_elements ctx (expected : Expected.t) elements =
   let elements, besides = Long_list.split_at most_written elements in
   (match besides with

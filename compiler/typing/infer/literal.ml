@@ -9,7 +9,8 @@ let is_only_negative (n : Resolve.Ir.number) =
   | Some value -> (not (fits value)) && fits (Exact.negate value)
   | None -> false
 
-(* The number with the bits of a literal in another base, in two's complement. *)
+(* The number that a literal in another base represents, if its bits are read as two's
+   complement. *)
 let as_bits digits =
   match Exact.of_literal digits with
   | Some value

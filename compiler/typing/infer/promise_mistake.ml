@@ -11,8 +11,8 @@ let same_signature ctx a b =
   | None, None -> true
   | Some _, None | None, Some _ -> false
 
-(* Lists each missing class of a variable once, with the use that needs it first, without classes
-   implied by other missing ones. *)
+(* Lists each missing class of a variable once, with the first use that needs it. Leaves out classes
+   that other missing ones imply. *)
 let essential ctx missing =
   let implies a b =
     a.variable.id = b.variable.id

@@ -42,5 +42,5 @@ val report :
   head:Ir.expr ->
   input:Ir.expr ->
   unit
-(** The expression runs the head on the input, in this definition with the value [within]. The
-    position must not be [Every_instant]. *)
+(** Reports an expression that runs the head on the input, in a definition with the value [within].
+    The position must not be [Every_instant]. *)

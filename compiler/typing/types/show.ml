@@ -1,6 +1,7 @@
 open Basis
 
-(* Final types and inferred types are both converted to this tree, which one printer writes. *)
+(* Final types and inferred types are both converted to this tree, so that one printer handles
+   both. *)
 type tree =
   | Word of string
   | Applied of string * tree list

@@ -57,7 +57,7 @@ val generalize : fresh:(unit -> rigid) -> t -> rigid option
     principal form: [Float[u] -> Float[u^2]], never [Float[m u] -> Float[m^2 u^2]]. *)
 
 val substitute : (int -> t option) -> t -> t
-(** Replaces rigid variables, given by their ids. *)
+(** Substitutes units for rigid variables, which are given by their ids. *)
 
 val to_ir : t -> Ir.unit_
 (** Unsolved variables become 1. *)

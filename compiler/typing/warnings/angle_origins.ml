@@ -5,9 +5,9 @@ type kind = Heading | Rotation | Scaled
 
 type t = {
   docs : Doc_facts.t;
-  values : expr Int_table.t;  (** of the variables that equations bind *)
+  values : expr Int_table.t;  (** values of the variables that equations bind *)
   headings : unit Int_table.t;  (** variables that match the heading of a pose *)
-  kinds : kind option Int_table.t;  (** of the variables that were looked up *)
+  kinds : kind option Int_table.t;  (** results for the variables that have been looked up *)
 }
 
 let is_heading (c : constructor) index =

@@ -15,7 +15,7 @@ val kind : t -> Ir.expr -> kind option
     their argument. *)
 
 val output : t -> Ir.expr -> kind option
-(** The same for the output of a signal function that is written as a composition. *)
+(** Like {!kind}, for the output of a signal function that is written as a composition. *)
 
 val within : t -> Ir.expr -> Ir.expr
 (** The angle itself, for an expression that is a multiple of an angle or runs a signal function

@@ -85,7 +85,8 @@ let facts names doc =
 
 (* {1 Names of parameters} *)
 
-(* From the call at the beginning of a comment, [`lowPass tau`]. *)
+(* The names of the parameters in the call at the beginning of a comment, such as [`lowPass
+   tau`]. *)
 let called name doc =
   match quoted doc with
   | first :: _ when String.starts_with ~prefix:"`" (String.trim doc) -> (

@@ -8,7 +8,7 @@ let prelude name (e : Resolve.Ir.expr) =
 let is_return (e : Resolve.Ir.expr) =
   match e.desc with Apply { head; style = Juxtaposed; _ } -> prelude "return" head | _ -> false
 
-(* Does the task do nothing but return, in every case? *)
+(* Does the task only return a value, in every case? *)
 let rec only_returns (e : Resolve.Ir.expr) =
   is_return e
   ||

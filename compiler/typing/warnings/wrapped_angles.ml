@@ -81,7 +81,7 @@ let unwrapped facts head (input : expr) =
 
 (* {1 Filters} *)
 
-(* Whether a `pid` with these gains may use the derivative. *)
+(* Can a `pid` with these gains use the derivative? *)
 let has_derivative facts (gains : expr) =
   let is_pid (d : data) = d.tycon = { Global.module_ = "Control"; name = "Pid" } in
   let index (c : constructor) =
@@ -115,7 +115,7 @@ let for_angles facts (f : expr) =
   | _ -> None
 
 (* Reports that the input or argument of such a function wraps. [unwrap] is the fix that makes the
-   angle continuous, which is also right for a multiple of an angle. *)
+   angle continuous, which is also correct for a multiple of an angle. *)
 let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (input : expr) kind
     ~unwrap =
   warning facts (head f) input g.name (fun d ->

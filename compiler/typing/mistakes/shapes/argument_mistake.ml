@@ -33,7 +33,7 @@ let missing_in_definition fact ~missing d =
       | _ -> None)
   | _ -> None
 
-(* Suggests replacing the name by the application. *)
+(* Suggests replacing the name with the application. *)
 let applied fact text d =
   hint (Printf.sprintf "write `%s`" text) (Unrun_mistake.instead fact.subject text d)
 

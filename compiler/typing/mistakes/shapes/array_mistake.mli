@@ -16,8 +16,8 @@ val mapped_over_a_value : Shape_fact.rule
 (** [map] applied to a single value. *)
 
 val mapped : Shape_fact.rule
-(** [map] applied to an event or a task, which have counterparts of it, or [mapE] applied to an
-    array. *)
+(** [map] applied to an event or a task, for which there are other functions, or [mapE] applied to
+    an array. *)
 
 val of_records : Shape_fact.rule
 (** An array of records where an array of numbers or truth values is expected. *)

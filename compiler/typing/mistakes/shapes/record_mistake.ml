@@ -3,7 +3,7 @@ open Shape_fact
 
 let with_each fields = String.concat ", " (List.map (Printf.sprintf "%s = …") fields)
 
-(* How to build a record as the first of two arguments, of which only the second is given. *)
+(* How to build the record that is the first of two arguments, if only the second one is given. *)
 let before fact ~callee ~(next : Resolve.Ir.expr) whole =
   match Show.quote fact.words next.span with
   | Some next ->

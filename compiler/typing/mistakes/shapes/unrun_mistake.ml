@@ -47,8 +47,8 @@ let signal_in_place_of_an_argument words name arguments =
            signal)
   | _ -> None
 
-(* The fix that replaces the expression by this application. The parentheses are needed because the
-   expression may be an argument. *)
+(* The fix that replaces the expression with this application. The parentheses are needed because
+   the expression may be an argument. *)
 let instead (e : Resolve.Ir.expr option) text d =
   match e with
   | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d

@@ -20,7 +20,7 @@ let sqrt_of words (e : Resolve.Ir.expr) d =
       hint (Printf.sprintf "for the square root, write `%s`" cure) d |> replace e cure
   | None -> hint "for the square root, write `sqrt (…)` around it" d
 
-(* The exponent that turns the second unit into the first one, from 2 to 4. *)
+(* The exponent, from 2 to 4, that turns the second unit into the first one. *)
 let exponent u v =
   let is_it k =
     match Units.power v (Rational.of_int k) with
@@ -300,7 +300,7 @@ let rate words ~subject ~(expected : Expected.t) (wanted, given) =
   let is_bare (e : Resolve.Ir.expr) =
     Bare_number.literal words e <> None || Bare_number.written_factor words e <> []
   in
-  (* `kd * derivative e` is a rate on purpose. *)
+  (* `kd * derivative e` is intentionally a rate. *)
   let is_differentiated e =
     let is_it ((e : Resolve.Ir.expr), _) =
       match e.desc with

@@ -76,7 +76,7 @@ let to_int words ~found (e : Resolve.Ir.expr option) =
               hint "use `round`, `floor`, `ceiling` or `truncate` to convert a `Float` to an `Int`")
       )
 
-(* `toFloat x`, where `x` is a Float already *)
+(* `toFloat x`, where `x` is already a Float *)
 let superfluous words ~(expected : Expected.t) (e : Resolve.Ir.expr option) =
   match (expected.because, e) with
   | Parameter { callee = Some "toFloat"; at; _ }, Some e ->

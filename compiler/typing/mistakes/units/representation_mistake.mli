@@ -16,7 +16,7 @@ val representations :
 (** The message about such a mismatch. Pass the result of {!without_open_units} as [expected]. *)
 
 val without_open_units : Expected.t -> Expected.t
-(** Replaces undetermined units by 1. In a mismatch between Int and Float they are irrelevant. *)
+(** Replaces undetermined units with 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
 (** A sentence that explains how to build a value of the type with this name from a number, for a

@@ -26,8 +26,8 @@ let declared words (head : Resolve.Ir.expr option) =
       Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
   | Some _ | None -> []
 
-(* The unit that the argument at [place] must have so that the argument at [position], which has the
-   unit [given] instead of [wanted], is right. *)
+(* The argument at [position] has the unit [given] instead of [wanted]. Returns the unit with which
+   the argument at [place] would make it correct. *)
 let unit_for words head ~place ~position ~current (wanted, given) =
   let of_parameter i =
     match declared words head with
@@ -203,8 +203,8 @@ let is_a_time words ~callee { number; current; _ } =
   String.equal callee "delay" && number.unit_ <> None
   && String.equal (Show.measure words current) "s"
 
-(* The argument [e] contains a constant without a unit, whose unit would correct the argument; the
-   numbers with units among the other arguments are right. *)
+(* The argument [e] contains a constant that lacks a unit; with the unit, the argument would be
+   correct. The numbers with units among the other arguments are right. *)
 let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : Resolve.Ir.expr)
     ~current unit_ constants =
   let text = Show.measure words in
