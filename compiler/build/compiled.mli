@@ -11,7 +11,7 @@ val accepted :
   string ->
   (Request.t -> 'result -> int) ->
   int
-(** Continues with the answer of a query. If there is none, prints the reason and returns the exit
+(** Continues with the answer to a query. If there is none, prints the reason and returns the exit
     status. [quiet] hides warnings, which another call has reported. *)
 
 val to_c :

@@ -85,7 +85,7 @@ let at =
 let view =
   let run general dialect entry sources print port world compare seed at only_build why_nan
       recording file =
-    (* The order of `trace` and `run`, which have the program first, is accepted, too. *)
+    (* Also accept the order of `trace` and `run`, in which the program comes first. *)
     let is_program name = Filename.check_suffix name ".frob" in
     let recording, file =
       if is_program recording && not (is_program file) then (file, recording) else (recording, file)

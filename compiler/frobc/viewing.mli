@@ -1,5 +1,5 @@
-(** The command that shows runs on a page, and the options of other commands that do so: their help
-    texts. *)
+(** The options and help texts of the command that shows runs on a page, and of other commands that
+    can do so. *)
 
 open Cmdliner
 

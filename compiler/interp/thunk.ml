@@ -36,8 +36,8 @@ let rec force t =
         ~finally:(fun () -> nesting.depth <- nesting.depth - 1)
         (fun () -> evaluated t evaluate)
 
-(* Runs a stack of evaluations. If one is postponed, the evaluation that it needs runs first; then
-   it starts again. *)
+(* Runs a stack of evaluations. If an evaluation is postponed, the evaluation that it needs runs
+   first; then the postponed evaluation starts again. *)
 let rec settle = function
   | [] -> ()
   | first :: others as all -> (

@@ -39,7 +39,7 @@ val definition : t -> int -> definition
 
 val in_use : t -> int list
 (** The definitions whose structs are part of the root's state: in depth-first order from the root,
-    each once. *)
+    without duplicates. *)
 
 val padding : bytes:int -> member list -> int
 (** Number of bytes of a struct that do not belong to any member. *)

@@ -5,8 +5,7 @@
  * its own way (devices are named differently), and owns the memory of `port`.
  *
  * A line is raw: eight bits, no parity, one stop bit, no flow control, no translation. Only one
- * thread at a time may use it. If a port loses its device, this call and all later calls return
- * FROB_LOST. */
+ * thread at a time may use it. After a port has lost its device, all calls return FROB_LOST. */
 #ifndef FROB_HAL_SERIAL_H
 #define FROB_HAL_SERIAL_H
 

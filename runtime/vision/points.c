@@ -2,7 +2,7 @@
 #include "points.h"
 
 /* The distorted position (in units of the focal length; see the model in frob/image.h), and its
- * partial derivatives by the undistorted position. */
+ * partial derivatives with respect to the undistorted position. */
 struct bent {
     double a, b, da_da, da_db, db_da, db_db;
 };

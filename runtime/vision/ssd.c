@@ -20,8 +20,8 @@ struct model {
     int32_t freedom;
     double values[FROB_PATCH_SIZE]; /* minus their mean */
     double power;                   /* the sum of their squares */
-    /* Derivatives of the values by x, y, angle and the logarithm of the scale; and the lower
-     * Cholesky factor of the matrix of the equations. */
+    /* Derivatives of the values with respect to x, y, angle and the logarithm of the scale; and the
+     * lower Cholesky factor of the matrix of the equations. */
     double steps[FREEDOMS][FROB_PATCH_SIZE];
     double factors[FREEDOMS][FREEDOMS];
 };

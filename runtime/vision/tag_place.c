@@ -151,7 +151,7 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
             return INFINITY;
         sum += off_x * off_x + off_y * off_y;
         if (a != NULL) {
-            /* The derivative of `at` by a rotation w is w x arm. */
+            /* The derivative of `at` with respect to a rotation w is w x arm. */
             const double along_x[3] = { 1 / at.z, 0, -at.x / (at.z * at.z) };
             const double along_y[3] = { 0, 1 / at.z, -at.y / (at.z * at.z) };
             const double rows[2][FREEDOM] = {

@@ -8,9 +8,9 @@
 // ways: with Box2D's own ray casts, one by one through the whole world; and as the simulator does,
 // which looks up the objects in each cone once (see ray_fan.h).
 //
-// The runs take turns, and the fastest round of each counts. Times are processor times, which the
-// machine's other work hardly affects. Prints the simulated seconds per second of each kind of run,
-// and their ratios, one `name: value` a line.
+// The runs take turns, and only the fastest round of each counts. Times are processor times, which
+// the machine's other work hardly affects. Prints the simulated seconds per second of each kind of
+// run, and their ratios, one `name: value` a line.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -67,7 +67,7 @@ class Raster {
     // it. The lamps must outlive the drawing. The default is 1 and no lamps.
     void light(double even, const std::vector<Shine> &lamps) { even_ = even, lamps_ = &lamps; }
 
-    // Sets the thing that the surfaces drawn from now on belong to.
+    // Sets the thing to which the surfaces drawn from now on belong.
     void of(Thing thing) { thing_ = thing; }
 
     // Sets the colour of pixels that no surface covers.
@@ -87,7 +87,7 @@ class Raster {
     // been drawn, for consecutive rows, starting at any row.
     void row(int y, float *to);
 
-    // The thing at this column of the last row.
+    // The thing shown at this column of the last computed row.
     Thing thing(int x) const;
 
     // Its depth along the camera's axis, in metres; infinity for the sky.

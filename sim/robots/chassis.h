@@ -51,7 +51,7 @@ struct Chassis {
     double camera_height = 0.27; // and its height, unless the world file sets them
 };
 
-// The outline of a body in the robot's frame; a polygon for a round body too.
+// The outline of a body in the robot's frame; a polygon even for a round body.
 std::vector<Vec> outline_of(const Chassis &chassis);
 
 } // namespace frob::sim

@@ -17,8 +17,8 @@ class Contacts {
     // Contact points, in the robot's frame.
     const std::vector<Vec> &points() const { return points_; }
 
-    // Number of collisions with fixed objects, boxes, balls and other robots; both robots count a
-    // collision with each other. A collision ends when the robot has touched nothing for half a
+    // Number of collisions with fixed objects, boxes, balls and other robots; a collision between
+    // two robots counts for both. A collision ends when the robot has touched nothing for half a
     // second.
     int collisions() const { return collisions_; }
 

@@ -26,8 +26,8 @@ class P2osBody {
     Bytes bytes_;
 };
 
-// A command from a client. If its argument is missing or truncated, the command has no argument:
-// some clients send an argument's type without a value.
+// A command from a client. An argument that is missing or truncated is ignored, because some
+// clients send an argument's type without a value.
 struct P2osCommand {
     std::uint8_t number = 0;
     std::optional<int> argument;

@@ -347,8 +347,8 @@ void PioneerFirmware::send_io() {
 }
 
 // The complete packet, following the ARCOS manual's "Configuration packet" and AriaCoda's reader.
-// Clients take their limits from it, so that a truncated packet would keep the robot from moving.
-// Speeds are in mm/s and deg/s, with their accelerations; values that this robot lacks are 0.
+// Clients take their limits from it, so a truncated packet would keep the robot from moving. Speeds
+// are in mm/s and deg/s, with their accelerations; values that this robot lacks are 0.
 void PioneerFirmware::send_config() {
     constexpr int speed_up = 300, turn_up = 100;                     // defaults in FLASH
     constexpr int turn_gains[] = {40, 20, 0}, gains[] = {40, 30, 0}; // KP, KV, KI

@@ -3,7 +3,7 @@
 //
 // Written from the protocol's description (Nomadics' Ndirect) and independently of the driver, so
 // that each tests the other. Every command gets one answer, and the robot sends nothing else; it
-// refuses commands of other models. The watchdog stops the motion if no command arrives for the
+// refuses the commands of other models. The watchdog stops the motion if no command arrives for the
 // number of seconds that CONF_TM sets.
 #pragma once
 

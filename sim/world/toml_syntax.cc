@@ -29,8 +29,8 @@ bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// The value at a column, or the one that ends just before it: the text from the last `=`, `[` or
-// `,` up to the next `,`, `]` or comment.
+// The value at a column, or the value that ends just before that column: the text from the last
+// `=`, `[` or `,` up to the next `,`, `]` or comment.
 std::string_view value_at(std::string_view line, std::size_t column) {
     const std::size_t here = column > 0 ? column - 1 : 0;
     const std::string_view before = line.substr(0, here < line.size() ? here : line.size());

@@ -28,4 +28,4 @@ val first_of_each : most:int -> Diagnostic.t list -> Diagnostic.t list
 
 val summary : Diagnostic.t list -> string
 (** The number of errors and of warnings, for example [2 errors, 1 warning], with a newline; [""] if
-    there are no diagnostics. Says so if {!diagnostics} prints only some of them. *)
+    there are no diagnostics. Also says if {!diagnostics} prints only some of the diagnostics. *)

@@ -18,7 +18,7 @@ let places (core : Core.Ir.program) =
     | Some span -> span
     | None -> Diagnostic.bug ~stage:"Build.Params" "`%s` has no value" name.name
 
-(* The value of the parameter's default or setting, which is the definition with this name. *)
+(* The value of the definition [name], which is the parameter's default or its setting. *)
 let value sink (places, constants) (p : Core.Ir.param) name : Interp.Value.t option =
   let at = places name in
   let refuse diagnostic =

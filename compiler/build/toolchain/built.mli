@@ -29,8 +29,8 @@ val built :
   string ->
   (Resources.t -> string -> int) ->
   int
-(** Compiles a file to C, and with the C compiler together with the user's own [sources]. Continues
-    with the path of the result, or reports the errors. [name] is the base name of the C files. *)
+(** Compiles a file to C, and then this C together with the user's own [sources]. Continues with the
+    path of the result, or reports the errors. [name] is the base name of the C files. *)
 
 val shared :
   ?quiet:bool ->

@@ -13,4 +13,5 @@ val mentions : string -> string -> bool
 (** [mentions text name] is true if the name occurs in the text as a separate word. *)
 
 val giving : calls:string list -> string list -> string list
-(** The C files that mention one of these names, without counting pure functions and kernels. *)
+(** The C files that mention one of these names, ignoring the names of pure functions and kernels.
+*)

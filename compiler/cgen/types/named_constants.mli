@@ -10,7 +10,7 @@ type constant = {
 
 type t = at:Basis.Span.t -> float -> constant option
 (** The constant that is written as an operand of the operation [at] this place, and that has this
-    value. [None] if there is no such constant, or if another operand could be meant. *)
+    value. [None] if there is no such constant, or if it is ambiguous which operand is meant. *)
 
 val none : t
 

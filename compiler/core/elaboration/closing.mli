@@ -8,4 +8,4 @@ val program :
   output:Ir.ty ->
   Ir.program * Ir.Global.t
 (** Adds a definition that instantiates the open one (of type [Program i o] or [SF i o]) with these
-    types. Its name is the name of the open one followed by the suffix. *)
+    types. Its name is the name of the open definition, followed by the suffix. *)

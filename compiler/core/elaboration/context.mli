@@ -11,8 +11,8 @@ val primitive : t -> Ir.Global.t -> Primitive.t
 val instances : t -> Instance.table
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
-(** A new variable with that name, or [""] if it does not have a name in the program. Its [id] is
-    negative, so it differs from the resolver's ids. *)
+(** A new variable with this name, which is [""] if the variable has no name in the program. Its
+    [id] is negative, so it differs from the resolver's ids. *)
 
 val define : t -> Ir.definition -> unit
 

@@ -161,7 +161,8 @@ and update env (e : T.expr) record c fields =
       in
       Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
 
-(* Binds a value that is used several times to a variable. *)
+(* Makes sure that a value is computed only once: binds it to a variable, which [use] may mention
+   several times. *)
 and once env (value : Ir.expr) use =
   match value.desc with
   | Local _ -> use value

@@ -32,7 +32,8 @@ let parts (n : node) =
   List.map instance n.instances
   @ Option.fold n.machine ~none:[] ~some:(fun (m : machine) -> List.map (mode m.span) m.modes)
 
-(* Modes share memory, so the largest determines the values; each mode counts as an instance. *)
+(* Modes share memory, so the largest mode determines the number of values; each mode counts as an
+   instance. *)
 let sizes (p : program) =
   let sizes = Array.make (Array.length p.nodes) nothing in
   Array.iteri

@@ -134,7 +134,7 @@ let by_prelude cycle hop =
   is_own cycle (mode_node cycle hop.from).span
   && Option.fold hop.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
 
-(* Adds the label only once if several modes with the same name do the same. *)
+(* Adds the label only once if several modes with the same name have it. *)
 let label ~at text (d : Diagnostic.t) =
   let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
   if List.exists there d.labels then d else Diagnostic.label ~at text d

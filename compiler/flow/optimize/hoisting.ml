@@ -151,7 +151,7 @@ let round (program : Ir.program) =
     (* Callers that compute a value twice now compute it once. *)
     Common_subexpressions.program { program with nodes; next_id = !next }
 
-(* A round moves a value from a node to its callers. *)
+(* Maximum number of rounds, each of which moves values from nodes to their callers. *)
 let most_rounds = 4
 
 let program program =

@@ -14,8 +14,8 @@ type problem =
   | Unreadable of string  (** the operating system's reason *)
   | Unclosed_quote
   | Late_quote
-      (** a cell has whitespace before its opening quote; the cell is the last one of the row that
-          was read *)
+      (** a cell has whitespace before its opening quote; it is the last cell of the part of the row
+          that was read *)
   | Zero_byte
   | Too_long
       (** the row has more than {!longest} bytes or {!most_cells} cells; these limits bound the

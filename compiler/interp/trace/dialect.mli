@@ -19,7 +19,7 @@ val arguments : t -> string list
 (** The dialect as command-line options for a host. *)
 
 val header : t -> string list -> (int * string list, string) result
-(** The index of the time column, and the program's names of the columns with [time] first. The
+(** The index of the time column, and the program's names of the columns, with [time] first. The
     error names the missing column. *)
 
 val to_front : int -> 'a list -> 'a list

@@ -141,7 +141,7 @@ let local offset tree (start, stop) =
 let holds (outer : Span.t) (inner : Span.t) =
   String.equal outer.file inner.file && outer.start <= inner.start && inner.stop <= outer.stop
 
-(* The local variables from outside that the definition uses, each once. *)
+(* The local variables from outside that the definition uses, without duplicates. *)
 let captured view (d : declaration) =
   let from_around (o : Index.occurrence) =
     o.symbol.what = Local && holds d.span o.place && not (holds d.span o.symbol.at)

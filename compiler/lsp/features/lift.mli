@@ -8,5 +8,5 @@ type t = {
 val at : Workspace.t -> Document.t -> View.t -> int * int -> t option
 (** The edits for the local definition whose name is at this range. The view must be of the current
     text, without errors. Local variables that the definition uses become its parameters. The
-    changed text is checked: [None] if it would have errors, or if the name already has another
+    changed text is checked: [None] if it would have errors, or if the name already has a different
     meaning at the top level. *)

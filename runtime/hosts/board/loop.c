@@ -138,8 +138,8 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     return NULL;
 }
 
-/* Stops the robot. The line is the only data that this function shares with the stuck loop. If it
- * interrupts a packet, the robot drops that packet. */
+/* Stops the robot. The line is the only data that this function shares with the stuck loop. If
+ * the stop command interrupts a packet, the robot drops that packet. */
 void loop_watch(int64_t now_ns)
 {
     if (alive_ns == 0 || now_ns - alive_ns <= PATIENCE_NS || now_ns - stopped_ns < STOP_PERIOD_NS)

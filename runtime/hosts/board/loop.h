@@ -30,8 +30,8 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
 /* Returns the initial bit rate of the robot's line; 0 if there is no driver. */
 uint32_t loop_line_rate(void);
 
-/* Runs one round: handles received bytes, sends what is due, and may run a step. Returns when to
- * call it again if no byte arrives earlier. */
+/* Runs one round: handles received bytes, sends what is due, and may run a step. Returns the time
+ * at which to call it again if no byte arrives before then. */
 int64_t loop_round(void);
 
 /* Call this from a timer interrupt, at least ten times a second. */
@@ -40,9 +40,9 @@ void loop_watch(int64_t now_ns);
 /* Tells the robot to stop, whatever the loop is doing. For fault handlers. */
 void loop_stop(void);
 
-/* Returns the program's input, for <frob/console.h>: the board's buttons and dials can set the
- * operator's console, and take effect at the next step. Change it only between rounds, not in an
- * interrupt. */
+/* Returns the program's input, for <frob/console.h>: use it to let the board's buttons and dials
+ * operate the console. Changes take effect at the next step. Change the input only between rounds,
+ * not in an interrupt. */
 void *loop_input(void);
 
 struct loop_counts {

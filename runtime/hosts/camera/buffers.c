@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Positions of the frames: the writer's frame, the middle ones from the newest on, and the reader's
+/* Positions of the frames: the writer's frame, the middle frames, newest first, and the reader's
  * frame. */
 enum { BACK = 0, NEWEST = 1, FRONT = NEWEST + BUFFERS_KEPT, COUNT = FRONT + 1 };
 
@@ -22,7 +22,7 @@ struct buffers {
  * is mistaken for the current one (the ABA problem). */
 struct order {
     uint32_t at[COUNT]; /* index of the frame at each position, 3 bits each */
-    uint32_t fresh;     /* number of middle frames, from the newest, not yet taken: 2 bits */
+    uint32_t fresh;     /* how many of the newest middle frames have not been taken: 2 bits */
     bool has_any;       /* a frame has been published */
     uint32_t changes;   /* 14 bits */
 };

@@ -22,7 +22,7 @@ struct camera {
     bool works, has_failed;
     char seen[640];      /* format of its frames; empty before the first */
     uint32_t given;      /* number of frames passed to the program */
-    int64_t last_number; /* number of the last of them; -1: none yet */
+    int64_t last_number; /* number of the last frame passed; -1: none yet */
     uint32_t failures;
 };
 

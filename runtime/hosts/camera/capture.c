@@ -64,7 +64,7 @@ static void complain(struct capture *c, const char *text)
 }
 
 /* Updates the period between frames. It decreases immediately and increases slowly: a few missing
- * frames do not make the camera slow, and must not increase the patience for the next. */
+ * frames do not make the camera slow, and must not increase the patience for the next frame. */
 static void take_period(struct capture *c, int64_t since_ns)
 {
     if (c->period_ns == 0 || since_ns < c->period_ns)
@@ -243,7 +243,8 @@ static void step(struct capture *c)
 
 /* ---- Processes */
 
-/* Leaves signals from the terminal to the supervisor, and ends with the parent process. */
+/* Leaves signals from the terminal to the supervisor, and makes this process end when its parent
+ * does. */
 static void belong_to(pid_t parent)
 {
     sigset_t none;

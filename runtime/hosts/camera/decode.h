@@ -7,9 +7,9 @@
 /* Returns the size of a raw frame according to the settings; 0 if they do not specify it. */
 size_t decode_raw_size(const struct camera_options *o);
 
-/* Decodes an image in a self-describing format: 8-bit PGM or PPM, or JPEG. Returns NULL, or a
- * message in `message`, about "a frame", with the cause and the fix. If `is_grey`, decodes
- * brightness only. */
+/* Decodes an image in a self-describing format: 8-bit PGM or PPM, or JPEG. Returns NULL on success.
+ * On failure, returns a message, stored in `message`, whose subject is "a frame", with the cause
+ * and the fix. If `is_grey`, decodes brightness only. */
 const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                            char message[256]);
 

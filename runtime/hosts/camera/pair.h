@@ -20,7 +20,7 @@ struct pair {
     struct rhythm rhythms[2];
     int64_t within_ns; /* limit set by the user; -1: none */
     uint32_t count;    /* number of pairs taken */
-    double apart_ns;   /* sum of the differences in time of these pairs */
+    double apart_ns;   /* sum of the time differences within these pairs */
     int64_t most_ns;   /* maximum of these differences */
     /* The smallest time difference, since the last pair, of two frames that were too far apart;
      * INT64_MAX if there were none. */

@@ -94,7 +94,7 @@ static int get(struct csv *csv)
     return (unsigned char)csv->read[csv->at++];
 }
 
-/* Puts back the last character. It was not the end of a line, so it is in the current line. */
+/* Puts back the last character. It was not the end of a line, so it belongs to the current line. */
 static void unget(struct csv *csv)
 {
     csv->at--;

@@ -283,7 +283,7 @@ static ssize_t stream_get(void *cookie, char *bytes, size_t size)
     return got;
 }
 
-/* Closing the pipe first ends a process that still has output. */
+/* Closes the pipe first, so that a process that still has output ends. */
 static int stream_close_unpacker(void *cookie)
 {
     struct unpacker *unpacker = (struct unpacker *)cookie;

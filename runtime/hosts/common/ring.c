@@ -247,7 +247,7 @@ void ring_end(struct ring *ring, enum ring_fate fate)
 {
     if (ring->shared == NULL)
         return;
-    store(&ring->shared->fate, (uint32_t)fate); /* readers that see the end also see the fate */
+    store(&ring->shared->fate, (uint32_t)fate); /* before `ended`, so that readers see both */
     store(&ring->shared->ended, 1);
 }
 

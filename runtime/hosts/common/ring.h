@@ -88,7 +88,7 @@ void ring_end(struct ring *ring, enum ring_fate fate);
 #define RING_PATIENCE_NS INT64_C(500000000)
 void ring_show_alive(struct ring *ring);
 
-/* Returns whether a viewer has requested the run to stop. */
+/* Returns whether a viewer has asked the run to stop. */
 bool ring_is_stopped(const struct ring *ring);
 
 /* The pace of the run that a viewer has requested. */
@@ -100,7 +100,7 @@ struct ring_pace {
 };
 struct ring_pace ring_pace(const struct ring *ring);
 
-/* Returns whether the reader has not read half of the ring yet. */
+/* Returns whether more than half of the ring is still unread. */
 bool ring_is_half_unread(const struct ring *ring);
 
 /* Takes the oldest pending event. Returns false if there is none. */

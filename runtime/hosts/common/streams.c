@@ -103,8 +103,8 @@ void streams_open(void)
 {
     for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++)
         if (fcntl(number, F_GETFD) < 0 && errno == EBADF)
-            /* open() uses the lowest free number. The mode is the opposite of the stream's, so its
-             * use fails. */
+            /* open() returns the lowest free descriptor. The mode is the opposite of the stream's,
+             * so that reading or writing the stream fails. */
             if (open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY) != number)
                 break;
     signal(SIGXFSZ, SIG_IGN);

@@ -122,7 +122,7 @@ const char *controller_end(struct controller *c, int patience_ms)
     pid_t gone = 0;
     if (c->pid == 0)
         return NULL;
-    /* A process closes its socket some time before it can be waited for. */
+    /* A process that ends closes its socket some time before waitpid can report it. */
     for (int ms = 0; gone == 0 && ms <= patience_ms; ms++) {
         static const struct timespec pause = { 0, 1000000 };
         gone = waitpid(c->pid, &status, WNOHANG);

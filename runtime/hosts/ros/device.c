@@ -124,7 +124,7 @@ static bool counts(struct ros_device *d, struct ros_topic *topic, const char *ba
         topic->told_bad = bad;
         return false;
     }
-    /* A simulator's time may be slower than ours, and stand still. */
+    /* A simulator's time may run slower than ours, or stand still. */
     if (has_sim_time(d) && !d->sim_clock.started)
         return false;
     if (has_sim_time(d))

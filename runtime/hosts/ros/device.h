@@ -86,7 +86,8 @@ struct ros_device {
     struct ros_sensor sensors[ROS_SENSORS_MOST];
     struct sim_clock sim_clock;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
-    bool gave;                                /* the program has had an instant in any session */
+    bool gave;                                /* the program has had an instant in this or an
+                                               * earlier session */
     bool commanded; /* a velocity was commanded, which the driver repeats */
     bool drove;     /* a velocity was commanded since the first session */
     struct ros_velocity velocity;

@@ -169,7 +169,7 @@ static void send_imu(const struct input *input, int socket)
     imu.rotation[1] = m->orientation.y;
     imu.rotation[2] = m->orientation.z;
     imu.rotation[3] = m->orientation.w;
-    /* The message's definition: -1 if there is no orientation. */
+    /* By the message's definition, -1 means that there is no orientation. */
     imu.has_rotation = m->orientation_covariance[0] != -1.0;
     send_message(socket, &imu.head);
 }

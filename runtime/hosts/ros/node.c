@@ -340,7 +340,7 @@ static int listen_until_over(struct node *n)
         result = rcl_wait(&set, WAIT_NS);
         if (result != RCL_RET_OK)
             rcl_reset_error();
-        /* The wait set keeps the subscriptions that have messages. */
+        /* rcl_wait has set the subscriptions and services without messages to NULL. */
         for (size_t i = 0; result == RCL_RET_OK && i < n->inputs.count; i++)
             if (set.subscriptions[i] != NULL)
                 inputs_take(&n->inputs, &n->inputs.each[i], n->options->socket);

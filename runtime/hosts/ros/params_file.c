@@ -8,7 +8,8 @@
 #include <rcutils/allocator.h>
 #include <rcutils/error_handling.h>
 
-/* Each text is at the beginning of a part, that is, after a slash, or at its end. */
+/* Both pointers point to the beginning of a part, that is, after a slash, or to the end of the
+ * text. */
 static bool matches(const char *pattern, const char *node)
 {
     const size_t length = strcspn(pattern, "/"), part = strcspn(node, "/");

@@ -21,7 +21,7 @@ static void accept(struct stamps *s, int64_t stamp_ns, int64_t arrived_ns)
     s->doubted = false;
 }
 
-/* Rejects a message with another clock, or accepts that clock. */
+/* Rejects a message with a different clock or, after DOUBT_NS, accepts that clock. */
 static enum stamps_verdict doubt(struct stamps *s, enum stamps_verdict verdict, int64_t stamp_ns,
                                  int64_t arrived_ns, int64_t patience_ns)
 {

@@ -248,7 +248,7 @@ static void publish_imu(struct robot *r, const struct ros_imu *imu)
     m->linear_acceleration.z = imu->acceleration_mps2[2];
     m->orientation.z = imu->rotation[2];
     m->orientation.w = imu->rotation[3];
-    /* The message's definition: -1 if there is no orientation. */
+    /* By the message's definition, -1 means that there is no orientation. */
     m->orientation_covariance[0] = imu->has_rotation ? 0.0 : -1.0;
     publish(&r->sensors[imu->origin.control].publisher, m);
 }

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns LOG.csv; for the third of several robots LOG-3.csv, or LOG-3.csv.gz. NULL if memory runs
- * out. */
+/* Returns the name of a robot's recording: LOG.csv for a single robot, LOG-3.csv (or LOG-3.csv.gz)
+ * for the third of several. NULL if memory runs out. */
 static char *name_of_record(const char *name, size_t robot, size_t count)
 {
     const char *slash = strrchr(name, '/');

@@ -225,7 +225,7 @@ bool trial_run(struct trial *trial, const struct options *options, const struct 
         print_collisions(sim, file);
         ok = print_measures(trial, file);
         putc('\n', file);
-        fflush(file); /* so that frobc can determine which run a crash ended */
+        fflush(file); /* so that frobc can tell in which run a crash occurred */
     }
     claims_close(&judged);
     return controllers_close(&controllers) && ok;

@@ -151,7 +151,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "error: cannot read random numbers from /dev/urandom\n");
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
                           options.ring >= 0 ? &ring : NULL)) {
-        /* Work briefly first: a run of a few minutes is then complete before the page connects. */
+        /* Work briefly before serving: a run of a few minutes is then complete when the page
+         * connects. */
         if (options.why_nan) {
             view_say(&view);
             status = nan_print(&view) && streams_flush() ? DONE : WRONG_USE;

@@ -99,13 +99,14 @@ def messages_of(bag: str) -> Iterator[Message]:
 
 
 def program_of(columns: str) -> str:
-    """The name of the program whose recording begins with these lines."""
+    """Returns the name of the program, given the lines at the beginning of its recording."""
     first = columns.split("\n", 1)[0]
     return first[len("# program ") :] if first.startswith("# program ") else ""
 
 
 def recordings_in(bag: str) -> Dict[str, Tuple[str, Dict[int, str]]]:
-    """For each node, the beginning of its recording, and its rows by number."""
+    """Returns, for each node, the beginning of its recording, and the recording's rows by
+    number."""
     heads: Dict[str, str] = {}
     rows: Dict[str, Dict[int, str]] = {}
     for topic, data in messages_of(bag):

@@ -50,7 +50,7 @@ class Dialect:
         return self.time_column is not None or bool(self.columns)
 
     def header(self, names: Sequence[str]) -> Tuple[int, List[str]]:
-        """Returns the index of the time column, and the names of the columns with `time` first."""
+        """Returns the index of the time column, and the names of the columns, with `time` first."""
         ours: List[str] = list(names)
         left: List[Optional[str]] = list(names)
 

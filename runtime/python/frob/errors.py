@@ -1,4 +1,5 @@
-"""The exceptions of this package. Each message says where the problem is, why, and what to do."""
+"""The exceptions of this package. Each message says where the problem is, what causes it, and what
+to do."""
 
 from __future__ import annotations
 

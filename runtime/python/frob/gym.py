@@ -48,9 +48,9 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
     determines every column that the agent does not set.
 
     `reward` takes a `Moment`. `done` takes a `Moment` and returns whether the episode has ended; by
-    default, it ends at a collision. After `duration` seconds the episode is truncated. During an
-    outage of the world (`[outage]`) the program has no instants, so a step can take as long as the
-    outage. `limits` maps columns to their lowest and highest values."""
+    default, an episode ends at a collision. After `duration` seconds the episode is truncated.
+    During an outage of the world (`[outage]`) the program has no instants, so a step can take as
+    long as the outage. `limits` maps columns to their lowest and highest values."""
 
     metadata: Dict[str, Any] = {"render_modes": []}
 

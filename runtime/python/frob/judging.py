@@ -153,8 +153,8 @@ def _claims(code: library.Library) -> Iterator[Claim]:
 def _seen(
     leaf: shapes.Leaf, memory: "NDArray[Any]", count: int, size: int
 ) -> "Tuple[Optional[NDArray[Any]], NDArray[Any]]":
-    """Reads a column. Returns the instants at which its signal function runs (None if at all of
-    them), and the values, or the constructors' tags for a sum type."""
+    """Reads a column. Returns a mask of the instants at which its signal function runs (None if at
+    all of them), and the values, or the constructors' tags for a sum type."""
     np = columns.numpy()
 
     def view(kind: str, offset: int) -> "NDArray[Any]":
@@ -173,9 +173,8 @@ def _seen(
 
 
 def _stretches(running: Any, count: int) -> Iterator[Tuple[int, int]]:
-    """Yields the first and last (exclusive) instant of each uninterrupted stretch in which a signal
-    function runs.
-    """
+    """Yields the first instant of each uninterrupted stretch in which a signal function runs, and
+    the instant after the last."""
     np = columns.numpy()
     if running is None:
         yield 0, count

@@ -108,9 +108,7 @@ def _within(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _held_for(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The minimum since the last instant that is at least q ago; minus infinity if there is
-    none.
-    """
+    """The minimum since the last instant at least q earlier; minus infinity if there is none."""
     np = columns.numpy()
     if q is None:
         return np.full(len(ns), -np.inf)  # type: ignore[no-any-return]
@@ -128,8 +126,8 @@ def _by(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "Series":
-    """The minimum over all instants more than q ago: at each of them, either p was false, or the
-    answer has come since."""
+    """The minimum over all instants more than q earlier: at each of them p was false, or the answer
+    has come since."""
     np = columns.numpy()
     count = len(ns)
     if q is None:

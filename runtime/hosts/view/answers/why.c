@@ -270,8 +270,8 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     return entry;
 }
 
-/* Returns whether a source that was read when a mode began applies: it must belong to a mode that
- * was left then. */
+/* Returns whether a source applies that was read when a mode began. It applies if it belongs to a
+ * mode that was left at that time. */
 static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
 {
     if (source->mode == FROB_ANY || source->mode == entry->before)

@@ -15,7 +15,7 @@ export interface Signal {
   readonly own: string;
   readonly file: string;
   readonly line: number;
-  /** Whether it does not depend on other signals: it is constant, unless it depends on the time or
+  /** Whether no other signal influences it, so that it is constant unless it depends on the time or
    * a mode. */
   readonly fixed: boolean;
   /** For the running mode of a machine: the transitions between its modes. */

@@ -66,7 +66,7 @@ static bool is_computed(const char *name)
     return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0;
 }
 
-/* Column names for a message, of which only some are listed. */
+/* Column names for a message, which lists only some of them. */
 struct names {
     struct buffer text;
     unsigned count;

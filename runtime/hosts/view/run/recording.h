@@ -62,7 +62,7 @@ bool recording_read(struct recording *recording, const struct signals *signals, 
 bool recording_read_on(struct recording *recording);
 
 /* Sets parameters, NAME=VALUE each, instead of the recorded values. Adds notes about recorded
- * values that are invalid or differ from these. If one of these is invalid, prints a line on
+ * values that are invalid or differ from these settings. If a setting is invalid, prints a line on
  * standard error and returns false. */
 bool recording_set(struct recording *recording, const char *const *params, size_t count);
 

@@ -11,8 +11,8 @@ bool seen_is_eye(const struct frob_value *value)
     return value->kind == FROB_SUM && value->is_event && frames_has_images(value);
 }
 
-/* Stores the events of frames that are not part of others, unless `eyes` is NULL. Returns their
- * number. */
+/* Finds the events of frames that are not nested in other such events, and stores them unless
+ * `eyes` is NULL. Returns their number. */
 static size_t find_eyes(const struct frob_value *value, const struct frob_value **eyes)
 {
     size_t count = 0;
@@ -39,7 +39,8 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* Returns the place and the reason in the frame reader's last message, without what it expected. */
+/* Returns the last part of the frame reader's last message: the place and the reason, without what
+ * was expected. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');

@@ -50,13 +50,13 @@ const struct signal *signals_find(const struct signals *signals, const char *nam
 /* Returns whether the signal is the running mode of a machine. */
 bool signal_is_mode(const struct signal *signal);
 
-/* Writes its value as the cell of a trace. */
+/* Writes the signal's value as the cell of a trace. */
 void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text);
 
-/* Returns its value as a number for a plot: a truth value as 0 or 1, a constructor as its index in
- * the type, an event that occurs as its value, or as 1 if that is not a number. NAN if there is no
- * value: an event does not occur, or a mode's machine does not exist. */
+/* Returns the signal's value as a number for a plot: a truth value as 0 or 1, a constructor as its
+ * index in the type, an event that occurs as its value, or as 1 if that is not a number. NAN if
+ * there is no value: an event does not occur, or a mode's machine does not exist. */
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment);
 

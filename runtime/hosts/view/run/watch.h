@@ -1,5 +1,5 @@
-/* watch.h -- the results of a program's assertions as far as it has been run, and the instants at
- * which each was violated. */
+/* watch.h -- the results of a program's assertions over the instants that it has been run for, and
+ * the instants at which each was violated. */
 #ifndef FROB_VIEW_WATCH_H
 #define FROB_VIEW_WATCH_H
 

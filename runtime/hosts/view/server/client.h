@@ -1,5 +1,6 @@
 /* client.h -- a connected page: its pending requests, and the messages for it. Only the newest
- * message of each kind is kept, so a page that does not read takes no memory. */
+ * message of each kind is kept, so a page that does not read its messages does not use up
+ * memory. */
 #ifndef FROB_VIEW_CLIENT_H
 #define FROB_VIEW_CLIENT_H
 
