@@ -17,8 +17,8 @@
   ```
   
   Decide which signal in the loop should be the value of the previous instant, and read it with
-  `delay`, which also needs the value at the first instant. `integral` also breaks a loop, because
-  it adds up its past input. `derivative` does not.
+  `delay`, which also needs a value for the first instant. `integral` also breaks a loop, because
+  it only adds up past inputs. `derivative` does not.
   
   ```frob
   main :: SF Float Float
