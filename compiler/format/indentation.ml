@@ -211,7 +211,7 @@ let enter state (words : Word.t array) i ~column =
   | EQUAL when frame.bar = None -> frame.bar <- Some (w.column, column)
   | _ -> ()
 
-(* What a keyword that opens a block changes for the block. *)
+(* Records the keyword that opens the next block, if this word is such a keyword. *)
 let announce state (words : Word.t array) i ~column =
   let w = words.(i) in
   match w.token.token with

@@ -1,7 +1,7 @@
 """usage: repair.py auditwheel's arguments
 
 Runs auditwheel, but assumes only the libraries of glibc and of gcc on users' computers. The
-standard policies also assume some libraries of desktops, which small systems do not have.
+standard policies also assume some desktop libraries, which small systems do not have.
 """
 
 import json

@@ -21,8 +21,8 @@ val bytes : t -> int
 (** The size in memory, which is also the alignment. *)
 
 val shortest : t -> float -> string
-(** The fewest decimal digits that read back as the same number, even if the reader rounds to a
-    double first, in the format of [%g]. The number must be finite. *)
+(** The number in the format of [%g], with the fewest decimal digits that read back as the same
+    number even if the reader rounds to a double first. The number must be finite. *)
 
 val all_whole_from : t -> float
 (** From this power of two on, every number is an integer: 2⁵² or 2²³. *)

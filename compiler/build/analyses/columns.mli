@@ -23,8 +23,8 @@ val of_program :
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   t list
-(** The inputs and outputs that have a unit, and the probes. The definition is the entry as it is in
-    the source. *)
+(** The inputs and outputs that have a unit, and the probes. The definition is the entry as written
+    in the source. *)
 
 val text : t list -> string
 (** The table as a C file. *)

@@ -9,8 +9,8 @@ type constant = {
 }
 
 type t = at:Basis.Span.t -> float -> constant option
-(** The constant that is written as an operand of the operation [at] this place, and that has this
-    value. [None] if there is no such constant, or if it is ambiguous which operand is meant. *)
+(** The named constant that has this value and is written as an operand of the operation at this
+    place. [None] if there is no such constant, or if it is ambiguous which operand is meant. *)
 
 val none : t
 

@@ -36,7 +36,7 @@ struct apriltag_settings {
     struct { /* apriltag_quad_thresh_params */
         int least_cluster, most_corners;
         float angle, cosine, most_error;
-        int least_contrast; /* between the lightest and darkest pixels of several tiles */
+        int least_contrast; /* minimum contrast within a group of adjacent tiles */
         int deglitch;
     } quads;
 };

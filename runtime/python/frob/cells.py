@@ -107,9 +107,8 @@ def _alone(rest: List[str]) -> Any:
 
 
 def _plain(word: str, args: List[Any]) -> Any:
-    """Builds a value in the form that `Data` describes: an optional value needs no constructor
-    unless another one takes its place.
-    """
+    """Builds a value in the form that `Data` describes: omits the constructors `Just` and `Event`
+    if the value is unambiguous without them."""
     if word in ("True", "False") and not args:
         return word == "True"
     if word in ("Nothing", "NoEvent") and not args:

@@ -14,9 +14,8 @@ from .simulator import Simulator, Truth, robot_of, world_path
 
 
 def number_of(leaf: shapes.Leaf) -> Optional[shapes.Scalar]:
-    """Returns the scalar of a column that is a number, a boolean, or an event with one; None for
-    other columns.
-    """
+    """Returns the scalar of a column that is a number, a boolean, or an event that carries one of
+    these; None for other columns."""
     if isinstance(leaf, shapes.Sum) and leaf.is_optional:
         (inner,) = leaf.constructors[1].parts
         return inner if isinstance(inner, shapes.Scalar) else None
@@ -64,8 +63,7 @@ class Drive:
 
     def numbers(self, names: Sequence[str]) -> List[shapes.Scalar]:
         """Returns the scalars of the named columns. Each must be a number, a boolean, or an event
-        with one.
-        """
+        that carries one of these."""
         for name in names:
             if name not in self._columns:
                 known = ", ".join(self._columns)

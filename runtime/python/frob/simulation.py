@@ -100,7 +100,7 @@ def _run(options: Sequence[str], duration: float, folder: str) -> Dict[str, str]
     record = os.path.join(folder, "run.csv")
     told = tools.run(["run", "--for", f"{duration:.9f}s", "--record", record, *options])
     lines = (line.split(": ", 1) for line in told.splitlines() if ": " in line)
-    # The files that these lines name have been deleted by the time the table is returned.
+    # Omit the lines that name files, because those files are deleted before the table is returned.
     return {name: value for name, value in lines if name not in ("log", "picture")}
 
 

@@ -64,7 +64,8 @@ def sweep(
             options += ["--picture", drawn]
         said = tools.run(["sweep", *options, "--rows", folder, "--table", told, path])
         table: "Table" = _read(told)
-        # The files that these lines name have been deleted by the time the table is returned.
+        # Omit the lines that name files, because those files are deleted before the table is
+        # returned.
         lines = said.splitlines()
         table.attrs["summary"] = "\n".join(
             line for line in lines if not line.startswith(("table: ", "picture: "))

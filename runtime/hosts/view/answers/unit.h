@@ -11,7 +11,7 @@
 
 /* A product of powers of base units, such as m^1 s^-2. */
 struct dimension {
-    bool is_open; /* it matches any dimension, because it is unknown or belongs to the number 0 */
+    bool is_open; /* matches any dimension: unknown, or that of the number 0 */
     struct {
         char name[28];
         double power;

@@ -203,7 +203,7 @@ export interface Way {
   readonly points: readonly (readonly [number, number, number])[];
 }
 
-/** A value that another one was computed from, and when. */
+/** A value from which another one was computed, and the instant at which it was read. */
 export interface Origin {
   readonly signal: number;
   readonly k: number;

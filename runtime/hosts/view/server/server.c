@@ -186,7 +186,7 @@ static void tell_run(struct server *server)
     }
 }
 
-/* Returns the page that operates: the last one that took control, or else the oldest. */
+/* Returns the page that operates the run: the last one that took control, or else the oldest. */
 static struct client *operator_of(const struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++)

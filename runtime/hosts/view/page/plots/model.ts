@@ -3,7 +3,7 @@ import type { Program, Signal } from "../protocol";
 
 export interface Plot {
   readonly id: number;
-  /** The numbers of its signals. In an XY plot the first one is the horizontal axis. */
+  /** The numbers of its signals. In an XY plot the first signal is on the horizontal axis. */
   signals: number[];
   /** The range of the left vertical axis; null for an automatic range. */
   fixed: readonly [number, number] | null;

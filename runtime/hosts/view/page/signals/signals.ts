@@ -115,7 +115,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   startRoving(list);
 
   const matching = () => filter.value.trim().toLowerCase();
-  /** A value that changes is not a constant. */
+  /** Moves a signal whose value has changed out of the constants. */
   const unfix = (row: Row) => {
     groups.get("Constants")?.remove(row);
     groups.get("Inside")?.add(row);
