@@ -221,7 +221,7 @@ and expr_desc =
       (** the fields exist and are complete, in source order *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
   | Field of { record : expr; field : Syntax.Ir.name; candidates : Global.t list }
-      (** [candidates]: the record types in scope that have such a field *)
+      (** [candidates]: the record types in scope that have a field of this name *)
   | Annotated of { expr : expr; scheme : scheme }
 
 and apply_style =

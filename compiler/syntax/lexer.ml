@@ -17,7 +17,8 @@ type t = {
   mutable at : int;
   mutable line : int;
   mutable line_start : int;  (** byte offset *)
-  mutable extra : int;  (** continuation bytes of UTF-8 characters on this line before [at] *)
+  mutable extra : int;
+      (** number of continuation bytes of UTF-8 characters on this line before [at] *)
   mutable fresh : bool;  (** no token on this line yet *)
   mutable doc : string list;  (** lines of the current doc comment, last one first *)
   mutable doc_line : int;  (** line number of the last line in [doc] *)

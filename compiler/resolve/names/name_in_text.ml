@@ -15,8 +15,7 @@ let on_line (span : Span.t) first last =
 
 let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
 
-(* The end of the run of such characters that begins at this index, and the start of the one that
-   ends there. *)
+(* From this index, skips characters for which [is] is true, forward or backward. *)
 let rec forward is text i = if is (char_at text i) then forward is text (i + 1) else i
 let rec backward is text i = if is (char_at text (i - 1)) then backward is text (i - 1) else i
 let is_of_a_unit c = Character.is_name c || c = '/' || c = '*' || c = '^'

@@ -12,10 +12,11 @@ val robot : string -> string option
     name. *)
 
 val reading : string -> (string -> string, unit, string) format option
-(** The sensor reading that such a name means, as a format that contains the robot's input. *)
+(** The sensor reading that a name from elsewhere means, as a format for the name of the robot's
+    input. *)
 
 val current : string -> string list
-(** The names whose previous value such a name may mean: [v] for [v_prev] and [prevV]. *)
+(** The names whose previous value this name may mean: [v] for [v_prev] and [prevV]. *)
 
 val is_of_speed : string -> bool
 (** Does this word, for which {!robot} has a hint, set the speed and the turn rate of a robot? *)
@@ -40,5 +41,5 @@ val module_ : string -> string option
 (** A hint for an unknown module, as in [import Math]. *)
 
 val in_library : string -> (string * string) option
-(** The contents of such a module, as a subject and its verb ([the sonars are]), and the library
+(** The contents of an unknown module, as a subject and its verb ([the sonars are]), and the library
     module that contains them. *)

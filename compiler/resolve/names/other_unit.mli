@@ -9,8 +9,8 @@ type t = private {
 }
 
 val find : is_unit:(string -> bool) -> string -> t option
-(** The value of one such unit. Recognizes common names, and prefixes of the units that [is_unit]
-    accepts. *)
+(** The definition of the unit with this name, in units of the prelude. Recognizes common names, and
+    prefixes of the units that [is_unit] accepts. *)
 
 val explain :
   is_unit:(string -> bool) ->

@@ -80,7 +80,7 @@ let c_type_before t (name : Syntax.Ir.name) =
   let is_it (d : Proc_signals.c_declaration) = String.equal d.declared.text name.text in
   List.find_opt is_it (Lazy.force t.c_declarations)
 
-(* The type and the value to suggest in place of such a declaration. *)
+(* The type and the value to suggest in place of a declaration in the notation of C. *)
 let of_c_declaration (d : Proc_signals.c_declaration) =
   let text = d.declared.text in
   let name =

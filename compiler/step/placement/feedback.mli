@@ -13,4 +13,4 @@ val of_node : Flow.Ir.node -> t
 (** Takes time linear in the size of the node. *)
 
 val mem : t -> Flow.Ir.signal -> bool
-(** Whether such a choice defines the signal. *)
+(** Whether a choice whose condition depends on its own result defines the signal. *)

@@ -31,4 +31,4 @@ val is_forever : string -> bool
 (** Does the line begin an infinite loop, as in [while True do]? *)
 
 val forever : string
-(** The hint for such a loop. *)
+(** The hint for an infinite loop. *)

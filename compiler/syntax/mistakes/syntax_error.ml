@@ -304,7 +304,7 @@ let function_of_c found =
       |> Diagnostic.hint (Other_definition.advice d))
     (Other_definition.of_c found.text bol)
 
-(* Is this the `{` below the first line of such a function? *)
+(* Is this the `{` below the first line of a C function? *)
 let is_body_of_c found =
   match (found.token.token, found.before) with
   | LBRACE, None ->

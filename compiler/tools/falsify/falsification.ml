@@ -29,7 +29,7 @@ let program =
 
 let arguments (general : Common_options.t) ~entry ~sources s file =
   let number = Printf.sprintf "%.17g" in
-  (* A single word, so that a value that starts with `-` is not mistaken for an option. *)
+  (* Passed as a single word, so that a value that starts with `-` is not mistaken for an option. *)
   let option name value = Printf.sprintf "--%s=%s" name value in
   let some name = Option.fold ~none:[] ~some:(fun value -> [ option name value ]) in
   List.concat

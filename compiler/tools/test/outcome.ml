@@ -115,7 +115,7 @@ let verdict t =
         (some (count Void t) "void because an assumption failed")
         (if count Unasked t = total then "; never checked" else "")
 
-(* The same text as in the simulator's summary of a run. *)
+(* Describes a collision with the text that the simulator's summary of a run contains. *)
 let collision_line c =
   Printf.sprintf "collision at %.3f s: %s, x %.3f m, y %.3f m, clearance %.3f m" c.time c.with_ c.x
     c.y c.clearance

@@ -11,7 +11,7 @@ let rec gives_signal_function = function
   | Function (_, result) -> gives_signal_function result
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
 
-(* These are stateful only if their arguments are. *)
+(* Library functions that are stateful only if their arguments are. *)
 let transparent = List.map Environment.built_in [ "mapSF"; "parZ"; "onEvent" ]
 let is_transparent g = List.mem g transparent
 

@@ -88,7 +88,7 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
      | Some d
        when d.hints = told.hints && d.code = told.code
             && Span.line d.at.start = Span.line written.span.start ->
-         (* in the same signature: one fix covers both *)
+         (* both mistakes are in the same signature, so one fix corrects both *)
          let all (f : Diagnostic.fix) (other : Diagnostic.fix) =
            { f with edits = f.edits @ other.edits }
          in

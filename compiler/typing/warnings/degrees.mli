@@ -18,11 +18,12 @@ val compares : string -> bool
 (** Is this a comparison operator? *)
 
 val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr * Type.t -> unit
-(** Warns about such a number compared with an angle: [heading > 90]. Call it when all types are
-    known. *)
+(** Like {!warn}, for a number that is compared with an angle: [heading > 90]. Call it when all
+    types are known. *)
 
 val keeps : Resolve.Ir.expr -> bool
 (** Does this function return an angle if its argument is one, as [abs] and addition do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
-(** The type of such a function's result: [Angle] if the operand is an angle. *)
+(** The type of the result of a function for which {!keeps} is true: [Angle] if the operand is an
+    angle. *)

@@ -8,7 +8,7 @@ type facts = {
   program : program;
   docs : Doc_facts.t;
   origins : Angle_origins.t;
-  plain_uses : unit Int_table.t;  (** variables with a use that does not accept whole turns *)
+  plain_uses : unit Int_table.t;  (** variables with a use in which whole turns make a difference *)
   mutable differences : (Local.t * (unit -> unit)) list;
       (** equations that are a difference, each with its report *)
 }
@@ -114,8 +114,9 @@ let for_angles facts (f : expr) =
       Option.map (fun other -> (g, other)) (Doc_facts.for_angles facts.docs g)
   | _ -> None
 
-(* Reports that the input or argument of such a function wraps. [unwrap] is the fix that makes the
-   angle continuous, which is also correct for a multiple of an angle. *)
+(* Reports that the input or argument of a function that is unsuitable for wrapping angles wraps.
+   [unwrap] is the fix that makes the angle continuous, which is also correct for a multiple of an
+   angle. *)
 let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (input : expr) kind
     ~unwrap =
   warning facts (head f) input g.name (fun d ->

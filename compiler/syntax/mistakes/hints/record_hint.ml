@@ -43,7 +43,7 @@ let typed found =
       else Some "write a `,` between two fields"
   | _ -> None
 
-(* The type with this field that the program declares. *)
+(* A type that the program declares and that has this field. *)
 let declares found field =
   let has line =
     let blank c = if Basis.Character.is_name c then c else ' ' in

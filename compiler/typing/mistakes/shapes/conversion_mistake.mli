@@ -7,7 +7,7 @@ val of_a_text : Shape_fact.rule
 (** A string where a number is expected: strings are only labels. *)
 
 val by_a_constructor : Shape_fact.rule
-(** A value where the expected type has a constructor for such values. *)
+(** A value for which a constructor of the expected type has a field. *)
 
 val capital_choice : Shape_fact.rule
 (** A name in place of a constructor that differs from it only in the case of the first letter. *)

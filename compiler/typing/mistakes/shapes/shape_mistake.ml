@@ -5,8 +5,8 @@
    - The rules for each pair of shapes come before those for a reason of the expected type, such as
      a condition, because the latter accept any type. *)
 
-(* Rules for tasks and signal functions come first: such a mismatch usually means that the structure
-   of the program is wrong, whichever other rules also apply. *)
+(* Rules for tasks and signal functions come first: if one of the types is a task or a signal
+   function, the structure of the program is usually wrong, whichever other rules also apply. *)
 let of_activities =
   [
     Task_mistake.task_or_signal_function;

@@ -22,12 +22,12 @@ val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 *)
 
 val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
-(** The same for number literals that are written in the expression itself, with or without a unit.
-*)
+(** Like {!factor}, for number literals that are written in the expression itself, with or without a
+    unit. *)
 
 val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
-(** The same for numbers, written in the expression or named, whose unit has only negative exponents
-    apart from angles, such as [1/s] and [rad/(m s)]. *)
+(** Like {!factor}, for numbers, written in the expression or named, whose unit has only negative
+    exponents apart from angles, such as [1/s] and [rad/(m s)]. *)
 
 val is_per_millisecond : Show.words -> Resolve.Ir.expr -> bool
 (** Is it a number in [[ms^-1]], which was probably meant as metres per second? *)

@@ -12,7 +12,7 @@ val root :
 (** A square, or a sum of squares, where its root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
 
 val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
-(** Is the expression such a square, and does its root have the expected unit? *)
+(** Is the expression a square or a sum of squares, and does its root have the expected unit? *)
 
 val power :
   Show.words ->

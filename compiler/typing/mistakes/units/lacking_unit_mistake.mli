@@ -29,9 +29,9 @@ val of_a_literal :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** The same for a number literal that is a factor of the expression. If [likely], considers only
-    literals with a decimal point, because they are rarely plain factors; otherwise only literals
-    without one. *)
+(** Like {!complete}, for a number literal that is a factor of the expression. If [likely],
+    considers only literals with a decimal point, because they are rarely plain factors; otherwise
+    only literals without one. *)
 
 val of_a_difference :
   Show.words ->

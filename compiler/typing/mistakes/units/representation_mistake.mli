@@ -13,7 +13,8 @@ val representations :
   found:Type.t ->
   Type.representation * Type.representation ->
   Diagnostic.t
-(** The message about such a mismatch. Pass the result of {!without_open_units} as [expected]. *)
+(** The message about an Int in place of a Float, or the reverse. Pass the result of
+    {!without_open_units} as [expected]. *)
 
 val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units with 1. In a mismatch between Int and Float they are irrelevant. *)
