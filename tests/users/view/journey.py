@@ -33,6 +33,13 @@ def start(width, height):
     return driver
 
 
+# Returns whether typed keys edit the program.
+has_focus = """
+const { shadowRoot } = document.querySelector("#source > div");
+return Boolean(shadowRoot.activeElement?.isContentEditable && shadowRoot.querySelector(".editing"));
+"""
+
+
 class Page:
     def __init__(self, driver, address):
         self.driver = driver
@@ -51,6 +58,11 @@ class Page:
 
     def press(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
+
+    def edit(self):
+        """Starts to edit the program, and waits until the editor has the focus."""
+        self.press("e")
+        self.wait(lambda: self.driver.execute_script(has_focus))
 
     def at(self, k):
         return self.wait(lambda: self.text("#now").startswith(f"instant {k} "))
@@ -207,8 +219,7 @@ def visit(page, rows):
     check("there is a way back, and one to where a value became so", True)
     page.press("w")
     page.wait(lambda: not page.all(".why")[0].is_displayed())
-    page.press("e")
-    page.wait(lambda: page.all(".what-if button") and page.all(".what-if button")[0].is_displayed())
+    page.edit()
     page.press("wrong ")
     ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(Keys.ENTER).key_up(
         Keys.CONTROL
@@ -217,12 +228,12 @@ def visit(page, rows):
     check("an edited program that is wrong is told", True)
     page.press(Keys.ESCAPE)
     page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
-    page.press("e")
+    page.edit()
     page.wait(lambda: "your edited program" in page.text(".what-if pre"))
     check("the edited text is kept when the editor is closed", True)
     next(b for b in page.all(".what-if button") if b.text == "Discard").click()
     page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
-    page.press("e")
+    page.edit()
     next(b for b in page.all(".what-if button") if b.text == "Drive again").click()
     page.wait(lambda: "ran in the simulator" in page.text(".what-if pre"))
     check(

@@ -10,7 +10,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
 import viewer
-from journey import Page, start
+from journey import Page, has_focus, start
 from viewer import check
 
 # Returns the file that a click on a button saves: the text of a table, or the size of a picture.
@@ -110,8 +110,8 @@ def zooms(page):
     press(page, "Zoom in")
 
 
-def edits(page):
-    """Edits the program, and undoes that."""
+def edits(page, start):
+    """Edits the program, whose first line is `start`, and undoes that."""
     lines = """
         const root = document.querySelector("#source > div").shadowRoot;
         return [...root.querySelectorAll(".cm-line")].slice(0, 3).map((line) => line.textContent)"""
@@ -120,34 +120,42 @@ def edits(page):
         shown = page.driver.execute_script(lines)
         return all(line == part for line, part in zip(shown, wanted))
 
-    def control(key):
-        ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(key).key_up(
-            Keys.CONTROL
-        ).perform()
+    def controlled(key, *before):
+        keys = ActionChains(page.driver).send_keys(*before)
+        return keys.key_down(Keys.CONTROL).send_keys(key).key_up(Keys.CONTROL)
 
-    page.press("e")
-    page.wait(lambda: page.all(".what-if button")[0].is_displayed())
+    def control(key):
+        controlled(key).perform()
+
+    controlled(Keys.HOME, "e").send_keys("at once ").perform()
+    page.wait(lambda: first("at once " + start))
+    check("keys that follow e at once are not lost", True)
+    page.press(*[Keys.BACKSPACE] * 8)
+    page.wait(lambda: first(start))
+    page.press(Keys.ESCAPE)
+    page.edit()
     control(Keys.HOME)
-    before = page.driver.execute_script(lines)
+    # The editor draws the lines at its top some time after it has moved there.
+    page.wait(lambda: first(start))
     page.press("  x = 1", Keys.ENTER, "y", Keys.ENTER)
-    page.wait(lambda: first("  x = 1", "  y", "  " + before[0]))
+    page.wait(lambda: first("  x = 1", "  y", "  " + start))
     check("a new line is indented", True)
     page.press(*[Keys.BACKSPACE] * 4)
     page.press(Keys.ARROW_UP, Keys.HOME, Keys.DELETE)
-    page.wait(lambda: first(" x = 1", "  " + before[0]))
+    page.wait(lambda: first(" x = 1", "  " + start))
     check("text is deleted, also across lines", True)
     control("a")
     page.press("z")
     page.wait(lambda: first("z"))
     for _ in range(20):
         control("z")
-    page.wait(lambda: first(before[0]))
+    page.wait(lambda: first(start))
     check("all of it is undone", True)
     control("y")
-    page.wait(lambda: not first(before[0]))
+    page.wait(lambda: not first(start))
     check("and done again", True)
     page.press(Keys.ESCAPE)
-    page.wait(lambda: first(before[0]))
+    page.wait(lambda: first(start))
 
 
 def shape(page):
@@ -168,7 +176,8 @@ def main():
         page.at(0)
         plots(page, rows)
         zooms(page)
-        edits(page)
+        with open(program) as file:
+            edits(page, file.readline().rstrip("\n"))
         page.press("t")
         bar = page.all("[data-split=source]")[0]
         width = page.all("#source")[0].size["width"]
@@ -178,8 +187,7 @@ def main():
         driver.execute_script("document.activeElement.blur()")
         page.press(Keys.HOME, *[Keys.ARROW_RIGHT] * 30)
         page.at(30)
-        page.press("e")
-        page.wait(lambda: page.all(".what-if button")[0].is_displayed())
+        page.edit()
         page.press("-- edited ")
         # Wait until the viewer has kept the state.
         kept = os.path.join(os.environ["XDG_STATE_HOME"], "frobc", "view")
@@ -194,14 +202,15 @@ def main():
         before = shape(page), names(page)
         driver.refresh()
         page.at(30)
-        page.wait(lambda: page.all(".what-if button")[0].is_displayed())
+        page.wait(lambda: driver.execute_script(has_focus))
         page.wait(lambda: (shape(page), names(page)) == before)
         check("a reload changes nothing", before[0][3] == 0)
         edited = (
             "return document.querySelector('#source > div').shadowRoot"
             ".querySelector('.cm-content').innerText.startsWith('-- edited ')"
         )
-        check("nor the edited text", driver.execute_script(edited))
+        page.wait(lambda: driver.execute_script(edited))
+        check("nor the edited text", True)
         link = driver.current_url.split("&", 1)[1]
         driver.get("about:blank")
         v.end()
