@@ -23,9 +23,8 @@ let state_comment (v : V.t) (field : M.field) =
   let unit_ = match v.units.field field with "" -> "" | unit_ -> unit_ ^ ", " in
   String.concat "" [ unit_; what; " at "; file; ":"; line ]
 
-let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
-
-let rec member (v : V.t) k (field : M.field) : Ir.member =
+let rec member (v : V.t) (m : V.member) : Ir.member =
+  let { Step.State_struct.node = k; field; _ } = m.stores in
   let state node = Ir.Struct v.nodes.(node).state in
   let ty : Ir.ty =
     match field.content with
@@ -34,17 +33,12 @@ let rec member (v : V.t) k (field : M.field) : Ir.member =
     | States_of { node; count } -> Array (state node, count)
     | Component symbol -> Struct (symbol ^ "_state")
     | Running_mode -> if Array.length v.nodes.(k).modes <= 256 then Uint8 else Int32
-    | Modes modes -> Union (List.concat (List.mapi (mode v k) modes))
+    | Modes _ -> Union (List.map (mode v) m.modes)
   in
-  let name = last (Basis.Int_table.find v.nodes.(k).members field.id) in
-  { name; ty; comment = state_comment v field }
+  { name = m.name; ty; comment = state_comment v field }
 
-and mode v k number (mode : M.mode) : Ir.member list =
-  match Step.State.fields_of_mode mode with
-  | [] -> []
-  | fields ->
-      let members = List.map (member v k) fields in
-      [ { name = v.nodes.(k).modes.(number).member; ty = Members members; comment = "" } ]
+and mode v (name, members) : Ir.member =
+  { name; ty = Members (Basis.Long_list.map (member v) members); comment = "" }
 
 let mode_numbers (v : V.t) k (node : M.node) =
   match node.modes with
@@ -67,23 +61,22 @@ let overlaid =
 #endif
 |}
 
-let state_struct (v : V.t) ~overlaid k (node : M.node) =
+let state_struct (v : V.t) ~overlaid k =
   let members =
-    match node.state with
+    match v.nodes.(k).members with
     | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
-    | fields -> Basis.Long_list.map (member v k) fields
+    | members -> Basis.Long_list.map (member v) members
   in
-  let name = v.nodes.(k).state in
-  mode_numbers v k node @ [ Ir.Struct_definition { name; overlaid; members; comment = "" } ]
+  Ir.Struct_definition { name = v.nodes.(k).state; overlaid; members; comment = "" }
 
 let states (v : V.t) =
   let overlaid = V.has_modes v in
-  let struct_of k (node : M.node) =
+  let of_node k (node : M.node) =
+    let has_struct = V.home v k = k && (V.has_state v k || V.is_root v k) in
     if Option.is_some node.foreign then []
-    else if V.has_state v k || V.is_root v k then state_struct v ~overlaid k node
-    else []
+    else mode_numbers v k node @ if has_struct then [ state_struct v ~overlaid k ] else []
   in
-  List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
+  List.concat (List.mapi of_node (Array.to_list v.program.nodes))
 
 (* Leaves out the types of a robot, which the robot's header defines. *)
 let definitions (v : V.t) =

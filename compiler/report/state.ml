@@ -26,61 +26,36 @@ type t = definition array
 let root t = Array.length t - 1
 let definition = Array.get
 
-(* [structs]: size and alignment of the preceding nodes' structs. *)
-type context = { program : M.program; structs : Step.Block.t array }
-
-(* A running mode is stored in one byte if there are at most 256 modes. *)
-let running_mode (node : M.node) : Step.Block.t =
-  let bytes = if List.compare_length_with node.modes 256 <= 0 then 1 else 4 in
-  { bytes; alignment = bytes }
-
-let rec block c k (field : M.field) =
-  match field.content with
-  | Value ty -> Step.Block.of_value c.program.real c.program.sums ty
-  | State_of node -> c.structs.(node)
-  | States_of { node; count } -> Step.Block.run count c.structs.(node)
-  | Running_mode -> running_mode c.program.nodes.(k)
-  | Component _ -> Step.Block.foreign
-  | Modes modes ->
-      let mode m = snd (members c k (Step.State.fields_of_mode m)) in
-      Step.Block.of_alternatives (List.map mode modes)
-
-(* The members of a struct with these fields, and its size and alignment. *)
-and members c k fields =
-  let blocks = Long_list.map (block c k) fields in
+let rec placed (program : M.program) (members : Step.State_struct.member list) =
+  let blocks = Long_list.map (fun (m : Step.State_struct.member) -> m.block) members in
   let offsets, whole = Step.Block.of_members blocks in
-  let rec placed (fields : M.field list) offsets blocks found =
-    match (fields, offsets, blocks) with
-    | field :: fields, offset :: offsets, (room : Step.Block.t) :: blocks ->
-        let holds = content c k field in
-        let member = { name = field.name; offset; bytes = room.bytes; holds; span = field.span } in
-        placed fields offsets blocks (member :: found)
-    | _, _, _ -> List.rev found
+  let member offset (m : Step.State_struct.member) =
+    let name = String.concat "." m.path in
+    { name; offset; bytes = m.block.bytes; holds = content program m; span = m.field.span }
   in
-  (placed fields offsets blocks [], whole)
+  (List.rev (List.rev_map2 member offsets members), whole)
 
-and content c k (field : M.field) =
-  match field.content with
-  | Value _ -> Value field.purpose
+and content program (m : Step.State_struct.member) =
+  match m.field.content with
+  | Value _ -> Value m.field.purpose
   | State_of node -> Struct node
   | States_of { node; count } -> Structs { node; count }
   | Running_mode -> Running_mode
   | Component symbol -> Value (Printf.sprintf "`struct %s_state`" symbol)
-  | Modes modes -> Largest (List.map (alternative c k) modes)
-
-and alternative c k (mode : M.mode) =
-  let members, room = members c k (Step.State.fields_of_mode mode) in
-  let name = c.program.nodes.(mode.node).origin in
-  { mode = name; node = mode.node; bytes = room.bytes; members }
+  | Modes modes ->
+      let alternative (number, members) =
+        let { node; _ } : M.mode = List.nth modes number in
+        let members, whole = placed program members in
+        { mode = program.nodes.(node).origin; node; bytes = whole.bytes; members }
+      in
+      Largest (List.map alternative m.modes)
 
 let of_program (program : M.program) =
-  let count = Array.length program.nodes in
-  let c = { program; structs = Array.make count { Step.Block.bytes = 0; alignment = 1 } } in
+  let structs = Step.State_struct.of_program program in
   let of_node k (node : M.node) =
-    let members, room = members c k node.state in
-    c.structs.(k) <- room;
+    let members, whole = placed program (Step.State_struct.members structs k) in
     (* C does not allow structs without members. *)
-    let bytes = if k = count - 1 then max 1 room.bytes else room.bytes in
+    let bytes = if k = Array.length program.nodes - 1 then max 1 whole.bytes else whole.bytes in
     { name = node.origin; file = node.file; span = node.span; bytes; members }
   in
   Array.mapi of_node program.nodes

@@ -12,7 +12,7 @@ type member = {
 
 and holds =
   | Value of string  (** purpose of the value, for the user: [delay], [integral], … *)
-  | Struct of int  (** index of a definition: a node's state, or its small fields *)
+  | Struct of int  (** index of the node whose struct it is *)
   | Structs of { node : int; count : int }  (** an array of such structs *)
   | Running_mode
   | Largest of alternative list  (** modes, which share this memory *)

@@ -200,7 +200,7 @@ type node = {
   origin : string;  (** name of the definition in the source *)
   file : string;
   span : Span.t;
-  state : field list;  (** after all passes, in the order of the struct: {!Field_order} *)
+  state : field list;  (** {!State_struct} decides where they are in memory *)
   modes : mode list;  (** the modes of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
       (** if present, step and reset are in the user's C: [reset] and [step] have no body, and the

@@ -5,7 +5,6 @@ let all =
     Pass.make "first-instant" First_instant.program
       "first, because it may add a field to the root's state";
     Pass.make "unused-resets" Unused_resets.program "after all statements that reset state exist";
-    Pass.make "field-order" Field_order.program "last, when all fields exist";
   ]
 
 let program ?(after = fun _ _ -> ()) program = List.fold_left (Pass.run after) program all

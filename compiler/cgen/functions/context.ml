@@ -66,9 +66,7 @@ let for_step c node arguments =
   (if Program_input.is_given c.v.by_pointer node then [ Ir.Name "in" ] else [])
   @ Expression.arguments c.names parameters arguments
 
-let own_state c state =
-  let address field = Ir.Unary (Address, Expression.field c.names field) in
-  Option.to_list (Option.map address state)
+let own_state c state = Option.to_list (Option.map (Expression.state c.names) state)
 
 let for_reset c node given =
   let params = if Step.Param_use.in_reset c.v.param_use node then [ Ir.Name "params" ] else [] in

@@ -50,11 +50,19 @@ let variable n (variable : M.variable) =
       name
 
 let field n (field : M.field) =
-  match Int_table.find_opt n.v.nodes.(n.node).members field.id with
+  match Int_table.find_opt n.v.nodes.(n.node).paths field.id with
   | Some (first :: inside) ->
       n.reaches_state <- true;
       List.fold_left (fun e member -> Ir.Member (e, member)) (Arrow (Name "self", first)) inside
   | Some [] | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+
+let state n (kept : M.field) : Ir.expr =
+  match kept.content with
+  | State_of node when V.home n.v node = V.home n.v n.node ->
+      n.reaches_state <- true;
+      Name "self"
+  | State_of _ | States_of _ | Value _ | Running_mode | Modes _ | Component _ ->
+      Unary (Address, field n kept)
 
 let reaches_state n = n.reaches_state
 

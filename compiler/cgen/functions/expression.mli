@@ -26,6 +26,10 @@ val variable : names -> Step.Ir.variable -> string
 val field : names -> Step.Ir.field -> Ir.expr
 (** The expression [self->x]. *)
 
+val state : names -> Step.Ir.field -> Ir.expr
+(** The argument for the function of a node whose state this field contains: a pointer to the struct
+    that contains the node's state. *)
+
 val reaches_state : names -> bool
 (** Whether any field of the state has been accessed. *)
 

@@ -60,14 +60,16 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
   | Step { node; state; arguments; results; on_trial = _; span } ->
       step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
-      let place = Expression.field c.names state and arguments = for_reset c node arguments in
-      let call place = Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, place) :: arguments)) in
+      let arguments = for_reset c node arguments in
+      let call own = Ir.Do (Call (c.v.nodes.(node).reset, own :: arguments)) in
       let desc =
         match state.content with
         | States_of { count; _ } ->
             let index = Expression.index c.names 0 in
-            Ir.For { index; count; body = [ plain (call (Subscript (place, Name index))) ] }
-        | State_of _ | Value _ | Running_mode | Modes _ | Component _ -> call place
+            let own = Ir.Subscript (Expression.field c.names state, Name index) in
+            Ir.For { index; count; body = [ plain (call (Unary (Address, own))) ] }
+        | State_of _ | Value _ | Running_mode | Modes _ | Component _ ->
+            call (Expression.state c.names state)
       in
       { desc; comment = comment c span } :: rest
   | Loop l ->
@@ -143,7 +145,7 @@ let variables_read (v : V.t) (node : M.node) body =
   Int_table.fold (fun id n () -> if n > 0 then Int_table.replace read id ()) reads ();
   read
 
-let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
+let self v k = (Ir.Pointer (Struct (V.state_struct v k)), "self")
 
 (* The pointer to the program's parameters, if they exist and are read. *)
 let params (v : V.t) is_read =

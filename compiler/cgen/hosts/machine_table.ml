@@ -16,11 +16,12 @@ type search = { v : V.t; names : Basis.Names.t; mutable found : t list; mutable 
 
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
-(* [element]: the indices of the arrays on the path, such as [[2]]. *)
+(* [path]: the path to the struct that contains the node's state. [element]: the indices of the
+   arrays on the path, such as [[2]]. *)
 let rec node s k ~path ~element ~within =
   let node_ = s.v.program.nodes.(k) in
   let path_of (field : M.field) =
-    join path (String.concat "." (Basis.Int_table.find s.v.nodes.(k).members field.id))
+    join path (String.concat "." (Basis.Int_table.find s.v.nodes.(k).paths field.id))
   in
   let is_running (field : M.field) = field.content = Running_mode in
   let machine =
@@ -42,7 +43,9 @@ let rec node s k ~path ~element ~within =
   let rec field ~within (f : M.field) =
     match f.content with
     | Value _ | Running_mode | Component _ -> ()
-    | State_of inner -> node s inner ~path:(path_of f) ~element ~within
+    | State_of inner ->
+        let is_here = V.home s.v inner = V.home s.v k in
+        node s inner ~path:(if is_here then path else path_of f) ~element ~within
     | States_of { node = inner; count } when count <= longest_array ->
         for i = 0 to count - 1 do
           let number = Printf.sprintf "[%d]" i in

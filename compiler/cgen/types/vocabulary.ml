@@ -3,11 +3,18 @@ module M = Step.Ir
 
 type mode = { constant : string; member : string }
 
+type member = {
+  name : string;
+  stores : Step.State_struct.member;
+  modes : (string * member list) list;
+}
+
 type node = {
   state : string;
   reset : string;
   step : string;
-  members : string list Basis.Int_table.t;
+  members : member list;
+  paths : string list Basis.Int_table.t;
   modes : mode array;
   foreign : Foreign_interface.t option;
 }
@@ -27,6 +34,7 @@ type structs = {
 
 type t = {
   program : M.program;
+  structs : Step.State_struct.t;
   units : Units.t;
   named : Named_constants.t;
   name : string;
@@ -60,45 +68,41 @@ let has_modes t =
     t.program.nodes
 
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
-
-(* Names the members of a struct with these fields. Their paths start with [path], whose last member
-   comes first. *)
-let name_members table path fields =
-  let scope = Name.scope Members in
-  List.iter
-    (fun (field : M.field) ->
-      let name = Name.fresh scope field.name in
-      Basis.Int_table.replace table field.id (List.rev (name :: path)))
-    fields
+let home t k = Step.State_struct.home t.structs k
+let state_struct t k = t.nodes.(home t k).state
 
 (* Names modes after their definitions. *)
-let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
+let name_modes (nodes : M.node array) scope ~prefix (node : M.node) =
   let modes = Name.scope Members in
-  let is_room (field : M.field) =
-    match field.content with
-    | Modes _ -> true
-    | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> false
-  in
-  let room =
-    match List.find_opt is_room node.state with
-    | Some field -> List.rev (Basis.Int_table.find table field.id)
-    | None -> []
-  in
   let constant name =
     Name.fresh scope (String.uppercase_ascii (Name.identifier (prefix ^ "_" ^ Name.snake name)))
   in
   let name (mode : M.mode) =
     let member = Name.fresh modes nodes.(mode.node).origin in
-    name_members table (member :: room) (Step.State.fields_of_mode mode);
     let constant = match node.modes with [] | [ _ ] -> "" | _ :: _ :: _ -> constant member in
     { constant; member }
   in
   Array.of_list (List.map name node.modes)
 
-let members scope ~prefix nodes (node : M.node) =
-  let table = Basis.Int_table.create 16 in
-  name_members table [] node.state;
-  (table, name_modes nodes table scope ~prefix node)
+(* Names the members of a struct, and stores the paths to the fields. [within]: the path to the
+   struct, whose last member comes first. *)
+let rec name_members (nodes : node array) ~within members =
+  let scope = Name.scope Members in
+  let name (stores : Step.State_struct.member) =
+    let name = Name.fresh scope (String.concat "_" stores.path) in
+    let path = name :: within in
+    let node = nodes.(stores.node) in
+    let mode (number, members) =
+      let mode = node.modes.(number).member in
+      (mode, name_members nodes ~within:(mode :: path) members)
+    in
+    match stores.field.content with
+    | Modes _ -> { name; stores; modes = List.map mode stores.modes }
+    | Value _ | State_of _ | States_of _ | Running_mode | Component _ ->
+        Basis.Int_table.replace node.paths stores.field.id (List.rev path);
+        { name; stores; modes = [] }
+  in
+  Basis.Long_list.map name members
 
 type root = {
   root_state : string;
@@ -115,29 +119,35 @@ let name_root scope ~name =
   let root_step = take "_step_ns" in
   { root_state; root_reset; root_step; root_in_seconds }
 
-let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
+let name_nodes scope ~name ~root ~foreign ~structs (nodes : M.node array) =
   let last = Array.length nodes - 1 in
-  Array.mapi
-    (fun k (node : M.node) ->
-      let own = name ^ "_" ^ node.name in
-      let prefix = if k = last then name else own in
-      let members, modes = members scope ~prefix nodes node in
-      let names ~state ~reset ~step =
-        { state; reset; step; members; modes; foreign = foreign.(k) }
-      in
-      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
-      else
-        match (node.state, node.foreign) with
-        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
-        | _ :: _, Some { import = { symbol; _ }; _ } ->
-            names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
-              ~step:(Name.fresh scope (own ^ "_step"))
-        | _ :: _, None ->
-            let state = Name.fresh scope (own ^ "_state") in
-            let reset = Name.fresh scope (own ^ "_reset") in
-            let step = Name.fresh scope (own ^ "_step") in
-            names ~state ~reset ~step)
-    nodes
+  let name_node k (node : M.node) =
+    let own = name ^ "_" ^ node.name in
+    let prefix = if k = last then name else own in
+    let modes = name_modes nodes scope ~prefix node in
+    let names ~state ~reset ~step =
+      let paths = Basis.Int_table.create 16 in
+      { state; reset; step; members = []; paths; modes; foreign = foreign.(k) }
+    in
+    if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
+    else
+      match (node.state, node.foreign) with
+      | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
+      | _ :: _, Some { import = { symbol; _ }; _ } ->
+          names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
+            ~step:(Name.fresh scope (own ^ "_step"))
+      | _ :: _, None ->
+          let is_home = Step.State_struct.home structs k = k in
+          let state = if is_home then Name.fresh scope (own ^ "_state") else "" in
+          let reset = Name.fresh scope (own ^ "_reset") in
+          let step = Name.fresh scope (own ^ "_step") in
+          names ~state ~reset ~step
+  in
+  let named = Array.mapi name_node nodes in
+  let with_members k node =
+    { node with members = name_members named ~within:[] (Step.State_struct.members structs k) }
+  in
+  Array.mapi with_members named
 
 (* The names of the user's C functions and types. *)
 let foreign_names (program : M.program) =
@@ -245,9 +255,11 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   let foreign = Array.map foreign_of program.nodes in
   let is_robots d = List.memq d robot_records in
   let foreign_records = List.filter (fun d -> not (is_robots d)) (Interface.definitions shared) in
-  let nodes = name_nodes scope ~name ~root ~foreign program.nodes in
+  let layout = Step.State_struct.of_program program in
+  let nodes = name_nodes scope ~name ~root ~foreign ~structs:layout program.nodes in
   {
     program;
+    structs = layout;
     units;
     named;
     name;

@@ -3,11 +3,20 @@
 
 type mode = { constant : string;  (** its number *) member : string  (** of the modes' union *) }
 
+type member = {
+  name : string;
+  stores : Step.State_struct.member;
+  modes : (string * member list) list;  (** the structs of a union, with their names in the union *)
+}
+(** A member of a state struct. *)
+
 type node = {
-  state : string;  (** struct *)
+  state : string;  (** its struct; [""] if it has no struct of its own *)
   reset : string;
   step : string;
-  members : string list Basis.Int_table.t;  (** paths from the state struct to fields, by id *)
+  members : member list;  (** the members of its struct *)
+  paths : string list Basis.Int_table.t;
+      (** paths to the node's fields, by id, in the struct that contains them *)
   modes : mode array;  (** modes of its machine *)
   foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C *)
 }
@@ -20,6 +29,7 @@ type helper =
 
 type t = {
   program : Step.Ir.program;
+  structs : Step.State_struct.t;
   units : Units.t;
   named : Named_constants.t;
   name : string;  (** the prefix of all names *)
@@ -49,6 +59,12 @@ type t = {
 
 val of_program : ?own:Robot.t -> ?units:Units.t -> ?named:Named_constants.t -> Step.Ir.program -> t
 (** [own]: the user's own robot, if the program is for one. *)
+
+val home : t -> int -> int
+(** The node whose struct contains the state of this node. *)
+
+val state_struct : t -> int -> string
+(** The struct that contains the state of this node. *)
 
 val ty : t -> Step.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr

@@ -64,7 +64,7 @@ calls, reads them through the pointer to the input.
   > FROB
   $ frobc compile pointer.frob
   $ grep -A 3 '^static.*_step(' pointer.c
-  static double pointer_inner_step(struct pointer_inner_state *self,
+  static double pointer_inner_step(struct pointer_work_state *self,
           const struct pointer_input *in, double t1, double t2, double t3)
   {
       const double p = in->f1;
@@ -79,7 +79,7 @@ calls, reads them through the pointer to the input.
   {
       const double s = self->delay + frob_exp(self->r_prev) * p + q * r + t2 * t3
   $ grep '= pointer_.*_step(' pointer.c
-      const double t5 = pointer_inner_step(&self->inner, in, t1, t3, t4); /* line 11 */
+      const double t5 = pointer_inner_step(self, in, t1, t3, t4); /* line 11 */
       const double t5 = pointer_work_step(&self->work, in, 1.0, t1, t2, t3, t4); /* line 3 */
       const double t6 = pointer_work_step(&self->work_2, in, 2.0, t1, t2, t3, t4);
       const double t8 = pointer_other_step(&self->other, c, b, a, frob_sin(c), t2, t4, t7); /* line 3 */

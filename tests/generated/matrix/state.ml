@@ -33,16 +33,17 @@ and sum v ~depth at k =
   ^ lines (List.map2 (fun (name, _) ty -> value v ~depth (f "%s.%s" at name) ty) arrays types)
 
 let place (v : V.t) k (field : M.field) =
-  "s->" ^ String.concat "." (Basis.Int_table.find v.nodes.(k).members field.id)
+  "s->" ^ String.concat "." (Basis.Int_table.find v.nodes.(k).paths field.id)
 
 let rec field (v : V.t) k (field_ : M.field) =
-  let at = place v k field_ in
+  let at () = place v k field_ in
   match field_.content with
-  | Value ty -> value v ~depth:0 at ty
-  | State_of inner -> f "    node_%d(hash, &%s);\n" inner at
+  | Value ty -> value v ~depth:0 (at ()) ty
+  | State_of inner when V.home v inner = V.home v k -> f "    node_%d(hash, s);\n" inner
+  | State_of inner -> f "    node_%d(hash, &%s);\n" inner (at ())
   | States_of { node; count } ->
-      f "    for (int i = 0; i < %d; i++) {\n    node_%d(hash, &%s[i]);\n    }\n" count node at
-  | Running_mode -> f "    mix_int(hash, (int64_t)%s);\n" at
+      f "    for (int i = 0; i < %d; i++) {\n    node_%d(hash, &%s[i]);\n    }\n" count node (at ())
+  | Running_mode -> f "    mix_int(hash, (int64_t)%s);\n" (at ())
   | Modes modes -> of_modes v k modes
   | Component _ -> ""
 
@@ -64,14 +65,13 @@ and of_modes v k modes =
 let node (v : V.t) k (node : M.node) =
   if Option.is_some node.foreign || not (V.has_state v k) then ""
   else
-    let names = v.nodes.(k) in
     f
       "static void node_%d(uint64_t *hash, const struct %s *s)\n\
        {\n\
       \    (void)hash;\n\
       \    (void)s;\n\
        %s}\n\n"
-      k names.state
+      k (V.state_struct v k)
       (lines (List.map (field v k) node.state))
 
 let text (program : M.program) =

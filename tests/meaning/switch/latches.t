@@ -21,13 +21,13 @@ are compared as they are stored, in nanoseconds.
     -> (out = _1)
   $ frobc compile pause.frob
   $ grep "INT64_C" pause.c | sed "s, */.*,,"
-      const bool t1 = INT64_C(1500000000) <= self->time;
-      const bool t1 = INT64_C(2000000000) <= self->time;
+      const bool t1 = INT64_C(1500000000) <= self->modes.main.time;
+      const bool t1 = INT64_C(2000000000) <= self->modes.pause.time;
 
 An edge needs its previous value, which is initially True.
 
   $ grep "delay" pause.h | sed "s, */.*,,"
-      bool delay;
+              bool delay;
 
 Both engines agree, also if a time is reached exactly.
 
@@ -76,8 +76,8 @@ ends the mode.
   $ frobc compile shown.frob
   $ grep "delay\|prev" shown.h | sed "s, */.*,,"
    *   shown_step with the seconds since the previous instant, or
-      bool y_prev;
-      bool b_prev;
+              bool y_prev;
+              bool b_prev;
   $ printf 'time,in.1,in.2\n0,false,false\n1,true,false\n2,false,false\n3,false,true\n4,false,false\n' > in.csv
   $ frobc trace shown.frob --input in.csv | tee c.csv | cut -d, -f2
   out

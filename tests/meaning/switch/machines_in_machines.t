@@ -24,61 +24,49 @@ runs, share their memory.
   struct tour_output {
       double value;
   };
-  struct FROB_OVERLAID tour_sway_sway_state {
-      double x_integral;
-      double x_integral_input;
-      bool delay;
-  };
-  struct FROB_OVERLAID tour_sway_still_state {
-      int64_t time;
-  };
-  struct FROB_OVERLAID tour_sway_state {
-      union {
-          struct {
-              struct tour_sway_sway_state state;
-          } sway;
-          struct {
-              struct tour_sway_still_state state;
-          } still;
-      } modes;
-      uint8_t mode;
-  };
-  struct FROB_OVERLAID tour_hop_hop_state {
-      double x_prev;
-      bool delay;
-  };
-  struct FROB_OVERLAID tour_hop_land_state {
-      int64_t time;
-  };
-  struct FROB_OVERLAID tour_hop_state {
-      union {
-          struct {
-              struct tour_hop_hop_state state;
-          } hop;
-          struct {
-              struct tour_hop_land_state state;
-          } land;
-      } modes;
-      uint8_t mode;
-  };
-  struct FROB_OVERLAID tour_main_main_state {
-      struct tour_sway_state sway;
-      struct tour_hop_state hop;
-      bool delay;
-  };
-  struct FROB_OVERLAID tour_main_off_state {
-      bool delay;
-  };
   struct FROB_OVERLAID tour_state {
       union {
           struct {
-              struct tour_main_main_state state;
+              union {
+                  struct {
+                      double x_integral;
+                      double x_integral_input;
+                  } sway;
+                  struct {
+                      int64_t time;
+                  } still;
+              } sway_modes;
+              union {
+                  struct {
+                      double x_prev;
+                  } hop;
+                  struct {
+                      int64_t time;
+                  } land;
+              } hop_modes;
           } main;
           struct {
-              struct tour_main_off_state state;
+              bool delay;
           } off;
       } modes;
       uint8_t mode;
+      union {
+          struct {
+              bool delay;
+              uint8_t sway_mode;
+              union {
+                  struct {
+                      bool delay;
+                  } sway;
+              } sway_modes;
+              uint8_t hop_mode;
+              union {
+                  struct {
+                      bool delay;
+                  } hop;
+              } hop_modes;
+          } main;
+      } modes_2;
   };
   $ cat > size.c <<'EOF'
   > #include "tour.h"
@@ -86,10 +74,10 @@ runs, share their memory.
   > int main(void) { printf("%d\n", (int)sizeof(struct tour_state)); return 0; }
   > EOF
   $ gcc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -O2 -c tour.c && gcc -std=c99 size.c -o size && ./size
-  72
+  32
   $ g++ -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -O2 -c tour.c
   $ frobc report tour.frob | sed -n '/^state/{n;p;}'
-    main                              72                             tour.frob:2
+    main                        32                             tour.frob:2
 
   $ printf 'time,in\n0,1\n1,1.5\n2,3\n3,3\n4,1\n4.5,-1\n5,-1\n6,2\n7,2.5\n8,1\n9.5,1.5\n' > tour.csv
   $ both tour.frob tour.csv
@@ -134,7 +122,7 @@ A loop has a machine for each iteration.
   > still = switch (proc x -> (x + 10, after 2[s] ())) (\_ -> sway)
   > EOF
   $ frobc compile arrays.frob --lint && grep "\[3\]" arrays.h | sed 's, */\*.*,,'
-      struct arrays_main_main_loop_state mapSF[3];
+              struct arrays_main_main_loop_state mapSF[3];
   $ both arrays.frob tour.csv
   time,out
   0.000000000,15
@@ -164,7 +152,7 @@ A step on trial works on a copy of its state.
   > step = dSwitch (proc (u, w) -> ((u, delay 1 w), edge (w > 3))) (\_ -> proc (u, w) -> (2 * u, delay 5 (w + u)))
   > EOF
   $ frobc compile parts.frob --lint && grep "trial = \|(&trial" parts.c
-      struct parts_step_state trial = self->step;
+      struct parts_step_state trial = self->modes.main.step;
       parts_step_step(&trial, x, 0.0, &a, &b);                /* line 7 */
   $ both parts.frob tour.csv
   time,out

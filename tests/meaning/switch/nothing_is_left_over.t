@@ -44,7 +44,7 @@ A machine has the size of its largest mode, plus the number of the mode.
   > int main(void) { printf("%zu doubles\n", sizeof(struct memory_state) / sizeof(double)); return 0; }
   > EOF
   $ gcc size.c -o size && ./size
-  5 doubles
+  4 doubles
 
 The first mode ends immediately. gcc must not read its parameter where the
 second mode stores its own (at -O2 it assumed that the two were independent):

@@ -20,7 +20,7 @@ the first dt is ignored.
   void inside_reset(struct inside_state *self)
   {
       self->mode = INSIDE_MAIN;
-      inside_main_main_reset(&self->modes.main.state);
+      inside_main_main_reset(self);
   }
   $ printf 'time,in\n5,0\n6,2\n7,1\n8,4\n9,4\n10,4\n11,2\n12,-1\n13,2\n' > inside.csv
   $ both inside.frob inside.csv

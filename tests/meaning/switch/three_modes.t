@@ -47,16 +47,22 @@ In C, the running mode takes a step and its event is tested; only then is an out
   struct FROB_OVERLAID three_modes_state {
       union {
           struct {
-              struct three_modes_follow_follow_state state; /* follow at three_modes.frob:5 */
+              double i_side_derivative;       /* m/s, derivative at three_modes.frob:10 */
+              double i_side_derivative_input; /* m, previous input at three_modes.frob:10 */
           } follow;
           struct {
-              struct three_modes_follow_backUp_state state; /* backUp at three_modes.frob:6 */
+              int64_t time; /* time in ns at Prelude.frob:352 */
           } backUp;
           struct {
-              struct three_modes_follow_turnAway_state state; /* turnAway at three_modes.frob:7 */
+              bool delay; /* delay at Prelude.frob:382 */
           } turnAway;
       } modes;      /* state of the modes at three_modes.frob:12 */
       uint8_t mode; /* active mode at three_modes.frob:12 */
+      union {
+          struct {
+              bool i_bump_prev; /* delay at Prelude.frob:382 */
+          } follow;
+      } modes_2;    /* state of the modes at three_modes.frob:12 */
       bool started; /* true after the first instant at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
@@ -70,38 +76,34 @@ In C, the running mode takes a step and its event is tested; only then is an out
       switch (self->mode) {
       case THREE_MODES_FOLLOW: {
           bool t1;
-          three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
-                  &speed, &turn, &t1);
+          three_modes_follow_follow_step(self, dt, in->bump, in->side, &speed, &turn, &t1);
           if (t1) {
               self->mode = THREE_MODES_BACK_UP;               /* line 5 */
-              three_modes_follow_backUp_reset(&self->modes.backUp.state);
+              three_modes_follow_backUp_reset(self);
               bool t4;
-              three_modes_follow_backUp_step(&self->modes.backUp.state, 0, &speed, &turn, &t4);
+              three_modes_follow_backUp_step(self, 0, &speed, &turn, &t4);
           }
           break;
       }
       case THREE_MODES_BACK_UP: {
           bool t2;
-          three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn, &t2);
+          three_modes_follow_backUp_step(self, dt_ns, &speed, &turn, &t2);
           if (t2) {
               self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
-              three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
+              three_modes_follow_turnAway_reset(self);
               bool t5;
-              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
-                      &turn, &t5);
+              three_modes_follow_turnAway_step(self, in->front, &speed, &turn, &t5);
           }
           break;
       }
       default: {                                              /* THREE_MODES_TURN_AWAY */
           bool t3;
-          three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed, &turn,
-                  &t3);
+          three_modes_follow_turnAway_step(self, in->front, &speed, &turn, &t3);
           if (t3) {
               self->mode = THREE_MODES_FOLLOW;                /* line 7 */
-              three_modes_follow_follow_reset(&self->modes.follow.state);
+              three_modes_follow_follow_reset(self);
               bool t6;
-              three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
-                      &speed, &turn, &t6);
+              three_modes_follow_follow_step(self, 0.0, in->bump, in->side, &speed, &turn, &t6);
           }
           break;
       }

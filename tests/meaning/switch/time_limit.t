@@ -9,8 +9,8 @@ added up without that check.
   > main = switch (proc x -> (x, mergeE (after 2[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 3[s] ())) (\_ -> main))
   > EOF
   $ advances ends
-      self->time = frob_soon(self->time, dt_ns);
-      self->time = frob_soon(self->time, dt_ns);
+      self->modes.main.time = frob_soon(self->modes.main.time, dt_ns);
+      self->modes.main_2.time = frob_soon(self->modes.main_2.time, dt_ns);
 
 The check is needed if something else ends the mode, if the limit is near the maximum, or if the
 time alone does not end the mode.
@@ -23,9 +23,9 @@ time alone does not end the mode.
   > never_again = switch (proc x -> (x, gate (after 2[s] ()) (x > 3))) (\_ -> main)
   > EOF
   $ advances goes_on
-      self->time = frob_later(self->time, dt_ns);
-      self->time = frob_later(self->time, dt_ns);
-      self->time = frob_later(self->time, dt_ns);
+      self->modes.main.time = frob_later(self->modes.main.time, dt_ns);
+      self->modes.main_2.time = frob_later(self->modes.main_2.time, dt_ns);
+      self->modes.never_again.time = frob_later(self->modes.never_again.time, dt_ns);
 
 It is also needed if the time restarts, whether the time itself determines when, as in `debounce`,
 or the input.
@@ -53,7 +53,7 @@ years. A recording cannot represent this, because its times are below 10^9 s.
   > main = onEvent (switch (proc x -> (x, after 5[s] ())) (\_ -> constant (-1)))
   > EOF
   $ advances seldom
-      self->time = frob_later(self->time, dt_ns);
+      self->modes.main.time = frob_later(self->modes.main.time, dt_ns);
           self->since = frob_later(self->since, dt_ns);
   $ cat > drive.c <<'EOF'
   > #include "seldom.h"

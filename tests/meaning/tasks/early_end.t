@@ -33,7 +33,7 @@ occurs.
       const bool t1 = fabs(x_x - 1.0) < 0.1;                  /* line 18 */
       *out_2 = t1;
       if (!t1) {                                              /* line 10 */
-          const double y = early_go_step(&self->go, dt, x_x, x_ahead); /* line 15 */
+          const double y = early_go_step(&self->modes.abortWhen.go, dt, x_x, x_ahead); /* line 15 */
           *out_1 = y;                                         /* Prelude.frob:690 */
       }
   }

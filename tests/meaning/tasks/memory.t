@@ -14,30 +14,26 @@ stored once.
   > EOF
   $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
   state, in bytes
-    thenSF                 40                             Prelude.frob
-      modes                32  memory for one of these    Prelude.frob
-        snapT               0  mode                       lamp.frob:8
-        thenSF             32  mode                       Prelude.frob
-          state            32  thenSF                     Prelude.frob
-            modes          24  memory for one of these    lamp.frob:8
-              sleepT       16  mode                       lamp.frob:3
-                level       8  parameter                  lamp.frob:3
-                state       8  sleepT                     lamp.frob:3
-                  time      8  time in ns                 Prelude.frob
-              lamp         16  mode                       lamp.frob:4
-                level       8  parameter                  lamp.frob:4
-                state       1  lamp                       lamp.frob:4
-                  delay     1  delay                      Prelude.frob
-                (padding)   7
-              sleepT       24  mode                       lamp.frob:5
-                level       8  parameter                  lamp.frob:5
-                y           8  parameter                  lamp.frob:5
-                state       8  sleepT                     lamp.frob:5
-                  time      8  time in ns                 Prelude.frob
-            mode            1  number of the active mode  lamp.frob:8
-            (padding)       7
-      mode                  1  number of the active mode  Prelude.frob
-      (padding)             7
+    thenSF               32                             Prelude.frob
+      modes              24  memory for one of these    Prelude.frob
+        thenSF           24  mode                       Prelude.frob
+          modes          24  memory for one of these    lamp.frob:8
+            sleepT       16  mode                       lamp.frob:3
+              level       8  parameter                  lamp.frob:3
+              time        8  time in ns                 Prelude.frob
+            lamp         16  mode                       lamp.frob:4
+              level       8  parameter                  lamp.frob:4
+              delay       1  delay                      Prelude.frob
+              (padding)   7
+            sleepT       24  mode                       lamp.frob:5
+              level       8  parameter                  lamp.frob:5
+              y           8  parameter                  lamp.frob:5
+              time        8  time in ns                 Prelude.frob
+      mode                1  number of the active mode  Prelude.frob
+      modes               1  memory for one of these    Prelude.frob
+        thenSF            1  mode                       Prelude.frob
+          mode            1  number of the active mode  lamp.frob:8
+      (padding)           6
   
 
 A task that never ends stores nothing about its end: this one stores one number for the time and one
@@ -54,10 +50,10 @@ for the state, like hand-written code.
   struct FROB_OVERLAID blink_state {
       union {
           struct {
-              struct blink_forever_sleepT_state state; /* sleepT at blink.frob:3 */
+              int64_t time; /* time in ns at Prelude.frob:358 */
           } sleepT;
           struct {
-              struct blink_forever_sleepT_2_state state; /* sleepT at blink.frob:4 */
+              int64_t time; /* time in ns at Prelude.frob:358 */
           } sleepT_2;
       } modes;      /* state of the modes at blink.frob:2 */
       uint8_t mode; /* active mode at blink.frob:2 */

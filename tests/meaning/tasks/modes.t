@@ -67,12 +67,12 @@ all.
   > EOF
   $ printf '%s\n' 0,0,0 2,0,0 2,2,0 -1,2,0 -1,-1,0 | rows 'in.1[0],in.1[1],in.2' > many.csv
   $ frobc trace --modes many.frob --input many.csv | cut -d, -f1,5-
-  time,mode.forever,mode.phases,mode.mapSF[0],mode.mapSF[1]
-  0.000000000,sleepT,,seesaw,seesaw
-  0.500000000,sleepT_2,,seesaw_2,seesaw
-  1.000000000,timeOut,constant,seesaw_2,seesaw_2
-  1.500000000,sleepT,,seesaw,seesaw_2
-  2.000000000,sleepT_2,,seesaw,seesaw
+  time,mode.mapSF[0],mode.mapSF[1],mode.forever,mode.phases
+  0.000000000,seesaw,seesaw,sleepT,
+  0.500000000,seesaw_2,seesaw,sleepT_2,
+  1.000000000,seesaw_2,seesaw_2,timeOut,constant
+  1.500000000,seesaw,seesaw_2,sleepT,
+  2.000000000,seesaw,seesaw,sleepT_2,
   $ printf 'main :: SF Float Float\nmain = identity\n' > none.frob
   $ printf '1\n2\n' | rows in | frobc trace --modes none.frob --input -
   time,out

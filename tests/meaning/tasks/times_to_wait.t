@@ -17,9 +17,9 @@ computed when the mode starts, not at each step.
   > EOF
   $ frobc compile errand.frob --lint
   $ grep -E 'parameter at|nanoseconds_q|sin_a' errand.h errand.c
-  errand.h:    double sin_a;  /* computed by reset at errand.frob:12 */
-  errand.h:    double nanoseconds_q; /* computed by reset at Prelude.frob:358 */
-  errand.c:    self->sin_a = frob_sin(a);
-  errand.c:        *out_1 = x * self->sin_a;
-  errand.c:    self->nanoseconds_q = frob_nanoseconds(q);
-  errand.c:    const bool t1 = self->nanoseconds_q <= frob_time_in_ns(self->time);
+  errand.h:            double sin_a;  /* computed by reset at errand.frob:12 */
+  errand.h:            double nanoseconds_q; /* computed by reset at Prelude.frob:358 */
+  errand.c:    self->modes.turn.sin_a = frob_sin(a);
+  errand.c:        *out_1 = x * self->modes.turn.sin_a;
+  errand.c:    self->modes.sleepT.nanoseconds_q = frob_nanoseconds(q);
+  errand.c:    const bool t1 = self->modes.sleepT.nanoseconds_q

@@ -13,15 +13,15 @@ the mode's step, including the machine within it.
   > END
   $ frobc compile duty.frob --lint
   $ sed -n '/^static.* duty_rest_work_step/,/^}/p' duty.c | sed "s, */\*.*,,"
-  static inline void duty_rest_work_step(struct duty_rest_work_state *self, double dt, bool i_1,
-          double i_2, double *out_2, bool *out_3)
+  static inline void duty_rest_work_step(struct duty_state *self, double dt, bool i_1, double i_2,
+          double *out_2, bool *out_3)
   {
-      const bool t1 = !i_1 && self->i_1_prev;
+      const bool t1 = !i_1 && self->modes_2.work.i_1_prev;
       *out_3 = t1;
       if (!t1) {
-          const double t2 = duty_up_step(&self->up, dt, i_2);
+          const double t2 = duty_up_step(self, dt, i_2);
           *out_2 = t2;
-          self->i_1_prev = i_1;
+          self->modes_2.work.i_1_prev = i_1;
       }
   }
   $ printf 'time,in.1,in.2\n0,false,1\n1,true,1\n2,true,2\n3,true,-1\n4,true,3\n5,true,3\n6,false,-1\n7,true,2\n8,true,2\n' > in.csv
@@ -114,18 +114,18 @@ The same if one way to end is taken only if the other one's condition is also tr
   > END
   $ frobc compile both.frob --lint
   $ sed -n '/^static.* both_go_go_step/,/^}/p' both.c | sed "s, */\*.*,,"
-  static inline void both_go_go_step(struct both_go_go_state *self, double dt, bool on, double x,
+  static inline void both_go_go_step(struct both_state *self, double dt, bool on, double x,
           double *out_2, bool *out_3, bool *out_4, double *out_x)
   {
-      self->x_integral += dt * self->x_integral_input;
+      self->modes.go.x_integral += dt * self->modes.go.x_integral_input;
       const bool t1 = x > 5.0;
       const bool t2 = t1 && on;
       *out_3 = t2;
       *out_4 = t1;
       *out_x = x;
       if (!(t2 || t1)) {
-          *out_2 = self->x_integral;
-          self->x_integral_input = x;
+          *out_2 = self->modes.go.x_integral;
+          self->modes.go.x_integral_input = x;
       }
   }
   $ printf 'time,in.1,in.2\n0,false,1\n1,true,1\n2,true,6\n3,false,7\n4,false,8\n5,true,3\n6,false,6\n7,true,2\n8,true,2\n' > in.csv
