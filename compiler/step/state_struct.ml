@@ -18,7 +18,7 @@ let block t = Array.get t.blocks
    paths should stay readable. *)
 let deepest = 6
 
-(* The nodes whose state occurs more than once, or is in the user's C. *)
+(* The nodes whose state occurs more than once, or belongs to a component in the user's C code. *)
 let apart (program : Ir.program) =
   let count = Array.make (Array.length program.nodes) 0 in
   let add n k = count.(k) <- count.(k) + n in
@@ -82,7 +82,7 @@ let fitting most members =
   let _, within, others = List.fold_left fit (0, [], []) members in
   (List.rev within, List.rev others)
 
-(* The unions of the modes' members. [union] makes one of the members in it. *)
+(* The unions that the modes' members share. [union] builds one union from the members in it. *)
 let rec unions ~union (modes : (int * member list) list) =
   match List.filter (fun (_, members) -> members <> []) modes with
   | [] -> []

@@ -3,8 +3,8 @@
     Most nodes have no struct of their own: their fields are members of the struct of the node that
     contains them, so that small fields of many nodes share the padding. A node has its own struct
     if its state occurs more than once: in several instances, in an array, or in a copy for a trial
-    step. The root and the components in the user's C have their own structs, too, and so do nodes
-    in deeply nested modes.
+    step. The root and the components in the user's C code have their own structs, too, and so do
+    nodes in deeply nested modes.
 
     Members with the largest alignment come first, so that no padding is needed between them. Among
     members of the same alignment, times come last: compilers copy two adjacent floats with one

@@ -171,7 +171,8 @@ let run_in m node (mode : mode) ~name ~result =
   let in_mode trail = Context.enter m.context trail ~name ~span:mode.at in
   m.evaluator.run (position ~in_mode m node mode.place) ~result
 
-(* The transitions to what the continuation of a switch returns for its event. *)
+(* The transitions to the signal functions that the continuation of a switch returns for its
+   event. *)
 let after_event m node (mode : mode) input ~delayed ty event (continuation : Value.t) =
   let span = Origin.place ~otherwise:mode.place continuation in
   let occurs, payload = occurrence m node ~span ty event in
@@ -190,7 +191,8 @@ let after_event m node (mode : mode) input ~delayed ty event (continuation : Val
       in
       transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
 
-(* The output of the task's first statement, a condition for its end, and its result. *)
+(* The output of the task's first statement, a condition that is true when it ends, and its
+   result. *)
 let statement m node (mode : mode) input primitive ~output ~result signal_function =
   let at = mode.place and types = m.context.types in
   let run = run_in m node mode ~name:mode.name in
