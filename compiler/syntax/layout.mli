@@ -37,7 +37,8 @@ type token = {
   made : bool;  (** inserted by layout *)
   column : int;  (** 0 if inserted by layout *)
   first : bool;  (** first token on its line *)
-  around : entry list;  (** the openers before this token; see {!context} *)
+  around : entry list;
+      (** the blocks and brackets that are open before this token; see {!context} *)
   last : bool;  (** the [END] of the whole file *)
 }
 

@@ -10,7 +10,7 @@ type t = {
   item_of : int Int_table.t;
   uses : int Int_table.t;
   apart : unit Int_table.t;
-  taken : unit Int_table.t;  (** choices that have become branches of writes *)
+  taken : unit Int_table.t;  (** choices that have been translated to branches of a write *)
   branching : unit Int_table.t;  (** conditions that get an [If] *)
   predicted : unit Int_table.t;  (** conditions of the choices in {!Feedback} *)
   mutable writes : write list;

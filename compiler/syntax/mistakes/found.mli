@@ -5,7 +5,7 @@ type t = {
   state : int;  (** state of the automaton *)
   before : Layout.token option;  (** [None] at the start of an item *)
   token : Layout.token;
-  context : Layout.context;  (** the openers before the token *)
+  context : Layout.context;  (** the blocks and brackets that are open before the token *)
 }
 
 type rule = t -> string option

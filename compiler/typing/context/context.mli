@@ -168,7 +168,8 @@ type expressions = {
     of expression. *)
 
 exception Too_large of Span.t
-(** {!Final.Too_large}, for the type of this expression rather than the type of a subexpression. *)
+(** Raised in place of {!Final.Too_large} if the type of an expression is too large. The place is
+    that of the expression. *)
 
 val node : Span.t -> Type.t -> Ir.expr_desc -> Ir.expr
 (** A typed expression with its final type. Must be called only after all types have been inferred.

@@ -178,7 +178,7 @@ let sentences module_ =
       List.concat_map data program.types;
     ]
 
-(* A test uses them through methods of classes. *)
+(* Tests use these primitives through the methods of classes, and need not mention their names. *)
 let primitives_of_classes = [ "consoleImu"; "consoleLidar" ]
 
 let check module_ =

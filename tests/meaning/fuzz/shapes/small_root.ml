@@ -2,7 +2,7 @@ open Choice
 
 let f = Printf.sprintf
 
-(* A condition that is mostly known at the start of the program, and changes later. *)
+(* A condition whose value is usually known at the start of the program, and changes later. *)
 let rec turn_of (inside : Scope.t) =
   let before ty =
     f "delay %s %s" (Constant.literal inside ty) (Expression.expression inside 0 ty)
