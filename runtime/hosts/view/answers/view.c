@@ -167,7 +167,7 @@ enum view_work view_work(struct view *view, double seconds)
     if (!view_is_live(view) &&
         ((was_reading && !view_is_reading(view)) || (is_whole && !was_whole)))
         view_say(view);
-    if (!is_whole)
+    if (!is_whole || view->live.is_behind)
         return VIEW_GOES_ON;
     return view_is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS
                                                                            : VIEW_RESTS;

@@ -121,6 +121,7 @@ static bool take(struct live *live, size_t most)
 {
     const size_t before = live->recording->count;
     const bool ended = ring_has_ended(live->ring) || (long)getppid() != live->host;
+    live->is_behind = true;
     for (size_t i = 0; i < most && !live->full; i++) {
         int64_t time_ns;
         switch (
@@ -130,9 +131,13 @@ static bool take(struct live *live, size_t most)
             add(live, time_ns);
             break;
         case RING_OVERWRITTEN: make_up(live, most); return live->recording->count > before;
-        case RING_NOT_YET: live->has_ended = ended; return live->recording->count > before;
+        case RING_NOT_YET:
+            live->is_behind = false;
+            live->has_ended = ended;
+            return live->recording->count > before;
         }
     }
+    live->is_behind = !live->full;
     live->has_ended = live->full && ended;
     return live->recording->count > before;
 }

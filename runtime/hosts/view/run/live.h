@@ -16,6 +16,7 @@ struct live {
     bool full;                             /* memory has run out */
     long host;                             /* process id of the host, the parent process */
     uint64_t left;                         /* index of the next instant of the run to add */
+    bool is_behind;                        /* more instants are known to be published */
     bool has_ended;                        /* the run is over, and all of it has been added */
 };
 

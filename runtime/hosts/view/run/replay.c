@@ -23,10 +23,9 @@ static void step(struct replay *replay)
 static void compare(struct replay *replay, size_t k)
 {
     const void *recorded = recording_output(replay->recording, k);
-    for (size_t i = 0; i < replay->signals->count; i++) {
-        const struct signal *signal = &replay->signals->all[i];
-        if (signal->side == OUTPUT && replay->recording->recorded[i] &&
-            !signal_values_equal(signal->value, replay->output, recorded)) {
+    for (size_t i = 0; i < replay->compared_count; i++) {
+        const struct signal *signal = replay->compared[i];
+        if (!signal_values_equal(signal->value, replay->output, recorded)) {
             replay->diverged = true;
             replay->diverged_at = k;
             replay->diverged_in = signal;
@@ -60,6 +59,17 @@ static bool keep(struct replay *replay, size_t k)
     return true;
 }
 
+/* Finds the outputs to compare. Returns false if memory runs out. */
+static bool find_compared(struct replay *replay)
+{
+    const struct signals *signals = replay->signals;
+    replay->compared = (const struct signal **)calloc(signals->count + 1, sizeof *replay->compared);
+    for (size_t i = 0; replay->compared != NULL && i < signals->count; i++)
+        if (signals->all[i].side == OUTPUT && replay->recording->recorded[i])
+            replay->compared[replay->compared_count++] = &signals->all[i];
+    return replay->compared != NULL;
+}
+
 /* Sets the parameters that this program has. */
 static void set_params(struct replay *replay, const struct buffer *settings)
 {
@@ -83,7 +93,7 @@ bool replay_start(struct replay *replay, const struct signals *signals, struct r
     set_params(replay, settings);
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
-    if (replay->state == NULL || replay->output == NULL ||
+    if (replay->state == NULL || replay->output == NULL || !find_compared(replay) ||
         !display_start(&replay->display, signals) || !watch_start(&replay->watch, program))
         return false;
     program->reset(replay->state, replay->params.values);
@@ -141,6 +151,7 @@ void replay_end(struct replay *replay)
     params_close(&replay->params);
     display_end(&replay->display);
     watch_end(&replay->watch);
+    free(replay->compared);
     free(replay->shown);
     free(replay->state);
     free(replay->output);

@@ -15,6 +15,8 @@
 struct replay {
     struct recording *recording; /* its frames are checked before the program uses them */
     const struct signals *signals;
+    const struct signal **compared; /* recorded outputs; `compared_count` of them */
+    size_t compared_count;
     struct params params; /* as recorded or set, or the defaults */
     bool runs;            /* the recording has everything that the program needs */
     unsigned char *kept;  /* states before the instants 0, REPLAY_EVERY, … */
