@@ -238,7 +238,7 @@ ros: all
 # Measures the figures of nodes.
 ros-figures: all
 	@sh tests/setup.sh $(ROS_PACKAGES)
-	@SCRIPT=figures.py sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
+	@SCRIPTS=figures.py sh tests/robots/ros/wheels/run.sh $(CURDIR)/$(FROBC) _build/ros
 
 # Reads recordings in MCAP format with the packages of the format's authors, from PyPI and npm.
 mcap: all

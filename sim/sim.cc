@@ -137,6 +137,12 @@ const char *frob_sim_lidar_name(const frob_sim *sim, std::size_t number) {
     return number < lidars.size() ? lidars[number].name.c_str() : nullptr;
 }
 
+void frob_sim_lidar_seat(const frob_sim *sim, std::size_t number, double *ahead_m, double *left_m) {
+    const LidarSettings &lidar = sim->simulation.scene().lidars.at(number);
+    *ahead_m = lidar.ahead;
+    *left_m = lidar.left;
+}
+
 const frob_scan *frob_sim_scan(frob_sim *sim, std::size_t robot, int lidar, std::int64_t time_ns) {
     return sim->simulation.newest_scan(time_ns, static_cast<std::size_t>(lidar), robot);
 }

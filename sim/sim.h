@@ -95,6 +95,9 @@ const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int 
  * and its newest scan. */
 int frob_sim_open_lidar(struct frob_sim *sim, const char *lidar);
 const char *frob_sim_lidar_name(const struct frob_sim *sim, size_t number);
+/* Position of this lidar on its robot: ahead of the centre, and to the left. */
+void frob_sim_lidar_seat(const struct frob_sim *sim, size_t number, double *ahead_m,
+                         double *left_m);
 const struct frob_scan *frob_sim_scan(struct frob_sim *sim, size_t robot, int lidar,
                                       int64_t time_ns);
 

@@ -63,9 +63,11 @@ RosRobot::~RosRobot() {
 
 // The first lidar publishes on `scan`, as most robots do, and others on their names.
 void RosRobot::open_sensors() {
-    for (std::size_t i = 0; const char *name = frob_sim_lidar_name(sim_, i); ++i)
-        sensors_.push_back(
-            {frob_sim_open_lidar(sim_, name), true, std::string(name) == "lidar" ? "scan" : name});
+    for (std::size_t i = 0; const char *name = frob_sim_lidar_name(sim_, i); ++i) {
+        Sensor &sensor = sensors_.emplace_back(Sensor{
+            frob_sim_open_lidar(sim_, name), true, std::string(name) == "lidar" ? "scan" : name});
+        frob_sim_lidar_seat(sim_, i, &sensor.ahead, &sensor.left);
+    }
     for (std::size_t i = 0; const char *name = frob_sim_imu_name(sim_, i); ++i)
         sensors_.push_back({frob_sim_open_imu(sim_, name), false, name});
     if (sensors_.size() > ROS_SENSORS_MOST)
@@ -81,7 +83,8 @@ void RosRobot::start(const std::string &node, bool stamped,
     words.push_back(std::to_string(dup(ends[1])));
     if (stamped) words.push_back("stamped");
     for (const Sensor &sensor : sensors_)
-        words.push_back((sensor.is_lidar ? "scan=" : "imu=") + sensor.topic);
+        words.push_back((sensor.is_lidar ? "scan=" : "imu=") + sensor.topic + ',' +
+                        std::to_string(sensor.ahead) + ',' + std::to_string(sensor.left));
     words.push_back("--");
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> argv;

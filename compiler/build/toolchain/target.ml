@@ -176,9 +176,10 @@ let ros2 (ros2 : Ros2.t) (resources : Resources.t) ~name:_ =
 let simulated_ros2 (ros2 : Ros2.t) (resources : Resources.t) =
   let runtime = resources.runtime_sources in
   let machine = { (Toolchain.this_machine ()) with options = "-I" :: runtime :: ros2.options } in
+  let host = files (runtime / "hosts" / "ros_robot") in
   Toolchain.build ~machine Executable ~headers:resources.headers
-    ~inputs:(with_suffix ".c" (files (runtime / "hosts" / "ros_robot")) @ ros2.libraries)
-    ~includes:[ runtime / "hosts" / "ros" / "messages.h" ]
+    ~inputs:(with_suffix ".c" host @ ros2.libraries)
+    ~includes:((runtime / "hosts" / "ros" / "messages.h") :: with_suffix ".h" host)
     ~foreign:None ~name:"robot" []
 
 let size_tool t =

@@ -1,7 +1,9 @@
 /* The ROS 2 node of a simulated robot. `frobc serve --robot ros` compiles it, and the simulator
  * (sim/serve/ros_robot.cc) starts it:
  *
- *   robot SOCKET [stamped] [scan=TOPIC | imu=TOPIC]... -- [ARGUMENT FOR ROS]...
+ *   robot SOCKET [stamped] [SENSOR=TOPIC,X,Y]... -- [ARGUMENT FOR ROS]...
+ *
+ * SENSOR is `scan` or `imu`, and (X, Y) is its position on the robot in metres.
  *
  * The simulator sends the robot's sensor values over the socket as the messages of
  * hosts/ros/messages.h, and the node publishes them. The control in a message of a sensor is the
@@ -32,13 +34,15 @@
 
 #include "hosts/ros/messages.h"
 
+#include "transforms.h"
+
 #define CHECK_NS INT64_C(1000000000)
 
 enum { DONE = 0, FAULT = 2 };
 
 struct sensor {
     enum ros_kind kind;
-    const char *topic;
+    char topic[ROS_NAME];
     rcl_publisher_t publisher;
 };
 
@@ -56,6 +60,8 @@ struct robot {
     bool stamped; /* cmd_vel is of type TwistStamped */
     struct sensor sensors[ROS_SENSORS_MOST];
     size_t sensor_count;
+    struct seat seats[ROS_SENSORS_MOST]; /* of the sensors */
+    struct transforms transforms;
     rcl_context_t context;
     rcl_node_t node;
     rcl_publisher_t odometry, clock;
@@ -131,9 +137,7 @@ static bool prepare_messages(struct robot *r)
            geometry_msgs__msg__Twist__init(&r->twist) &&
            geometry_msgs__msg__TwistStamped__init(&r->twist_stamped) &&
            rosidl_runtime_c__String__assign(&r->odometry_message.header.frame_id, "odom") &&
-           rosidl_runtime_c__String__assign(&r->odometry_message.child_frame_id, "base_link") &&
-           rosidl_runtime_c__String__assign(&r->scan_message.header.frame_id, "base_link") &&
-           rosidl_runtime_c__String__assign(&r->imu_message.header.frame_id, "base_link");
+           rosidl_runtime_c__String__assign(&r->odometry_message.child_frame_id, "base_link");
 }
 
 static bool open_topics(struct robot *r)
@@ -168,6 +172,29 @@ static bool open_topics(struct robot *r)
     return true;
 }
 
+static builtin_interfaces__msg__Time time_of(int64_t ns)
+{
+    builtin_interfaces__msg__Time time;
+    time.sec = (int32_t)(ns / 1000000000);
+    time.nanosec = (uint32_t)(ns % 1000000000);
+    return time;
+}
+
+static bool start_transforms(struct robot *r)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_REALTIME, &now);
+    if (!transforms_start(&r->transforms, &r->node, r->seats, r->sensor_count,
+                          time_of((int64_t)now.tv_sec * 1000000000 + now.tv_nsec)))
+        return refuse(r, "cannot publish /tf");
+    if (!r->transforms.has_type)
+        fprintf(
+            stderr,
+            "warning: the simulated robot does not publish /tf, because the package tf2_msgs is "
+            "not installed\n");
+    return true;
+}
+
 /* Tells the simulator the names after remapping. */
 static bool report(const struct robot *r)
 {
@@ -191,18 +218,17 @@ static bool report(const struct robot *r)
 
 /* ---- Publishing */
 
-static builtin_interfaces__msg__Time time_of(int64_t ns)
-{
-    builtin_interfaces__msg__Time time;
-    time.sec = (int32_t)(ns / 1000000000);
-    time.nanosec = (uint32_t)(ns % 1000000000);
-    return time;
-}
-
 static void publish(const rcl_publisher_t *publisher, const void *message)
 {
     if (rcl_publish(publisher, message, NULL) != RCL_RET_OK)
         rcl_reset_error();
+}
+
+/* The frame of a sensor. Without transforms it is that of the robot, which every node knows. */
+static bool set_frame(const struct robot *r, std_msgs__msg__Header *header, uint32_t sensor)
+{
+    return rosidl_runtime_c__String__assign(
+        &header->frame_id, r->transforms.has_type ? r->seats[sensor].frame : "base_link");
 }
 
 static void publish_odometry(struct robot *r, const struct ros_odometry *o)
@@ -216,6 +242,7 @@ static void publish_odometry(struct robot *r, const struct ros_odometry *o)
     m->twist.twist.linear.x = o->speed_m_s;
     m->twist.twist.angular.z = o->turning_rad_s;
     publish(&r->odometry, m);
+    transforms_publish(&r->transforms, m);
 }
 
 static void publish_scan(struct robot *r, const struct ros_scan *scan)
@@ -233,7 +260,8 @@ static void publish_scan(struct robot *r, const struct ros_scan *scan)
             return;
     }
     memcpy(m->ranges.data, scan->ranges_m, scan->count * sizeof *scan->ranges_m);
-    publish(&r->sensors[scan->origin.control].publisher, m);
+    if (set_frame(r, &m->header, scan->origin.control))
+        publish(&r->sensors[scan->origin.control].publisher, m);
 }
 
 static void publish_imu(struct robot *r, const struct ros_imu *imu)
@@ -250,7 +278,8 @@ static void publish_imu(struct robot *r, const struct ros_imu *imu)
     m->orientation.w = imu->rotation[3];
     /* By the message's definition, -1 means that there is no orientation. */
     m->orientation_covariance[0] = imu->has_rotation ? 0.0 : -1.0;
-    publish(&r->sensors[imu->origin.control].publisher, m);
+    if (set_frame(r, &m->header, imu->origin.control))
+        publish(&r->sensors[imu->origin.control].publisher, m);
 }
 
 /* The thread that publishes. It ends when the simulator closes the socket. */
@@ -373,6 +402,7 @@ static int listen_until_over(struct robot *r)
 static void leave(struct robot *r)
 {
     bool ok = rcl_subscription_fini(&r->velocity, &r->node) == RCL_RET_OK;
+    ok = transforms_end(&r->transforms, &r->node) && ok;
     for (size_t i = 0; i < r->sensor_count; i++)
         ok = rcl_publisher_fini(&r->sensors[i].publisher, &r->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&r->odometry, &r->node) == RCL_RET_OK && ok;
@@ -385,20 +415,32 @@ static void leave(struct robot *r)
         rcl_reset_error();
 }
 
+/* Reads the argument that describes a sensor. */
+static void read_sensor(struct robot *r, const char *text)
+{
+    struct sensor *sensor = &r->sensors[r->sensor_count];
+    struct seat *seat = &r->seats[r->sensor_count];
+    char kind[8];
+    if (r->sensor_count == ROS_SENSORS_MOST ||
+        sscanf(text, "%7[^=]=%255[^,],%lf,%lf", kind, sensor->topic, &seat->x_m, &seat->y_m) != 4)
+        return;
+    sensor->kind = strcmp(kind, "scan") == 0 ? ROS_SCAN : ROS_IMU;
+    /* The lidar on the topic `scan` is the one that programs call `lidar`. */
+    snprintf(seat->frame, sizeof seat->frame, "%s_link",
+             strcmp(sensor->topic, "scan") == 0 ? "lidar" : sensor->topic);
+    r->sensor_count++;
+}
+
 /* Reads the arguments before `--`; returns the number of that argument. */
 static int read_arguments(struct robot *r, int argc, char **argv)
 {
     int i = 2;
     r->socket = argc > 1 ? (int)strtol(argv[1], NULL, 10) : -1;
     for (; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        struct sensor *sensor = &r->sensors[r->sensor_count];
-        if (strcmp(argv[i], "stamped") == 0) {
+        if (strcmp(argv[i], "stamped") == 0)
             r->stamped = true;
-        } else if (strchr(argv[i], '=') != NULL && r->sensor_count < ROS_SENSORS_MOST) {
-            sensor->kind = strncmp(argv[i], "scan=", 5) == 0 ? ROS_SCAN : ROS_IMU;
-            sensor->topic = strchr(argv[i], '=') + 1;
-            r->sensor_count++;
-        }
+        else
+            read_sensor(r, argv[i]);
     }
     return i;
 }
@@ -413,7 +455,8 @@ int main(int argc, char **argv)
     signal(SIGINT, SIG_IGN);
     signal(SIGTERM, SIG_IGN);
     signal(SIGPIPE, SIG_IGN);
-    if (!join(&r, argc - first, argv + first) || !open_topics(&r) || !report(&r))
+    if (!join(&r, argc - first, argv + first) || !open_topics(&r) || !start_transforms(&r) ||
+        !report(&r))
         return FAULT;
     if (pthread_create(&publisher, NULL, publish_all, &r) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");

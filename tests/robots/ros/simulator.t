@@ -14,6 +14,34 @@ ROS 2, in which another node drives the robot ahead.
   imu: /imu
   velocity: /cmd_vel
 
+It publishes its place, and the frames of its sensors. Each sensor is at its position on the robot.
+
+  $ cat >seats.toml <<END
+  > [start]
+  > x = 1
+  > y = 1
+  > [[lidar]]
+  > ahead = 0.15
+  > left = -0.05
+  > [[lidar]]
+  > name = "rear"
+  > ahead = -0.2
+  > END
+  $ faults=; : >velocities; wants='grep -q "^/tf:" velocities'
+  $ in_time serve --world seats.toml --for 0.1s; wants=; grep '^/tf' velocities
+  /tf_static: base_link to lidar_link, 0.15 -0.05
+  /tf_static: base_link to rear_link, -0.2 0
+  /tf_static: base_link to imu_link, 0 0
+  /tf: odom to base_link, 0 0
+
+Without the package tf2_msgs, which not every installation has, it says so.
+
+  $ mv prefix/lib/libtf2_msgs__rosidl_typesupport_c.so hidden; : >velocities
+  $ serve --for 0.1s; cat messages; grep '^/tf' velocities
+  warning: the simulated robot does not publish /tf, because the package tf2_msgs is not installed
+  [1]
+  $ mv hidden prefix/lib/libtf2_msgs__rosidl_typesupport_c.so
+
 The robot stops half a second after the last velocity, and at a velocity that is
 not a number. The log has the velocities.
 

@@ -18,6 +18,7 @@ header rmw rmw/qos_profiles.h
 header rosidl_runtime_c rosidl_runtime_c/string_functions.h
 header geometry_msgs geometry_msgs/msg/twist.h
 header geometry_msgs geometry_msgs/msg/twist_stamped.h
+header geometry_msgs geometry_msgs/msg/transform_stamped.h
 for message in floating_point_range integer_range parameter parameter_descriptor parameter_event \
     parameter_value set_parameters_result; do
     header rcl_interfaces rcl_interfaces/msg/$message.h
@@ -45,6 +46,10 @@ for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs_
     std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
+# The only library that the host opens at run time; the program opens it in the same folder.
+echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage(void)
+{ static const char *const type = "tf2_msgs/msg/TFMessage"; return &type; }' |
+    gcc -shared -fPIC -x c - -o "$prefix/lib/libtf2_msgs__rosidl_typesupport_c.so"
 for package in rcl rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
     rcl_interfaces std_msgs diagnostic_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"

@@ -106,6 +106,23 @@ static void write_bag(const char *topic, const char *text)
     fclose(file);
 }
 
+/* Writes transforms to fixed frames into the log, and the first one to a frame that moves. */
+static void write_transforms(const char *topic,
+                             const geometry_msgs__msg__TransformStamped__Sequence *transforms)
+{
+    static bool wrote = false;
+    if (wrote && strcmp(topic, "/tf") == 0)
+        return;
+    for (size_t i = 0; i < transforms->size; i++) {
+        const geometry_msgs__msg__TransformStamped *t = &transforms->data[i];
+        char line[300];
+        snprintf(line, sizeof line, "%s: %s to %s, %g %g", topic, t->header.frame_id.data,
+                 t->child_frame_id.data, t->transform.translation.x, t->transform.translation.y);
+        write_log(line);
+    }
+    wrote = wrote || strcmp(topic, "/tf") == 0;
+}
+
 rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation)
 {
     const geometry_msgs__msg__TwistStamped *stamped =
@@ -117,6 +134,10 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
         abort();
     if (strcmp(publisher->topic, "/diagnostics") == 0) {
         write_diagnostics((const diagnostic_msgs__msg__DiagnosticArray *)message);
+        return RCL_RET_OK;
+    }
+    if (strncmp(publisher->topic, "/tf", 3) == 0) {
+        write_transforms(publisher->topic, message);
         return RCL_RET_OK;
     }
     if (publisher->topic[0] == '~') {
@@ -601,6 +622,7 @@ SEQUENCE_INIT(rcl_interfaces__msg__FloatingPointRange)
 SEQUENCE_INIT(rcl_interfaces__msg__IntegerRange)
 SEQUENCE_INIT(rcl_interfaces__msg__ParameterDescriptor)
 SEQUENCE_INIT(diagnostic_msgs__msg__DiagnosticStatus)
+SEQUENCE_INIT(geometry_msgs__msg__TransformStamped)
 
 bool diagnostic_msgs__msg__DiagnosticArray__init(diagnostic_msgs__msg__DiagnosticArray *m)
 {

@@ -261,6 +261,21 @@ typedef struct {
     geometry_msgs__msg__Twist twist;
 } geometry_msgs__msg__TwistStamped;
 typedef struct {
+    geometry_msgs__msg__Vector3 translation;
+    geometry_msgs__msg__Quaternion rotation;
+} geometry_msgs__msg__Transform;
+typedef struct {
+    std_msgs__msg__Header header;
+    rosidl_runtime_c__String child_frame_id;
+    geometry_msgs__msg__Transform transform;
+} geometry_msgs__msg__TransformStamped;
+typedef struct {
+    geometry_msgs__msg__TransformStamped *data;
+    size_t size;
+} geometry_msgs__msg__TransformStamped__Sequence;
+bool geometry_msgs__msg__TransformStamped__Sequence__init(
+    geometry_msgs__msg__TransformStamped__Sequence *sequence, size_t size);
+typedef struct {
     std_msgs__msg__Header header;
     rosidl_runtime_c__String child_frame_id;
     struct {

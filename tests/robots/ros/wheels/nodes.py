@@ -653,13 +653,10 @@ def test_node_killed():
     base.close()
 
 
-def main():
-    with open(os.path.join(FOLDER, "ahead.frob"), "w", encoding="utf-8") as file:
-        file.write(PROGRAM)
-    here = os.path.dirname(os.path.abspath(__file__))
-    shutil.copy(os.path.join(here, "..", "approach.frob"), FOLDER)
+def run_tests(tests):
+    """Runs the functions whose names begin with test_, or those that the command line names."""
     failures = 0
-    for name, test in list(globals().items()):
+    for name, test in list(tests.items()):
         if not name.startswith("test_"):
             continue
         if len(sys.argv) > 3 and name not in sys.argv[3:]:
@@ -673,6 +670,14 @@ def main():
         while OPEN:
             OPEN.pop()()
     sys.exit(1 if failures else 0)
+
+
+def main():
+    with open(os.path.join(FOLDER, "ahead.frob"), "w", encoding="utf-8") as file:
+        file.write(PROGRAM)
+    here = os.path.dirname(os.path.abspath(__file__))
+    shutil.copy(os.path.join(here, "..", "approach.frob"), FOLDER)
+    run_tests(globals())
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/bin/sh
-# usage: run.sh FROBC FOLDER : runs nodes.py with the wheels of each distribution that frobc is tested
-# with, or the script that SCRIPT names, in virtual environments in FOLDER. All nodes are on this machine.
+# usage: run.sh FROBC FOLDER : runs the scripts of tests, or those that SCRIPTS names, with the wheels
+# of each distribution that frobc is tested with, in virtual environments in FOLDER. All nodes are on
+# this machine.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$2"
@@ -28,14 +29,29 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     libraries=$prefix/lib
     for own in "$prefix"/lib/python*/site-packages/ros_*.libs; do libraries=$libraries:$own; done
     mkdir -p "$folder/run"
+    # The wheels do not contain the package tf2_msgs. Its generated libraries go to $prefix/tf2.
+    cat "$here"/tf2_msgs/*.* "$here"/tf2_msgs/msg/* >"$folder/run/tf2_sources"
+    cmp -s "$folder/run/tf2_sources" "$prefix/tf2/complete" || {
+        echo "generating tf2_msgs in $prefix/tf2"
+        (cd "$folder/run" && PATH=$prefix/bin:$PATH AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
+            CMAKE_PREFIX_PATH=$prefix LD_LIBRARY_PATH=$libraries \
+            LDFLAGS=-Wl,--allow-shlib-undefined "$prefix/bin/colcon" --log-base "$prefix/tf2_log" \
+            build --base-paths "$here/tf2_msgs" --build-base "$prefix/tf2_build" \
+            --install-base "$prefix/tf2" --merge-install --cmake-args \
+            "-DPython3_EXECUTABLE=$prefix/bin/python" "-DPYTHON_EXECUTABLE=$prefix/bin/python") \
+            >"$folder/run/tf2_msgs.log" 2>&1 || { cat "$folder/run/tf2_msgs.log"; exit 1; }
+        cp "$folder/run/tf2_sources" "$prefix/tf2/complete"
+    }
     echo "ROS 2 $distribution, Python $python:"
     # The type support of the wheels refers to Python, so programs other than Python need its library.
     library=$(ldconfig -p | sed -n "s|.*libpython$python.so.1.0 .*=> ||p" | head -1)
-    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s LD_PRELOAD=%s exec "$@"\n' "$libraries" "$library" \
-        >"$folder/run/with"
+    printf '#!/bin/sh\nLD_LIBRARY_PATH=%s:${TF2-%s} LD_PRELOAD=%s exec "$@"\n' "$libraries" \
+        "$prefix/tf2/lib" "$library" >"$folder/run/with"
     printf '#!/bin/sh\nexec %s %s "$@"\n' "$folder/run/with" "$frobc" >"$folder/run/frobc"
     chmod +x "$folder/run/with" "$folder/run/frobc"
     # frobc reads bags with the Python of this environment.
-    ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
-        "$prefix/bin/python" "$here/${SCRIPT:-nodes.py}" "$folder/run/frobc" "$folder/run" ${TESTS:-}
+    for script in ${SCRIPTS:-nodes.py transforms.py}; do
+        ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
+            "$prefix/bin/python" "$here/$script" "$folder/run/frobc" "$folder/run" ${TESTS:-}
+    done
 done
