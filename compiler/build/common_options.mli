@@ -17,7 +17,7 @@ type t = {
   specialization_limit : int;
   real : Basis.Real.t;  (** the precision of [Float] *)
   robot : string option;  (** for programs that work with several robots *)
-  probes : string list;  (** inner signals to show, as {!Probe.Selection} takes them *)
+  probes : string list;  (** names of inner signals to show; see {!Probe.Selection} *)
   asserts : asserts;
   params : string list;  (** values of the program's parameters, each [NAME=VALUE] *)
 }

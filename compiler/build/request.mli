@@ -4,14 +4,14 @@ open Basis
 
 type t = {
   options : Common_options.t;
-  file : string;  (** of the program's main module *)
-  entry : string;  (** the definition in it to compile *)
+  file : string;  (** source file of the program's main module *)
+  entry : string;  (** the definition in [file] to compile *)
   library : string;  (** the folder of the standard library *)
   files : Resolve.Files.t;  (** reads the texts of modules *)
   robot : Cgen.Robot.t option;  (** the robot that the options name; see {!Robots.closed} *)
   settings : Resolve.Parameters.setting list;  (** values of parameters, for {!Queries.params} *)
   batch : bool;  (** as for {!Cgen.Emit.program} *)
-  banner : bool;  (** the C begins with {!Banner.lines} *)
+  banner : bool;  (** whether the generated C begins with {!Banner.lines} *)
 }
 
 val make :

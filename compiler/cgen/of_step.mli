@@ -1,5 +1,5 @@
-(** Translates Step to C: chooses names and structs, and arranges both files. The root's functions
-    are the program's; all other nodes have static functions. *)
+(** Translates Step to C: chooses names and structs, and arranges both files. The functions of the
+    root are external and have the program's name; those of all other nodes are static. *)
 
 type t = {
   name : string;  (** name in C *)

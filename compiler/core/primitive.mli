@@ -105,8 +105,8 @@ and elementary =
   | Atan
   | Atan2
 
-(** Arguments: a label, except for [Map], of which there is only one; for a knob its limits and
-    initial value, for a toggle its initial position; and the console. *)
+(** The arguments are a label (except for [Map], because there is only one map), the limits and the
+    initial value of a knob or the initial position of a toggle, and finally the console. *)
 and console = Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu
 
 (** A shift by a negative number shifts in the other direction. A shift by 32 or more equals that

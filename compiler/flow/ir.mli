@@ -208,8 +208,8 @@ and follower =
   | Continuation of string  (** continuation of a switch *)
   | Statement of string  (** statement after a task *)
 
-(** Whether a mode's transition may occur in the mode's own first instant, which
-    {!Instantaneous_loops} determines. *)
+(** Whether a mode's transition may occur in the mode's own first instant. {!Instantaneous_loops}
+    determines this. *)
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option

@@ -4,9 +4,10 @@
 type t = {
   columns : int array;  (** columns of the words that start a line *)
   ended : (int * int) list array;
-      (** for each word, the blocks that end before it, innermost first, and the block that contains
-          it: the column of their items in the source, and in the result. One more element for the
-          end of the file *)
+      (** for each word, a list of the blocks that end before the word, innermost first, followed by
+          the block that contains it. A block is represented by the column of its items in the
+          source and their column in the result. The array has one more element, for the end of the
+          file *)
 }
 
 val lines : break:bool -> Word.t array -> t

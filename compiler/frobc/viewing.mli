@@ -4,7 +4,7 @@
 open Cmdliner
 
 val look : (Tools.Viewing.look option, string) result Term.t
-(** The options [--view] and [--print] of a command that runs a program: how to show the run, or
-    what is wrong with them. *)
+(** The options [--view] and [--print] of a command that runs a program. The value says how to show
+    the run; the error says what is wrong with the options. *)
 
 val view : int Cmd.t

@@ -13,8 +13,8 @@ val program : Core.Ir.program -> program
 
 val value : program -> Core.Ir.Global.t -> (Value.t, problem) result
 (** The value of a definition without parameters. A number or a Bool is evaluated completely, but
-    the parts of other values are not. The value of a program parameter is its default or the given
-    value. *)
+    the parts of other values are not. The value of a program parameter is the value that overrides
+    its default, or else the default. *)
 
 val known : program -> (unit -> 'a) -> ('a, problem) result
 (** Runs a function that forces parts of such values, and returns its result or the problem that it

@@ -8,7 +8,8 @@ type t
 val create : Diagnostic.sink -> t
 
 val emit : t -> Diagnostic.t -> unit
-(** Emits the diagnostic. If it is about an unknown name, holds it back until {!tell} is called. *)
+(** Emits the diagnostic. A diagnostic about an unknown name is held back until {!tell} is called.
+*)
 
 val holds_many : t -> bool
 (** Are at least 1,000 diagnostics held back? *)

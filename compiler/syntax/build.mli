@@ -45,8 +45,8 @@ val whole : string -> int option
 (** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** The size of an array. The pair consists of the literal's text and a flag that is set if it is
-    decimal. *)
+(** The size of an array. The pair consists of the literal's text and a flag that tells whether the
+    literal is decimal. *)
 
 val sign_of_sizes : location -> string -> Ir.size_operator
 (** An operator between sizes other than [-] and [*]. *)

@@ -1,7 +1,7 @@
 (** Maps the file names shown in messages to the texts that spans refer to.
 
-    A table belongs to one compilation. Code that reads a file adds its text, and the renderers look
-    up lines. *)
+    A table belongs to one compilation. Code that reads a file adds the file's text to the table,
+    and the renderers look up lines in it. *)
 
 type t
 

@@ -4,7 +4,7 @@
 type t = {
   name : string;
       (** for example [in.odometry.position.x] or [probe.follow.v]; for an array, without [[0]] *)
-  unit_ : string;  (** for example [m/s]; or empty *)
+  unit_ : string;  (** for example [m/s]; may be empty *)
   is_event : bool;
       (** for a probe: whether it is an event in the program, rather than a signal that exists only
           in some instants *)
@@ -15,7 +15,7 @@ type t = {
 }
 
 val declared : Typing.Ir.program -> Flow.Ir.product -> Typing.Ir.ty option
-(** The type of a record that is not polymorphic, by its name. *)
+(** Looks up the type of a record by its name. The type must not be polymorphic. *)
 
 val of_program :
   Typing.Ir.program ->
@@ -23,8 +23,8 @@ val of_program :
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   t list
-(** The inputs and outputs that have a unit, and the probes. The definition is the entry as written
-    in the source. *)
+(** The columns of inputs and outputs that have a unit, and the columns of the probes. The second
+    argument is the definition of the entry as written in the source. *)
 
 val text : t list -> string
 (** The table as a C file. *)

@@ -5,7 +5,7 @@
 type t = {
   name : string;  (** for example [error]; preceded by its path if the name is not unique *)
   unit_ : string;  (** for example [m/s]; or empty *)
-  probe : string;  (** the probe with which the judge shows it *)
+  probe : string;  (** name of the probe that contains it in the judge's output *)
 }
 
 val of_judge : Typing.Ir.program -> Core.Ir.program -> Probe.Catalogue.probe list -> t list

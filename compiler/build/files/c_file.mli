@@ -2,7 +2,7 @@
 
 val name : string -> string
 (** [name "walls/follow it.frob"] is ["follow it"]: the file's name without folder and extension.
-    Control characters and those that cannot be in quotes in C become [_]. *)
+    Control characters, and characters that C does not allow between quotes, become [_]. *)
 
 val is_standard_header : string -> bool
 (** [is_standard_header "math.h"] is true for headers of C and POSIX. *)

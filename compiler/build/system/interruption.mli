@@ -5,5 +5,5 @@ val protect : finally:(unit -> unit) -> (unit -> 'a) -> 'a
     process. Exceeding the file size limit becomes an error. *)
 
 val reported : (unit -> string) -> (unit -> 'a) -> 'a
-(** On Ctrl-C, prints the line that this function returns (what was kept, and how to continue), and
-    then the signal ends the process. *)
+(** Runs the second function. On Ctrl-C, prints the line that the first function returns (what was
+    kept, and how to continue), and then lets the signal end the process. *)

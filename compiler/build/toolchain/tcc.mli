@@ -2,7 +2,7 @@
     compiler. *)
 
 val is_named : string -> bool
-(** Whether a C compiler is tcc, by the name of its program. *)
+(** Whether a C compiler is tcc, judging by the name of its program. *)
 
 val is_own : string -> bool
 (** Whether a C compiler is [frob-tcc]. It compiles what frobc generates, but not the user's files.

@@ -42,7 +42,7 @@ val arguments : names -> Step.Ir.variable list -> Step.Ir.expr list -> Ir.expr l
 (** The arguments for these parameters of a node's function. *)
 
 val operand : names -> at:Basis.Span.t -> Step.Ir.expr -> Ir.expr
-(** Like {!of_step}, for an operand of the operation at this place, or the value of its statement. A
-    number that has a name at this place in the source keeps the name. *)
+(** Like {!of_step}, for an operand of the operation at this place, or for the value of the
+    statement at this place. A number that has a name at this place in the source keeps the name. *)
 
 val of_step : names -> Step.Ir.expr -> Ir.expr

@@ -31,8 +31,8 @@ val definitions : Step.Ir.program -> side -> string
 (** The definition of the host's struct if it contains a robot's struct and other parts. *)
 
 val passed : Param_struct.t option -> string * string
-(** For a function of the table that receives [params]: the statement that ignores it, and the text
-    that passes it on after the state. *)
+(** For a function of the table that receives [params]: the statement that ignores [params], and the
+    text that passes [params] on, after the state. *)
 
 val step :
   params:Param_struct.t option ->

@@ -15,5 +15,5 @@ type t = at:Basis.Span.t -> float -> constant option
 val none : t
 
 val definition : program:string -> Basis.Real.t -> constant -> name:string -> float -> string
-(** The constant in C, with its unit and place in a comment. The place is a line in the file of
-    [program], or in another one. *)
+(** The constant in C, with its unit and place in a comment. The comment includes the file name only
+    if the constant is not in the file of [program]. *)

@@ -37,7 +37,7 @@ val array_name : t -> Step.Ir.ty -> string
 (** The name of an array's struct. *)
 
 val differ : t -> Step.Ir.ty -> bool
-(** Whether values of this type are different in the user's C and in the program. *)
+(** Whether values of this type are represented differently in the user's C and in the program. *)
 
 type definition
 (** A struct, with the constants for its tags if it is a sum. *)

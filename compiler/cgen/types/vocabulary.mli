@@ -38,7 +38,7 @@ type t = {
   foreign_types : Value_types.t;  (** types for the user's C *)
   sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
-  in_seconds : string;  (** name of the root's step that rounds its dt, in seconds *)
+  in_seconds : string;  (** name of the root's step that takes dt in seconds and rounds it *)
   input : Interface.t;
   output : Interface.t;
   params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)

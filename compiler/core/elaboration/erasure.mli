@@ -1,7 +1,7 @@
 (** Erases units: converts types of Typed to types of Core.
 
-    A representation variable becomes an ordinary type variable. In a list with both kinds, the
-    types come before the representations. *)
+    A representation variable becomes an ordinary type variable. In a list that contains both, types
+    come before representations. *)
 
 val ty : Typing.Ir.ty -> Ir.ty
 val variable : Typing.Ir.variable -> Ir.variable

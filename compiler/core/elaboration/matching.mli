@@ -15,7 +15,7 @@ val part : Typing.Ir.pattern -> root:Ir.expr -> Ir.Local.t -> Ir.expr
 
 type branch = {
   pattern : Typing.Ir.pattern;
-  falls : bool;  (** all its guards may fail *)
+  falls : bool;  (** whether all its guards may fail *)
   value : fall:Ir.expr option -> Ir.expr;
       (** takes the expression to use if all guards fail, provided that [falls] is true, and uses it
           exactly once *)

@@ -27,7 +27,7 @@ val and_ : t -> t -> t
 val or_ : t -> t -> t
 
 val choice : t -> t -> t -> t
-(** The functions below simplify trivial cases. *)
+(** These four functions build formulas and simplify trivial cases. *)
 
 val to_json : (int -> string) -> t -> string
 (** Writes the formula with column names: [["and", "f.margin a 1", ["within", "f.margin a 2", …]]];

@@ -1,8 +1,8 @@
 (** The chains of transitions that a machine may take in one instant, as a graph of states. A state
     is a mode together with what is known about its parameters and inputs.
 
-    More precise than {!First_transitions.of_machine}, but slower: a mode that counts has one state
-    for each value of the counter. *)
+    This analysis is more precise than {!First_transitions.of_machine}, but slower, because a mode
+    that counts has one state for each value of the counter. *)
 
 open Basis
 

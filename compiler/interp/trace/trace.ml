@@ -259,8 +259,9 @@ let quoted cell =
 
 let line cells = String.concat "," cells ^ "\n"
 
-(* The columns of the output, and a function that returns the cells of one instant. The event that
-   signals the program's end becomes an additional field of a record. *)
+(* The columns of the output, and a function that returns the cells of one instant. If the program
+   can end, the event that signals the end gets its own columns: [out.result] if the output is a
+   record, otherwise [out.2]. *)
 let outputs core execution output =
   match Execution.ended execution with
   | None -> (Shape.columns "out" output, Shape.cells output)

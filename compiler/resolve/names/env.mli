@@ -35,8 +35,8 @@ val bind : t -> variable list -> t
 val is_known : t -> Syntax.Ir.name -> bool
 
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
-(** Looks up a variable and records the reference in the group analysis. Emits a diagnostic if it
-    does not exist. *)
+(** Looks up a variable, and records the reference in the group analysis. Emits a diagnostic if the
+    variable does not exist. *)
 
 val global : t -> string -> Span.t -> Ir.expr_desc option
 (** Looks up an operator or another module-level name, ignoring local variables. *)

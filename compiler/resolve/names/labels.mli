@@ -28,7 +28,8 @@ val check_name : Syntax.Ir.check -> string -> string
 (** The name of a test's definition, for a label. *)
 
 val judge : string -> string
-(** The name of the judge's definition, for the name of the test. *)
+(** The name of the judge's definition. It is derived from the given name of the test's definition.
+*)
 
 val is_measuring : Ir.Global.t -> bool
 (** Does [frobc test] report the value of an equation that applies this library function, such as

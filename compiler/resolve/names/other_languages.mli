@@ -16,7 +16,7 @@ val reading : string -> (string -> string, unit, string) format option
     input. *)
 
 val current : string -> string list
-(** The names whose previous value this name may mean: [v] for [v_prev] and [prevV]. *)
+(** The names to whose previous value this name may refer: [v] for [v_prev] and [prevV]. *)
 
 val is_of_speed : string -> bool
 (** Does this word, for which {!robot} has a hint, set the speed and the turn rate of a robot? *)

@@ -1,9 +1,9 @@
-(** Loops over arrays: a node that computes one round, and an instance that runs it for each
-    element. *)
+(** Loops over arrays: a node that computes one iteration, and an instance that runs the node for
+    each element. *)
 
 type argument = {
   form : Flow.Ir.argument;
-  ty : Core.Ir.ty;  (** closed and first-order; the type in one round *)
+  ty : Core.Ir.ty;  (** closed and first-order; the type in one iteration *)
   value : Value.t;
       (** the initial value, the array, or the number to count from; [Same] is only used for
           captured values, see below *)
@@ -16,7 +16,7 @@ type request = {
   count : int;
   key : string;  (** distinguishes loops with equal captured values but different bodies *)
   captured : Value.argument list;
-      (** values used unchanged in every round; static in a signal function *)
+      (** values used unchanged in every iteration; static in a signal function *)
   arguments : argument list;  (** accumulators first *)
   final : Core.Ir.ty list;  (** types of the final accumulators *)
   elements : Core.Ir.ty list;  (** element types of the resulting arrays *)
@@ -29,5 +29,5 @@ val run :
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
 (** The final accumulators and the resulting arrays, given one target each. The function builds one
-    round in a separate node: it computes the next accumulators and the elements from the captured
-    values and the arguments. May raise {!Context.Postponed}. *)
+    iteration in a separate node: it computes the next accumulators and the elements from the
+    captured values and the arguments. May raise {!Context.Postponed}. *)

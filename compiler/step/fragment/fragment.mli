@@ -58,4 +58,5 @@ type t = {
 }
 
 and ending = { ends : atom; told : int; span : Span.t }
-(** If [ends] is true, the mode ends, and only its [results] from number [told] on are needed. *)
+(** If [ends] is true, the mode ends. Of its [results], only those with the index [told] or higher
+    are then needed. *)

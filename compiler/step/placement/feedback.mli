@@ -2,8 +2,9 @@
 
     The condition depends, through delays and integrals, on the value that was chosen in the
     previous instant; examples are the anti-windup of a controller, and a counter that starts again.
-    If the choice were a select, each step would wait for the condition of the previous step. The
-    processor predicts a branch, so the steps overlap. *)
+    If such a choice were compiled to a select, each step would have to wait for the condition of
+    the previous step. If it is compiled to a branch, the processor predicts the branch, so that
+    consecutive steps overlap. *)
 
 type t
 

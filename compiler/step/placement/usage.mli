@@ -26,7 +26,7 @@ val ty : t -> Flow.Ir.signal -> Ir.ty
 val leaf : t -> Flow.Ir.signal -> Ir.expr option
 
 val inlined : t -> Flow.Ir.signal -> Fragment.computed option
-(** The value to inline into the user of this signal, if it is inlined. *)
+(** The value of this signal, if it is inlined into the expression that uses the signal. *)
 
 val keep_apart : t -> Flow.Ir.signal -> unit
 (** Records that the value needs a separate variable. *)

@@ -3,7 +3,7 @@
     that is written before it.
 
     If only this write, or the writes that share its [If], need an intermediate value, that value is
-    computed as late as possible, so the fields that it reads count too. *)
+    computed as late as possible, so the fields that the intermediate value reads count too. *)
 
 type timing =
   | In_order

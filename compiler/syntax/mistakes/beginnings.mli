@@ -13,10 +13,10 @@ val declare_a_record : string -> string
 (** The hint that suggests this declaration of a record. *)
 
 val rounds : string -> string option
-(** The number of rounds of the loop that begins on this line, if it is a counted loop. *)
+(** The number of iterations of the loop that begins on this line, if it is a counted loop. *)
 
 val repeated : string -> string
-(** The hint for a loop with this number of rounds in a task. *)
+(** The hint for a loop with this number of iterations in a task. *)
 
 val waiting : string
 (** The hint that explains how to wait. *)

@@ -24,4 +24,4 @@ val all : sampling:Plan.sampling -> points:int -> seed:int -> axis list -> strin
       each axis is divided into as many intervals as there are points, and each interval contains
       one point.
 
-    The same seed gives the same points. *)
+    The same seed always produces the same points. *)

@@ -122,8 +122,8 @@ val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** Is the type known to have no instance of the class? *)
 
 val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
-(** The name, in backticks, that requires of the second type a class that the first type lacks.
-    [None] if there is no such name, or if the second type is not an unsolved variable. *)
+(** The name, in backticks, whose use requires the second type to have a class that the first type
+    lacks. [None] if there is no such name, or if the second type is not an unsolved variable. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)

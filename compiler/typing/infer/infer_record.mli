@@ -1,8 +1,9 @@
 (** Infers records: construction, field access and update.
 
     The type of [e] determines which record [e.f] belongs to, at the latest at the end of the
-    top-level group. If it is unknown even then, and only one type in scope has the field, that type
-    is chosen. Codes: [E0310] no such field · [E0311] the record's type is unknown. *)
+    top-level group. If the type of [e] is unknown even then, and only one type in scope has the
+    field, that type is chosen. Codes: [E0310] no such field · [E0311] the record's type is unknown.
+*)
 
 open Context
 

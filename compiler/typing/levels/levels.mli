@@ -1,8 +1,9 @@
 (** Levels: when values are known, and where instances may occur (language reference, section 2).
 
-    An instance runs at every instant of its proc. A branch, a guard or a function may contain one
-    only if its place does not affect its value: the signal function must be stateless ({!Memory}),
-    and must not mention a variable that has a value only there.
+    An instance runs at every instant of its proc. A branch, a guard or a function may contain an
+    instance only if the place of the instance does not affect its output: the signal function must
+    be stateless ({!Memory}), and the instance must not mention a variable that has a value only at
+    that place.
 
     Takes an inferred program and fills in the level of each binding. Reports signal functions that
     are run without being static ([E0340]), other misplaced instances ({!Misplaced}), bound signal

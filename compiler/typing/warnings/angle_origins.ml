@@ -81,7 +81,7 @@ let max_equations = 32
 let rec kind ~depth ~equations t (e : expr) =
   let kind e = if depth = 0 then None else kind ~depth:(depth - 1) ~equations t e in
   let any es = List.fold_left (fun found e -> either found (kind e)) None es in
-  (* a multiple of a rotation is a command, which may jump *)
+  (* A multiple of a rotation has no kind: it is a command, and a command may jump. *)
   let multiple a = match kind a with Some (Heading | Scaled) -> Some Scaled | _ -> None in
   match (e.desc, Constant.operation e) with
   | Field (_, c, index), _ when is_heading c index -> Some Heading

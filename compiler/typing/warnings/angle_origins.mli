@@ -1,5 +1,5 @@
-(** Where angles that wrap from pi to -pi come from: the heading of a [Pose] or an [Imu], and
-    results of functions whose doc comment says that they wrap ({!Doc_facts}). *)
+(** Finds the origins of angles that wrap from pi to -pi: the heading of a [Pose] or an [Imu], and
+    the results of functions whose doc comment says that the result wraps ({!Doc_facts}). *)
 
 type t
 
@@ -11,8 +11,8 @@ type kind =
   | Scaled  (** a dimensionless multiple of a heading, such as its value in degrees *)
 
 val kind : t -> Ir.expr -> kind option
-(** Does an expression, or an element of it, wrap? Follows equations, and functions that return
-    their argument. *)
+(** The kind of the angle that is the value of the expression, or an element of the value; [None] if
+    it does not wrap. Follows equations, and functions that return their argument. *)
 
 val output : t -> Ir.expr -> kind option
 (** Like {!kind}, for the output of a signal function that is written as a composition. *)

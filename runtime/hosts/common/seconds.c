@@ -5,8 +5,7 @@
 
 #define NS_PLACES 9
 
-/* Returns the number of digits before the decimal point, and sets the end of all digits; -1 if
- * there are none. */
+/* Returns the number of digits before the decimal point, or -1 if there are no digits. Stores the position after the last digit in `end`. */
 static long digits(const char *text, const char **end)
 {
     const char *at = text;

@@ -14,7 +14,7 @@ val lambda_with_too_few_parameters : Shape_fact.rule
 (** The body of a lambda that is called with one argument more than it has parameters. *)
 
 val missing_in_an_operand : Shape_fact.rule
-(** An operand whose other operand is a function that lacks its last argument. *)
+(** An operand of an operator whose other operand is a function that lacks its last argument. *)
 
 val composed : Shape_fact.rule
 (** A tuple of functions where a function is expected. *)

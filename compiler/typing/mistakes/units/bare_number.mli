@@ -17,9 +17,9 @@ val literal : Show.words -> Resolve.Ir.expr -> t option
 
 val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** The named constants without a unit that scale this expression, each with its exponent, 1 or -1.
-    In a product, only the first one counts; in a sum, one for each operand. Empty if some operand
-    of the sum has none. Looks through the definitions of names and the fields of constant records.
-*)
+    In a product, only the first such constant counts; in a sum, one for each operand. The list is
+    empty if an operand of a sum has no such constant. Looks through the definitions of names and
+    the fields of constant records. *)
 
 val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
 (** Like {!factor}, for number literals that are written in the expression itself, with or without a
@@ -30,7 +30,7 @@ val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
     exponents apart from angles, such as [1/s] and [rad/(m s)]. *)
 
 val is_per_millisecond : Show.words -> Resolve.Ir.expr -> bool
-(** Is it a number in [[ms^-1]], which was probably meant as metres per second? *)
+(** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
 
 val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, or the expression itself. *)

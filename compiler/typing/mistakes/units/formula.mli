@@ -18,7 +18,8 @@ val is_square : Show.words -> Resolve.Ir.expr -> bool
 *)
 
 val is_product : Show.words -> Resolve.Ir.expr -> bool
-(** Is it a product or a quotient of variables and applications alone, without a number? *)
+(** Is the expression a product or quotient whose operands are variables and applications, not
+    numbers? *)
 
 val text : Show.words -> Resolve.Ir.expr -> string option
 

@@ -30,15 +30,16 @@ val of_a_literal :
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** Like {!complete}, for a number literal that is a factor of the expression. If [likely],
-    considers only literals with a decimal point, because they are rarely plain factors; otherwise
-    only literals without one. *)
+    considers only literals with a decimal point, because such literals are rarely plain factors.
+    Otherwise, considers only literals without a decimal point. *)
 
 val of_a_difference :
   Show.words ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** The difference of a signal and its previous value, if its rate of change is expected. *)
+(** The difference between a signal and its previous value, where the signal's rate of change is
+    expected. *)
 
 val of_operands :
   Show.words ->

@@ -57,9 +57,9 @@ bool control_was_late(struct control *control);
 /* Appends the state of the run, and the page's permissions. */
 void control_state(const struct control *control, bool operates, struct buffer *message);
 
-/* Appends a beat: the time, in ms; and for a live run, how many seconds its host has been silent,
- * and the state of the run as the host reports it (ring.h), or `gone` if the process has ended
- * without a report. */
+/* Appends a beat. It contains the time, in ms. For a live run, it also contains the number of
+ * seconds for which the host has been silent, and the state of the run: as the host reports it
+ * (ring.h), or `gone` if the process has ended without a report. */
 void control_beat(const struct control *control, bool host_has_ended, struct buffer *message);
 
 #endif
