@@ -46,7 +46,7 @@ let starts_operand (token : Syntax.Grammar.token) =
 
 (* {1 Structure of a line} *)
 
-(* Minimum width of the part after a break; less is hardly worth a line. *)
+(* Minimum width of the part after a break. A shorter part is not worth a separate line. *)
 let least_rest = 12
 let is_opener = function LPAREN | LBRACKET | LBRACE -> true | _ -> false
 let is_closer = function RPAREN | RBRACKET | RBRACE -> true | _ -> false

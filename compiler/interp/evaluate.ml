@@ -9,7 +9,7 @@ type program = {
   instances : Instance.table;
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
-      (** values of definitions, by the types of their type arguments, which contain no variables *)
+      (** values of definitions, by name and type arguments, which contain no variables *)
   floats : (Exact.t, float) Hashtbl.t;
       (** literals by their exact value, cached because rounding is slow *)
   nesting : Thunk.nesting;

@@ -104,9 +104,10 @@ type column = {
   next : (int * Machines.arrow) list;  (** arrows to the next place, by the place they leave *)
   down : line list;
   up : line list;
-  outside : (int * Machines.arrow) list;  (** arrows that begin at no state, by their targets *)
+  outside : (int * Machines.arrow) list;
+      (** arrows that do not begin at a state, by their targets *)
 }
-(** The column of a machine: where its states are, and the arrows beside them. *)
+(** The column of a machine: the positions of its states, and the arrows next to them. *)
 
 let position order k =
   let rec find place = function

@@ -451,7 +451,8 @@ and evaluator s : Evaluator.t =
         expr p.context { (scope p) with locals; types; owner } Unnamed e);
   }
 
-(* Like {!evaluator}, but in the node of a round, evaluates functions in that node itself. *)
+(* Like {!evaluator}, but for the node of a loop's iteration: evaluates functions in that node
+   itself. *)
 and evaluator_of_rounds s =
   let plain = evaluator s in
   let rec in_place (p : Evaluator.position) ~result (f : Value.t) arguments =

@@ -65,7 +65,8 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 exception Unlike_ends
 
 (* The signal function of a program, and the type of the program's result, if it ends. If the
-   program chooses between several at the start, the type must be the same for all. *)
+   program chooses between several programs at the start, the type of the result must be the same
+   for all of them. *)
 let rec in_program (value : Value.t) : Value.t * Ir.ty option =
   match value with
   | Choice { condition; then_; else_ } ->

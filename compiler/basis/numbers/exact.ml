@@ -109,7 +109,7 @@ module Natural = struct
       for i = positions - 1 downto 0 do
         rest := normalize (Array.append [| a.(i) |] !rest);
         if compare !rest b >= 0 then (
-          (* use the same position for both, so that their ratio is meaningful *)
+          (* read both numbers from the same position down, so that the ratio is meaningful *)
           let top = Array.length !rest in
           let estimate = leading !rest top /. leading b top in
           let digit = ref (max 1 (min (base - 1) (int_of_float estimate))) in

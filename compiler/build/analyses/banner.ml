@@ -16,7 +16,7 @@ let options (r : Request.t) =
 
 let sum text = Digest.to_hex (Digest.string text)
 
-(* Each module, without its folder, so that the lines are the same on all machines. *)
+(* Omits the folder of the module, so that the lines are the same on all machines. *)
 let own_line (file, text) =
   Printf.sprintf "  %s  %s" (sum text) (Printable.name (Filename.basename file))
 

@@ -3,8 +3,8 @@ let with_input path run =
   else Packed.with_input path (run ~name:path)
 
 (* The file is opened when the first output is written, so that an input with an invalid header does
-   not destroy the output of an earlier run. After a write error, nothing more is written when the
-   process ends. *)
+   not destroy the output of an earlier run. After a write error, the channel is closed, so that
+   nothing more is written to it when the process ends. *)
 let with_output path run =
   let name = Option.value path ~default:"standard output" in
   let writer =

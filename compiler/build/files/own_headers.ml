@@ -95,7 +95,8 @@ let read path =
 
 let leaves_folder name = List.mem ".." (String.split_on_char '/' name)
 
-(* [within]: the folder of the including file, relative to the others. *)
+(* [within] converts a path relative to the folder of the including file to a path relative to the
+   first file. *)
 let rec follow found ~who ~within ~folders text =
   List.fold_left
     (fun found include_ ->

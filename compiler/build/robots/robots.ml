@@ -208,7 +208,7 @@ let open_program sink asked p =
     | asked -> asked
   in
   match (allowed, asked) with
-  (* No robot is possible. The error is reported where the program would run. *)
+  (* If no robot is possible, leaves the program open. Running it will report the error. *)
   | [], _ -> as_it_stands p
   | _, Some robot -> (
       match lacks p robot with

@@ -5,7 +5,7 @@ type t = { folders : string list; headers : string list }
 type place =
   | Allowed of { path : string; folder : string }
   | C's_own
-  | Refused of string (* its path *)
+  | Refused of string (* the path of the refused header *)
 
 (* The first file that C compilers find must be allowed, whatever its folder. *)
 let place ~is_allowed (h : Flow.Ir.header) folders =

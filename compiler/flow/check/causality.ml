@@ -67,7 +67,7 @@ let named_hops hops =
       in
       let hops = rotate_to first hops in
       let joined, last = List.fold_left join ([], { first with via = [] }) hops in
-      (* An unnamed leaf may close the loop in place of [first]'s own leaf. *)
+      (* The loop may end at an unnamed leaf instead of the leaf of [first]. *)
       let closing = List.nth hops (List.length hops - 1) in
       let joined =
         if closing.read.name = "" then { last with read = first.reader; at = closing.at } :: joined

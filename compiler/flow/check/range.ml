@@ -212,7 +212,7 @@ let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t 
         let vanishing =
           (has_zero al ah && has_infinity bl bh) || (has_infinity al ah && has_zero bl bh)
         in
-        (* A corner with 0 * inf is next to products 0 * x, which are 0. *)
+        (* At a corner 0 * inf, uses 0: that is the product of 0 and every finite number. *)
         let times x y = if x = 0. || y = 0. then 0. else x *. y in
         Some (floats real ~nan:(nan || vanishing) (corners times (al, ah) (bl, bh)))
     | Divide when bl > 0. || bh < 0. ->

@@ -165,7 +165,8 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Payload { value; constructor; leaf } ->
       Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
   | Delay { init = Bool true; next = Bool false } ->
-      (* Lets all such equations share one delay, which marks the first instant. *)
+      (* Uses the negation of a delay, so that all delays that mark the first instant become the
+         same delay. *)
       Op (Not, [ add defines Bool (Delay { init = Bool false; next = Bool true }) ])
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static, so the delay is constant. *)

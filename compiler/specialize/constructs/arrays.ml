@@ -29,7 +29,7 @@ let elements (p : position) (a : Value.argument) : Value.argument list =
 
 let number k : Value.argument = { value = Atom (Int (Int32.of_int k)); ty = Int }
 
-(* The name of the node for one round, and the names of its arguments. *)
+(* The name of the node for one iteration, and the names of its arguments. *)
 let name_of (f : Value.t) primitive =
   match f with
   | Function { name; _ } | Signal_function { name; _ } -> name
@@ -63,7 +63,7 @@ let argument source local : Loop.argument =
   | Each { value; ty } -> { form = Element; ty = snd (size_and_element ty); value; local }
   | Number -> { form = Counter; ty = Int; value = Atom (Int 0l); local }
 
-(* In each round, [f] returns the next accumulator (if there is one) and the element of the
+(* In each iteration, [f] returns the next accumulator (if there is one) and the element of the
    resulting array (if there is one). *)
 let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : Value.argument)
     sources ~final ~elements =

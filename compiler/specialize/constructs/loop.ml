@@ -49,8 +49,8 @@ let split (c : Context.t) tys atoms =
   let values, _ = List.fold_left take ([], atoms) tys in
   List.rev values
 
-(* A round without equations needs no node if each of its outputs is either the same in all rounds
-   or an element of an existing array. *)
+(* An iteration without equations needs no node if each of its outputs is either the same in all
+   iterations or an element of an existing array. *)
 let without_node caller ~span ~count parameters outputs tys =
   let given (atom : Ir.atom) =
     match atom with
@@ -70,7 +70,7 @@ let without_node caller ~span ~count parameters outputs tys =
   let found = List.map2 output outputs tys in
   if List.mem None found then None else Some (List.filter_map Fun.id found)
 
-(* Adds an equation for each output of a round that has none. *)
+(* Adds an equation for each output, for an iteration without equations. *)
 let define_outputs (c : Context.t) node ~span tys values =
   List.map2
     (fun ty value ->
@@ -99,8 +99,8 @@ let key_of (c : Context.t) node ~span request =
   (Specialization_key.key walk, captured)
 
 (* The holes that become inputs of the node, in the order of the inputs: accumulators, captured
-   values that are the same in all rounds, other arguments. In a signal function, captured values
-   are static. *)
+   values that are the same in all iterations, other arguments. In a signal function, captured
+   values are static. *)
 type inputs = {
   accumulated : Specialization_key.hole list;
   same : Specialization_key.hole list;
@@ -143,9 +143,9 @@ let split_captured request inputs atoms =
   ( List.filteri (fun i _ -> is_captured i) atoms,
     List.filteri (fun i _ -> not (is_captured i)) atoms )
 
-(* Does the round have no equations of its own, although it must copy a value? It must copy a value
-   that it forwards from an argument that differs between rounds, or any value of a loop with
-   accumulators. *)
+(* Does the iteration have no equations of its own, although it must copy a value? In a loop with
+   accumulators, it must copy every value; otherwise, only values that come from an argument that
+   differs between iterations. *)
 let only_hands_on (c : Context.t) node ~span request arguments results values =
   let atoms ty value = Leaves.atoms c.types node ~span ty value in
   let changing_atoms a value =
@@ -157,7 +157,7 @@ let only_hands_on (c : Context.t) node ~span request arguments results values =
   && (List.exists is_accumulator request.arguments
      || List.exists (fun a -> List.mem a changing) outputs)
 
-(* The body of the node: one round. *)
+(* The body of the node: one iteration. *)
 let body (p : Evaluator.position) request inputs round trail node atoms =
   let { Evaluator.context = c; span; _ } = p in
   let own, rest = split_captured request inputs atoms in
@@ -202,7 +202,7 @@ let call (p : Evaluator.position) targets request inputs node =
     ~inputs:(List.map actual (holes_of_inputs inputs))
     (leaf_types c request.final @ arrays)
 
-(* The results of a loop whose round has no equations and therefore needs no node. *)
+(* The results of a loop whose iterations have no equations and therefore need no node. *)
 let without_call (p : Evaluator.position) request inputs parameters outputs =
   let { Evaluator.context = c; node = caller; span; _ } = p in
   let given =

@@ -7,8 +7,8 @@ type walk = {
   constants : Constant.t;
   program : program;
   readings : (string * ty) Int_table.t;
-      (* variables that hold a sonar reading, with the method's
-                                           name and the type of the robot's input *)
+      (* variables whose value is a sonar reading, with the method's name and the type of the
+         robot's input *)
 }
 
 let sonar = "HasSonar"

@@ -157,7 +157,8 @@ let composition facts (f : expr) (g : expr) =
 
 (* {1 The walk} *)
 
-(* The arguments, from 0, that may be any number of turns away. *)
+(* Does the function accept angles with additional full turns as the argument with this index (from
+   0)? *)
 let accepts_turns (g : Global.t) index =
   match (g.module_, g.name, index) with
   | "Prelude", ("sin" | "cos" | "tan"), _
@@ -170,7 +171,7 @@ let accepts_turns (g : Global.t) index =
 
 type place =
   | Plain
-  | Turns  (** accepts any number of turns *)
+  | Turns  (** accepts angles with any number of additional turns *)
   | Equation of Local.t  (** the value of this variable *)
 
 let rec expr facts place (e : expr) =
@@ -230,7 +231,7 @@ let rec expr facts place (e : expr) =
       | None -> Walk.parts plain e)
   | _ -> Walk.parts plain e
 
-(* The heading of a pose may be any number of turns away. *)
+(* The heading of a pose may contain additional full turns. *)
 and field facts c (index, value) = expr facts (if is_heading c index then Turns else Plain) value
 
 and binding facts (b : binding) =
