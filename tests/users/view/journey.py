@@ -108,6 +108,15 @@ def visit(page, rows):
     check("the list shows what is traced", True)
     turn = next(r for r in page.all("#list button") if r.get_attribute("title") == "out.turn")
     check("a turn rate is in radians", turn.text.endswith("[rad/s]"))
+    omega = next(
+        r
+        for r in page.all("#list button")
+        if r.get_attribute("title").endswith(".wallFollow1.omega")
+    )
+    check(
+        "also one whose type is that of a function's result",
+        omega.get_attribute("textContent").endswith("[rad/s]"),
+    )
 
     away = float(rows[last - 1]["probe.draw[2]"].split('"')[2])
     page.wait(lambda: page.text("#readings dd").endswith("[m]"))

@@ -67,8 +67,37 @@ function ofDefinition(signature: string, definition: string): [string, string][]
   ];
 }
 
+/** Maps each function that has a signature to the type of its result, or of the output of the signal
+ * function that it returns; null if functions of the same name have different types. */
+type Results = ReadonlyMap<string, string | null>;
+
+function resultsOf(sources: readonly Source[]): Results {
+  const results = new Map<string, string | null>();
+  for (const { text } of sources)
+    for (const [, name = "", signature = ""] of text.matchAll(
+      /^([a-z][\w']*)\s*::\s*(.*(?:\n\s+.*)*)/gm,
+    )) {
+      const type = signature.replace(/--.*$/gm, "").replace(/\s+/g, " ").replace(/^.*=>/, "");
+      const last = split(type, "->").at(-1) ?? "";
+      const result = ofSignalFunction(last)?.[1] ?? last;
+      results.set(name, (results.get(name) ?? result) === result ? result : null);
+    }
+  return results;
+}
+
+/** Pairs the variables of equations such as `(v, omega) = wallFollow …` with the types of the
+ * function's result. */
+function ofEquations(definition: string, results: Results): [string, string][] {
+  const equations = definition.matchAll(
+    /(\([\w', ]+\))\s*(?:=|<-)\s*([a-z][\w']*)(?=\s)/g,
+  );
+  return [...equations].flatMap(([, pattern = "", callee = ""]) =>
+    pairs(pattern, results.get(callee) ?? ""),
+  );
+}
+
 /** Returns the names in a file whose types are angles or turn rates. */
-function namesIn({ name: file, text }: Source): Named[] {
+function namesIn({ name: file, text }: Source, results: Results): Named[] {
   const found: Named[] = [];
   const lines = text.split("\n");
   const add = (name: string, type: string, first: number, last: number) => {
@@ -89,6 +118,8 @@ function namesIn({ name: file, text }: Source): Named[] {
     else if (signature && part.startsWith(`${signature.name} `))
       for (const [name, type] of ofDefinition(signature.type, part))
         add(name, type, start + 1, end);
+    if (!signed)
+      for (const [name, type] of ofEquations(part, results)) add(name, type, start + 1, end);
     // Fields of records, and variables with their own signature.
     for (const [, name = "", type = ""] of part.matchAll(
       /(?:^|[{,]|\s)([a-z]\w*)\s*::\s*(\w+)(?=\s*[,}]|\s{2,}|\s*$)/g,
@@ -100,7 +131,8 @@ function namesIn({ name: file, text }: Source): Named[] {
 
 /** Shows radians in the units of signals. */
 export function withRadians(program: Program): Program {
-  const names = program.sources.flatMap(namesIn);
+  const results = resultsOf(program.sources);
+  const names = program.sources.flatMap((source) => namesIn(source, results));
   /** The unit of a field, if all records agree on it. */
   const fields = new Map<string, string | null>();
   for (const { name, unit } of names)
