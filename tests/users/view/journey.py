@@ -249,7 +249,9 @@ def visit(page, rows):
         "the program drives again in the simulator",
         page.text(".what-if pre").endswith("Its outputs are the same at all instants."),
     )
+    check("the page says which curve is dashed", "Dashed: the edited" in page.text("#compared"))
     page.press(Keys.ESCAPE)
+    page.wait(lambda: not page.all("#compare")[0].is_displayed())
 
     messages = [entry["message"] for entry in page.driver.get_log("browser")]
     check("the browser has nothing to complain of", messages == [])

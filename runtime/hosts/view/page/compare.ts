@@ -1,5 +1,5 @@
-// Controls for a second recording, drawn on top of the first one: where the two differ, and how
-// they are aligned.
+// Says what is drawn on top of the run: an edited program, or a second recording, with controls that
+// show where the two differ and align them.
 import type { Align } from "./protocol";
 import type { Store } from "./store";
 import { formatTime } from "./values";
@@ -15,17 +15,20 @@ export function startComparison(store: Store, host: HTMLElement): (answer: Align
   const said = part<HTMLOutputElement>(host, "compared");
   const go = part<HTMLButtonElement>(host, "first-difference");
   const field = part<HTMLInputElement>(host, "align");
+  const aligning = field.parentElement ?? field;
   const wrong = part<HTMLOutputElement>(host, "align-said");
 
   const show = () => {
     const { other } = store;
-    host.hidden = other === null;
-    if (!other) return;
-    if (store.whatIf?.there) {
-      said.textContent = `Dashed: the edited program. Discard it to see ${other.name} again.`;
+    const edits = store.whatIf?.there === true;
+    host.hidden = other === null && !edits;
+    aligning.hidden = other === null;
+    if (edits) {
+      const again = other ? ` Discard it to see ${other.name} again.` : "";
+      said.textContent = `Solid: the program of this run. Dashed: the edited program.${again}`;
       go.hidden = true;
-      return;
     }
+    if (!other || edits) return;
     const set = other.set.length > 0 ? ` (${other.set.join(", ")})` : "";
     const shift = other.shift === 0 ? "" : `, shifted by ${formatTime(-other.shift)}`;
     const inside = other.runs
