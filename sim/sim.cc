@@ -184,6 +184,13 @@ frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot) {
     return {pose.position.x, pose.position.y, pose.heading, sim->simulation.touched(robot) ? 1 : 0};
 }
 
+std::size_t frob_sim_objects(const frob_sim *sim) { return sim->simulation.world().objects(); }
+
+frob_sim_place frob_sim_place_object(const frob_sim *sim, std::size_t object) {
+    const Pose pose = sim->simulation.world().object(object);
+    return {pose.position.x, pose.position.y, pose.heading, 0};
+}
+
 double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot) {
     return clearance(sim->simulation.scene(), sim->simulation.body(robot).pose().position);
 }

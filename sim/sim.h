@@ -127,6 +127,12 @@ struct frob_sim_place {
 
 struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t robot);
 
+/* The number of objects that can move, and the pose of one of them: first the world's boxes, then
+ * its balls, in the order of the world file. `touches` is 0, and a ball's heading has no
+ * meaning. */
+size_t frob_sim_objects(const struct frob_sim *sim);
+struct frob_sim_place frob_sim_place_object(const struct frob_sim *sim, size_t object);
+
 /* Distance from the centre of a robot to the nearest wall, polygon, post or cone; infinite in an
  * empty world. */
 double frob_sim_clearance_robot(const struct frob_sim *sim, size_t robot);

@@ -210,22 +210,22 @@ void World::step() {
     physics_.Step(static_cast<float>(step_s), velocity_iterations, position_iterations);
 }
 
+Pose World::object(std::size_t number) const {
+    const b2Body &body = number < boxes_.size() ? *boxes_[number] : *balls_[number - boxes_.size()];
+    const b2Vec2 at = body.GetPosition();
+    return {{static_cast<double>(at.x), static_cast<double>(at.y)},
+            static_cast<double>(body.GetAngle())};
+}
+
 std::vector<Pose> World::box_poses() const {
     std::vector<Pose> poses;
-    for (const b2Body *body : boxes_) {
-        const b2Vec2 at = body->GetPosition();
-        poses.push_back({{static_cast<double>(at.x), static_cast<double>(at.y)},
-                         static_cast<double>(body->GetAngle())});
-    }
+    for (std::size_t i = 0; i < boxes_.size(); ++i) poses.push_back(object(i));
     return poses;
 }
 
 std::vector<Vec> World::ball_places() const {
     std::vector<Vec> places;
-    for (const b2Body *body : balls_) {
-        const b2Vec2 at = body->GetPosition();
-        places.push_back({static_cast<double>(at.x), static_cast<double>(at.y)});
-    }
+    for (std::size_t i = boxes_.size(); i < objects(); ++i) places.push_back(object(i).position);
     return places;
 }
 

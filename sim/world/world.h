@@ -34,6 +34,11 @@ class World {
     std::vector<Pose> box_poses() const;
     std::vector<Vec> ball_places() const;
 
+    // The number of boxes and balls, and the pose of one of them: first the boxes, then the balls,
+    // in the scene's order. A ball's heading has no meaning.
+    std::size_t objects() const { return boxes_.size() + balls_.size(); }
+    Pose object(std::size_t number) const;
+
     // The owner of a fixture, for display: "the wall (room.toml, line 12)" or "robot 2".
     const std::string &name_of(const b2Fixture &fixture) const;
 

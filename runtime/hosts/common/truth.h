@@ -1,10 +1,16 @@
-/* truth.h -- the ground truth about a simulated robot, for viewers. */
+/* truth.h -- the ground truth about a simulated robot, or about an object that can move, for
+ * viewers. */
 #ifndef FROB_HOST_TRUTH_H
 #define FROB_HOST_TRUTH_H
 
 struct truth {
     double x_m, y_m, heading_rad; /* pose in the world */
-    double touches;               /* 1: touched an object since the previous instant; else 0 */
+    /* For a robot, 1: touched an object since the previous instant; else 0. */
+    double touches;
 };
+
+/* The value of `touches` for an object. An instant's robots come before its objects: the boxes, and
+ * then the balls, in the order of the world file. */
+#define TRUTH_OBJECT 2.0
 
 #endif

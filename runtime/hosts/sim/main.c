@@ -130,19 +130,27 @@ static struct frob_sim *open_world(const struct options *options,
     return sim;
 }
 
-/* Publishes the first robot's instant, and the true poses of all robots, for viewers. */
+static struct truth truth_of(struct frob_sim_place place, double touches)
+{
+    const struct truth truth = { place.x_m, place.y_m, place.heading_rad, touches };
+    return truth;
+}
+
+/* Publishes the first robot's instant, and the true poses of all robots and of the objects that can
+ * move, for viewers. */
 static void publish(struct publisher *publisher, const struct controllers *controllers,
                     int64_t now_ns, struct truth *truths)
 {
     const struct controller *first = &controllers->each[0];
+    const struct frob_sim *sim = controllers->sim;
     if (publisher->ring.shared == NULL || controllers->is_away)
         return;
     for (size_t i = 0; i < controllers->count; i++) {
-        const struct frob_sim_place place = frob_sim_place_robot(controllers->sim, i);
-        const struct truth truth = { place.x_m, place.y_m, place.heading_rad,
-                                     place.touches ? 1.0 : 0.0 };
-        truths[i] = truth;
+        const struct frob_sim_place place = frob_sim_place_robot(sim, i);
+        truths[i] = truth_of(place, place.touches ? 1.0 : 0.0);
     }
+    for (size_t i = 0; i < frob_sim_objects(sim); i++)
+        truths[controllers->count + i] = truth_of(frob_sim_place_object(sim, i), TRUTH_OBJECT);
     publisher_put(publisher, now_ns, first->input, first->output, truths);
 }
 
@@ -220,7 +228,8 @@ static int simulate(const struct options *options, const struct params *params,
     struct console console;
     struct touches touches;
     struct publisher publisher;
-    struct truth *truths = (struct truth *)calloc(frob_sim_robots(sim), sizeof *truths);
+    const size_t truth_count = frob_sim_robots(sim) + frob_sim_objects(sim);
+    struct truth *truths = (struct truth *)calloc(truth_count, sizeof *truths);
     bool ok = touches_start(&touches, params->program) && truths != NULL;
     int64_t started_ns;
     double wall_s;
@@ -233,7 +242,7 @@ static int simulate(const struct options *options, const struct params *params,
         return WRONG_USE;
     }
     /* Start the viewer before opening files that it must not inherit. */
-    publisher_start(&publisher, params->program, frob_sim_robots(sim) * sizeof *truths,
+    publisher_start(&publisher, params->program, truth_count * sizeof *truths,
                     RING_PACES | RING_SENDS, ok ? options->viewer : NULL);
     ok = controllers_open(&controllers, params, sim, options->record) && ok;
     started_ns = clock_ns();

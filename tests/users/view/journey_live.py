@@ -74,6 +74,62 @@ def visit(page):
         print(message)
 
 
+pusher = """import Robot
+
+main :: (HasSonar i, DiffDrive o) => Program i o
+main = reactimateRobot (proc _ -> roMake (setVelTR 0.3[m/s] 0))
+"""
+world = """[start]
+x = 0
+y = 0
+
+[[box]]
+center = [0.8, 0]
+size = [0.3, 0.3]
+mass = 2
+
+[[ball]]
+center = [1, 1]
+
+[[wall]]
+points = [[4, -1], [4, 1]]
+"""
+# Returns the mean column of the pixels that have a box's colour.
+column = """
+const canvas = document.querySelector("#map canvas");
+const { width, height } = canvas;
+const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+const probe = document.createElement("canvas").getContext("2d");
+probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--box");
+probe.fillRect(0, 0, 1, 1);
+const box = probe.getImageData(0, 0, 1, 1).data;
+let sum = 0, count = 0;
+for (let i = 0; i < data.length; i += 4)
+  if ([0, 1, 2].every((c) => Math.abs(data[i + c] - box[c]) < 3)) {
+    sum += (i / 4) % width;
+    count++;
+  }
+return count > 20 ? sum / count : null;
+"""
+
+
+def visit_box(page):
+    """The robot pushes a box."""
+    page.wait(lambda: page.text("#follow") == "Live")
+    Select(page.all("#run-speed")[0]).select_by_value("10")
+    page.wait(lambda: float(cell(page, "in.odometry.position.x")) > 1.5)
+    page.all("#hold")[0].click()
+    page.wait(lambda: page.text("#hold") == "Continue")
+    page.wait(lambda: stands(page))
+    pushed = page.driver.execute_script(column)
+    page.press(Keys.HOME)
+    page.at(0)
+    at_start = page.driver.execute_script(column)
+    check("a box that the robot pushes moves on the map", at_start and pushed > at_start + 20)
+    page.all("#stop")[0].click()
+    page.wait(lambda: page.text("#follow") == "The run is over")
+
+
 def stands(page):
     """Returns the instant shown, once it has not changed for a while."""
     at = page.instant()
@@ -96,6 +152,15 @@ def main():
         finally:
             driver.quit()
         check("the run has ended well", run.process.wait(10) == 0)
+        for name, text in ("pusher.frob", pusher), ("world.toml", world):
+            with open(f"{folder}/{name}", "w") as file:
+                file.write(text)
+        run = viewer.Run(frobc, ["--robot", "pioneer", f"{folder}/pusher.frob"])
+        driver = start(1280, 720)
+        try:
+            visit_box(Page(driver, run.address))
+        finally:
+            driver.quit()
 
 
 main()

@@ -36,24 +36,30 @@ static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
-/* Appends the true state of the simulator's robots: x, y, heading, and whether they touch
- * anything. */
+/* Appends the true state of the simulator's robots: x, y, heading, and whether they touch anything;
+ * and the true poses of objects that can move. */
 static void add_truth(const struct view *view, size_t k, struct buffer *answer)
 {
-    const size_t robots = view->recording.truth_size / sizeof(struct truth);
+    const size_t count = view->recording.truth_size / sizeof(struct truth);
+    bool is_object = false;
     buffer_text(answer, ",\"truth\":[");
-    for (size_t i = 0; i < robots; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct truth truth;
+        const char *separator = i > 0 ? ",[" : "[";
         memcpy(&truth,
                (const unsigned char *)recording_truth(&view->recording, k) + i * sizeof truth,
                sizeof truth);
-        buffer_text(answer, i > 0 ? ",[" : "[");
+        if (truth.touches == TRUTH_OBJECT && !is_object) {
+            is_object = true;
+            separator = "],\"objects\":[[";
+        }
+        buffer_text(answer, separator);
         buffer_number(answer, truth.x_m);
         buffer_text(answer, ",");
         buffer_number(answer, truth.y_m);
         buffer_text(answer, ",");
         buffer_number(answer, truth.heading_rad);
-        buffer_text(answer, truth.touches != 0.0 ? ",1]" : ",0]");
+        buffer_text(answer, is_object ? "]" : truth.touches != 0.0 ? ",1]" : ",0]");
     }
     buffer_text(answer, "]");
 }

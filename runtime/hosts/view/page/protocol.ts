@@ -169,6 +169,9 @@ export interface Instant {
   ])[];
   /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else 0. */
   readonly truth?: readonly (readonly [number, number, number, number])[];
+  /** The true poses of the simulator's boxes, and then of its balls, in the order of the world file:
+   * x, y and heading. */
+  readonly objects?: readonly (readonly [number, number, number])[];
 }
 
 export interface Series {

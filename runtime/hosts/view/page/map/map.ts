@@ -9,7 +9,7 @@ import { drawShape, markSignals, moved, points, readingsList, readMarks } from "
 import { placed, relative, within, type Pose } from "./pose";
 import { robotNamed } from "./robots";
 import { drawScan, readScan } from "./scan";
-import { drawScale, drawScene, Pen } from "./scene";
+import { drawMovable, drawScale, drawScene, Pen } from "./scene";
 import { Extent, View } from "./view";
 import { viewButtons } from "./view_buttons";
 import { drawTimes, drawWay } from "./way";
@@ -186,6 +186,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
     view.height = height;
     view.update(extent, [robots[0]?.x ?? 0, robots[0]?.y ?? 0]);
     showScene();
+    if (world) drawMovable(pen, world, instant?.objects);
     if (instant && drawn) drawInstant(instant, robots, believed, drawn.shapes);
     if (clicked) drawCross(clicked);
     drawScale(pen);

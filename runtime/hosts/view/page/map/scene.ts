@@ -1,9 +1,11 @@
 // Draws the world as the simulator's pictures show it: the floor with a grid, and all objects.
+import type { Instant } from "../protocol";
 import { colour, isDark } from "../theme";
 import { niceStep } from "../ticks";
 import { formatNumber } from "../values";
+import type { Pose } from "./pose";
 import type { View } from "./view";
-import type { Disc, Point, World } from "./world";
+import { corners, type Disc, type Point, type World } from "./world";
 
 /** Minimum distance between grid lines, in pixels. */
 const gridSpace = 60;
@@ -173,16 +175,26 @@ function drawObjects(pen: Pen, world: World): void {
     pen.line([from, to], colour("believed"), 3);
     pen.line([middle, front], colour("believed"), 1.6);
   }
-  // Objects that robots can push are drawn at their start positions.
-  for (const points of world.boxes) {
-    pen.shape(points, colour("box"));
-    pen.stroke(colour("box-edge"), 1.2, [3, 4]);
-  }
-  for (const each of world.balls) {
-    round(each, colour("ball"));
-    pen.stroke(colour("box-edge"), 1.2, [3, 4]);
-  }
   for (const lamp of world.lamps) drawLamp(pen, lamp);
+}
+
+/** Draws the boxes and balls where they are. If that is not known, as in a recording, draws them at
+ * the start, with dashed edges. */
+export function drawMovable(pen: Pen, world: World, objects: Instant["objects"]): void {
+  const dash = objects ? [] : [3, 4];
+  const at = (number: number, start: Pose): Pose => {
+    const [x, y, heading] = objects?.[number] ?? [start.x, start.y, start.heading];
+    return { x, y, heading };
+  };
+  world.boxes.forEach((box, i) => {
+    pen.shape(corners(box, at(i, box.pose)), colour("box"));
+    pen.stroke(colour("box-edge"), 1.2, dash);
+  });
+  world.balls.forEach(({ center: [x, y], radius }, i) => {
+    const now = at(world.boxes.length + i, { x, y, heading: 0 });
+    pen.disc([now.x, now.y], radius * pen.view.scale, colour("ball"));
+    pen.stroke(colour("box-edge"), 1.2, dash);
+  });
 }
 
 export function drawScene(pen: Pen, world: World | null): void {

@@ -9,8 +9,8 @@ export interface World {
   readonly walls: readonly { readonly points: readonly Point[]; readonly thickness: number }[];
   readonly solids: readonly (readonly Point[])[];
   readonly circles: readonly Disc[];
-  /** The start positions of boxes and balls, which robots can push. */
-  readonly boxes: readonly (readonly Point[])[];
+  /** Boxes and balls, which robots can push, at the start. */
+  readonly boxes: readonly Box[];
   readonly balls: readonly Disc[];
   readonly cones: readonly Disc[];
   readonly lamps: readonly Point[];
@@ -25,6 +25,12 @@ export interface World {
     readonly width: number;
     readonly reflectance: number;
   }[];
+}
+
+export interface Box {
+  readonly pose: Pose;
+  readonly length: number;
+  readonly width: number;
 }
 
 export interface Disc {
@@ -95,10 +101,14 @@ function points(table: Table): Point[] {
 
 const angle = (table: Table, key: string) => (number(table, key, 0) * Math.PI) / 180;
 
-function box(table: Table): Point[] {
+function box(table: Table): Box {
   const [x, y] = point(table.get("center"));
   const [length, width] = point(table.get("size"));
-  const pose = { x, y, heading: angle(table, "angle_deg") };
+  return { pose: { x, y, heading: angle(table, "angle_deg") }, length, width };
+}
+
+/** Returns the corners of a box that is at this pose now. */
+export function corners({ length, width }: Box, pose: Pose): Point[] {
   const corner = (along: number, across: number): Point =>
     placed(pose, [along * length, across * width]);
   return [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
@@ -172,7 +182,8 @@ export function worldPoints(world: World): Point[] {
   ];
   return [
     ...[...world.walls, ...world.lines, ...world.patches].flatMap((each) => each.points),
-    ...[...world.solids, ...world.boxes, ...world.holes].flat(),
+    ...[...world.solids, ...world.holes].flat(),
+    ...world.boxes.flatMap((each) => corners(each, each.pose)),
     ...[...world.circles, ...world.balls, ...world.cones].flatMap(around),
     ...world.lamps,
     ...world.posters.flatMap(([a, b]) => [a, b]),

@@ -14,6 +14,8 @@ export interface SavedRun {
   readonly whatIf?: WhatIf;
   /** For a simulated run: the true state of the robots at each instant. */
   readonly truth: readonly Instant["truth"][];
+  /** The instants at which an object moves, each followed by the poses of all objects. */
+  readonly objects: readonly (number | Instant["objects"])[];
 }
 
 /** Maximum number of instants of a saved page. */

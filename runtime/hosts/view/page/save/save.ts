@@ -23,7 +23,8 @@ async function collect(store: Store, kept: Kept, say: (text: string) => void): P
   const others = store.program.signals.map((): (number | string | null)[] => []);
   const times: number[] = [],
     dts: number[] = [],
-    truth: Instant["truth"][] = [];
+    truth: Instant["truth"][] = [],
+    objects: (number | Instant["objects"])[] = [];
   for (let from = first; from < end; from += atOnce) {
     say(`Collecting the run: ${Math.round((100 * (from - first)) / (end - first))} %`);
     const some = await store.instants(from, Math.min(end, from + atOnce));
@@ -32,6 +33,8 @@ async function collect(store: Store, kept: Kept, say: (text: string) => void): P
       times.push(instant.time);
       dts.push(instant.dt);
       if (instant.truth) truth.push(instant.truth);
+      if (JSON.stringify(objects.at(-1)) !== JSON.stringify(instant.objects))
+        objects.push(k, instant.objects);
       instant.cells.forEach((cell, i) => {
         const changes = signals[i];
         if (changes && changes.at(-1) !== cell) changes.push(k, cell);
@@ -64,6 +67,7 @@ async function collect(store: Store, kept: Kept, say: (text: string) => void): P
     ...(store.hasOthers ? { others } : {}),
     ...(store.whatIf?.there ? { whatIf: store.whatIf } : {}),
     truth,
+    objects,
   };
 }
 

@@ -85,7 +85,7 @@ export class Saved implements Link {
     return String(this.value(cells[signal] ?? [], k) ?? "");
   }
 
-  private value(changes: readonly (number | string | null)[], k: number): number | string | null {
+  private value<Value>(changes: readonly Value[], k: number): Value | null {
     let low = 0,
       high = changes.length / 2;
     while (high - low > 1) {
@@ -98,6 +98,7 @@ export class Saved implements Link {
 
   private instant(run: SavedRun, k: number): Instant {
     const truth = run.truth[k];
+    const objects = this.value(run.objects, k) as Instant["objects"] | null;
     return {
       is: "instant",
       k,
@@ -107,6 +108,7 @@ export class Saved implements Link {
       ...(run.others ? { others: run.others.map((each) => this.other(each, k)) } : {}),
       recent: this.recent(run, k),
       ...(truth ? { truth } : {}),
+      ...(objects ? { objects } : {}),
     };
   }
 

@@ -88,9 +88,7 @@ function resultsOf(sources: readonly Source[]): Results {
 /** Pairs the variables of equations such as `(v, omega) = wallFollow …` with the types of the
  * function's result. */
 function ofEquations(definition: string, results: Results): [string, string][] {
-  const equations = definition.matchAll(
-    /(\([\w', ]+\))\s*(?:=|<-)\s*([a-z][\w']*)(?=\s)/g,
-  );
+  const equations = definition.matchAll(/(\([\w', ]+\))\s*(?:=|<-)\s*([a-z][\w']*)(?=\s)/g);
   return [...equations].flatMap(([, pattern = "", callee = ""]) =>
     pairs(pattern, results.get(callee) ?? ""),
   );
