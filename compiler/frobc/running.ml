@@ -153,23 +153,30 @@ let ros_arguments =
   in
   Arg.(value & opt_all string [] & info [ "ros-args" ] ~docv:"ARG" ~doc)
 
+let lifecycle =
+  let doc =
+    "With $(b,--ros2): be a managed node, which waits until other nodes configure and activate it."
+  in
+  Arg.(value & flag & info [ "lifecycle" ] ~doc)
+
 (* The real robot to run on, if any, with the option that chose it. *)
-let way device ros2 ros_arguments =
+let way device ros2 lifecycle ros_arguments =
   let open Tools.Real_robot in
   match (device, ros2, ros_arguments) with
+  | _, false, _ when lifecycle -> Error "--lifecycle only works with --ros2: add it"
   | Some _, true, _ ->
       Error "the robot is either on a serial line or in ROS 2: remove --device or --ros2"
   | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
-  | _, true, arguments -> Ok (Some (Ros2 arguments, "--ros2"))
+  | _, true, arguments -> Ok (Some (Ros2 { lifecycle; arguments }, "--ros2"))
   | Some device, false, [] -> Ok (Some (Device device, "--device"))
   | None, false, [] -> Ok None
 
 let run =
   let ( let* ) = Reporting.( let* ) in
-  let make general entry sources device ros2 ros_arguments world record picture look host realtime
-      simulator robot file =
+  let make general entry sources device ros2 lifecycle ros_arguments world record picture look host
+      realtime simulator robot file =
     let* look = look in
-    let* way = way device ros2 ros_arguments in
+    let* way = way device ros2 lifecycle ros_arguments in
     match (way, robot) with
     | None, option :: _ ->
         let other =
@@ -196,8 +203,8 @@ let run =
     Term.(
       const make
       $ judging (with_params probed)
-      $ entry $ sources $ device $ ros2 $ ros_arguments $ world $ record $ picture $ Viewing.look
-      $ Host_option.all for_hosts $ realtime $ Host_option.all for_simulator
+      $ entry $ sources $ device $ ros2 $ lifecycle $ ros_arguments $ world $ record $ picture
+      $ Viewing.look $ Host_option.all for_hosts $ realtime $ Host_option.all for_simulator
       $ Host_option.all for_robots $ file)
 
 let demo =

@@ -8,6 +8,7 @@ let tried = [ ("9.2.", "Jazzy"); ("10.1.", "Kilted") ]
 let needed =
   [
     ("rcl", [ "rcl" ]);
+    ("rcl_lifecycle", [ "rcl_lifecycle" ]);
     ("rcl_yaml_param_parser", [ "rcl_yaml_param_parser" ]);
     ("rmw", [ "rmw" ]);
     ("rcutils", [ "rcutils" ]);
@@ -18,6 +19,8 @@ let needed =
     ( "diagnostic_msgs",
       [ "diagnostic_msgs__rosidl_typesupport_c"; "diagnostic_msgs__rosidl_generator_c" ] );
     ("std_msgs", [ "std_msgs__rosidl_typesupport_c"; "std_msgs__rosidl_generator_c" ]);
+    ( "lifecycle_msgs",
+      [ "lifecycle_msgs__rosidl_typesupport_c"; "lifecycle_msgs__rosidl_generator_c" ] );
     ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);
     ( "rcl_interfaces",
       [ "rcl_interfaces__rosidl_typesupport_c"; "rcl_interfaces__rosidl_generator_c" ] );

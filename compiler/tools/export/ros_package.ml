@@ -9,9 +9,11 @@ let dependencies =
   [
     "diagnostic_msgs";
     "geometry_msgs";
+    "lifecycle_msgs";
     "nav_msgs";
     "rcl";
     "rcl_interfaces";
+    "rcl_lifecycle";
     "rcl_yaml_param_parser";
     "rcutils";
     "rmw";

@@ -82,7 +82,7 @@ let serve ~robot ~sources serve =
     @ option "--robot" robot @ option "--own" own @ option "--log" serve.log
     @ option "--link" serve.link @ first @ last)
 
-type way = Device of string | Ros2 of string list
+type way = Device of string | Ros2 of { lifecycle : bool; arguments : string list }
 type run = { way : way; record : string option; look : Viewing.look option; host : string list }
 
 let executable (general : Common_options.t) target ~entry ~sources file continue =
@@ -118,8 +118,9 @@ let executable_for way general ~entry ~sources file continue =
 (* The arguments that tell the host how to reach its robot, and those that must come last. *)
 let leading = function
   | Device device -> ([ "--device"; device ], [])
-  | Ros2 [] -> ([], [])
-  | Ros2 arguments -> ([], ("--ros-args" :: arguments) @ [ "--" ])
+  | Ros2 { lifecycle; arguments } ->
+      ( (if lifecycle then [ "--lifecycle" ] else []),
+        if arguments = [] then [] else ("--ros-args" :: arguments) @ [ "--" ] )
 
 let for_way general = function Device _ -> Ok general | Ros2 _ -> as_node general
 

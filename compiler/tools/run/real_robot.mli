@@ -16,7 +16,8 @@ val serve : robot:string option -> sources:string list -> serve -> int
 
 type way =
   | Device of string  (** a serial device, or [tcp:HOST:PORT] *)
-  | Ros2 of string list  (** as a ROS 2 node, with arguments for ROS 2 *)
+  | Ros2 of { lifecycle : bool; arguments : string list }
+      (** as a ROS 2 node, which is managed or not, with arguments for ROS 2 *)
 
 type run = {
   way : way;  (** how the program reaches its robot *)

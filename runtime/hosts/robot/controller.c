@@ -13,6 +13,9 @@
 #include "../common/child.h"
 #include "realtime.h"
 
+/* As the dt of a message: reset the program, without an answer. */
+#define RESETS INT64_MIN
+
 /* The controller process: runs a step for each message, until the supervisor is gone. */
 static void serve(const struct controller *c, int socket, const struct params *params)
 {
@@ -34,6 +37,12 @@ static void serve(const struct controller *c, int socket, const struct params *p
         if (got != (ssize_t)(sizeof dt_ns + c->input_size))
             _exit(0);
         memcpy(&dt_ns, c->message, sizeof dt_ns);
+        if (dt_ns == RESETS) {
+            memset(state, 0, program->state_size);
+            program->reset(state, params->values);
+            is_first = true;
+            continue;
+        }
         memcpy(input, c->message + sizeof dt_ns, c->input_size);
         if (is_first)
             dt_ns = 0;
@@ -102,6 +111,11 @@ bool controller_ask(struct controller *c, int64_t dt_ns, const void *input)
     memcpy(c->message, &dt_ns, sizeof dt_ns);
     memcpy(c->message + sizeof dt_ns, input, c->input_size);
     return send(c->socket, c->message, size, MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
+}
+
+bool controller_reset(struct controller *c, const void *input)
+{
+    return controller_ask(c, RESETS, input);
 }
 
 enum controller_answer controller_take(struct controller *c, void *output)

@@ -41,6 +41,12 @@ void instants_restart(struct instants *i)
     i->announced = false;
 }
 
+void instants_reset(struct instants *i)
+{
+    i->announced = false;
+    i->number = 0;
+}
+
 static void publish(struct instants *i, const struct line *line, int64_t number)
 {
     line->opening->publish(line, number, i->text.data, i->text.length);

@@ -26,6 +26,9 @@ void instants_open(struct instants *instants, const struct params *params, const
 /* Call this when a new line was opened, so that the columns are published again. */
 void instants_restart(struct instants *instants);
 
+/* Call this when the program was reset: the next instant has the number 0. */
+void instants_reset(struct instants *instants);
+
 /* Publishes an instant. Never waits. */
 void instants_put(struct instants *instants, const struct line *line, int64_t time_ns, void *in,
                   const void *out);

@@ -15,6 +15,13 @@
 struct line;
 struct params;
 
+/* What other programs order over the line. */
+struct line_orders {
+    bool pauses;     /* the program does not step, and its time stands still */
+    bool ends;       /* the run ends */
+    uint32_t resets; /* how often the program was told to begin again */
+};
+
 /* How to open a line that is not a serial line. It has its own arguments on the command line. */
 struct line_opening {
     const char *option; /* its arguments follow this option, up to `--` or the end */
@@ -32,6 +39,9 @@ struct line_opening {
     /* Returns the time that the program's instants follow; `now_ns` is the monotonic clock. It never
      * goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
+
+    /* NULL: there are no orders. */
+    struct line_orders (*orders)(const void *device);
 
     /* Publishes a text: the instant with this number, or the columns of the instants for -1. Drops
      * it if the line is busy; never waits. NULL: the line does not publish instants. */

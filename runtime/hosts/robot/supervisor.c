@@ -75,13 +75,17 @@ struct supervisor {
     int64_t asked_ns;   /* when the last step was requested */
     bool stepping;      /* a step was requested and has not been answered */
     bool late;          /* this step has exceeded the patience */
+    bool paused;        /* others have ordered that the program does not step */
+    bool was_paused;    /* the next instant is the first one after a pause */
+    uint32_t resets;    /* how often the program was reset */
     int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
     int64_t looped_ns;  /* start of the last loop iteration; 0: none yet */
     int64_t awake_ns;   /* when this process last resumed after it was stopped or starved */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;
-    bool ended; /* the program's task has ended */
+    bool record_ended; /* the recording contains no more instants */
+    bool ended;        /* the program's task has ended */
     int64_t ended_ns;
 
     bool over;
@@ -276,7 +280,7 @@ static void answered(struct supervisor *s)
         be_late(s);
     if (!s->late && is_ready(s))
         frob_robot_command(&s->robot, s->output);
-    if (!record_row(&s->record, s->instant_ns, s->input, s->output))
+    if (!s->record_ended && !record_row(&s->record, s->instant_ns, s->input, s->output))
         end(s, FAULT, "the recording could not be written");
     instants_put(&s->instants, &s->line, s->instant_ns, s->input, s->output);
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
@@ -317,13 +321,45 @@ static void look_after_controller(struct supervisor *s)
             (double)GIVE_UP * s->options->patience_s);
 }
 
+/* Starts the program again at its initial state. A recording contains only one run. */
+static void reset_program(struct supervisor *s)
+{
+    s->ended = false;
+    if (!s->started)
+        return;
+    if (s->options->record != NULL && !s->record_ended)
+        fprintf(stderr, "warning: the recording ends here, because the program was reset\n");
+    s->record_ended = true;
+    instants_reset(&s->instants);
+    if (!controller_reset(&s->controller, s->input))
+        look_after_controller(s);
+}
+
+/* Obeys the orders of other programs. */
+static void obey(struct supervisor *s)
+{
+    struct line_orders orders;
+    if (s->line.opening == NULL || s->line.opening->orders == NULL || s->stepping)
+        return;
+    orders = s->line.opening->orders(s->device);
+    if (orders.ends)
+        end(s, DONE, "%s", "");
+    if (orders.pauses && !s->paused)
+        halt(s);
+    s->was_paused = s->was_paused || orders.pauses;
+    s->paused = orders.pauses;
+    if (orders.resets != s->resets)
+        reset_program(s);
+    s->resets = orders.resets;
+}
+
 /* Starts the next instant if it is due. Instant k is due at a multiple of the period after the
  * robot was ready; dt is measured. If an instant is so late that others are due too, these are
  * counted as overruns. */
 static void next_instant(struct supervisor *s)
 {
     int64_t now = now_ns(), time = program_ns(s, now), missed, before;
-    if (!is_ready(s) || s->over) {
+    if (!is_ready(s) || s->over || s->paused) {
         s->scheduled = false;
         return;
     }
@@ -340,7 +376,10 @@ static void next_instant(struct supervisor *s)
     s->due_ns += (missed + 1) * s->period_ns;
     if (!s->started)
         s->first_ns = time;
+    else if (s->was_paused)
+        s->first_ns = time - s->instant_ns - s->period_ns;
     s->started = true;
+    s->was_paused = false;
     before = s->instant_ns;
     s->instant_ns = time - s->first_ns;
     s->asked_ns = now;
@@ -373,7 +412,7 @@ static void wait_for_something(struct supervisor *s)
     if (line_is_open(&s->line))
         until = earlier(until, frob_robot_due_ns(&s->robot));
     /* A simulator's time changes when a message arrives. */
-    if (is_ready(s) && !s->stepping && follows_our_clock(s, now))
+    if (is_ready(s) && !s->stepping && !s->paused && follows_our_clock(s, now))
         until = earlier(until, s->scheduled ? s->due_ns : now);
     if (s->stepping && !s->late)
         until = earlier(until, s->asked_ns + s->patience_ns + 1);
@@ -401,9 +440,11 @@ static void run(struct supervisor *s)
         look_after_controller(s);
         if (!s->over)
             look_after_robot(s);
+        obey(s);
         next_instant(s);
         cameras_hear(&s->cameras);
-        if (s->options->duration_s > 0.0 && s->started && !s->stepping &&
+        if (s->options->duration_s > 0.0 && s->started && !s->stepping && !s->paused &&
+            !s->was_paused &&
             (double)(program_ns(s, now_ns()) - s->first_ns) >= s->options->duration_s * 1e9)
             end(s, DONE, "%s", "");
         if (ended_by != 0)

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "hosts/robot/line.h"
+
 /* Robot bases stop if they receive no command for some time, often half a second. So the last
  * command is repeated after this time. */
 #define REPEAT_NS INT64_C(100000000)
@@ -27,6 +29,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
     { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
+    { "lifecycle", 0.0, 0.0, 1.0, "1: be a managed node, as with --lifecycle" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),
@@ -45,10 +48,13 @@ static void start(void *device, const double *values, const struct frob_serial *
     struct ros_device *d = (struct ros_device *)device;
     const struct ros_motion motion = d->motion;
     const struct sim_clock sim_clock = d->sim_clock;
+    const uint32_t resets = d->managed.resets;
     const bool drove = d->drove, gave = d->gave;
     memset(d, 0, sizeof *d);
     d->motion = motion;
     d->sim_clock = sim_clock;
+    d->managed.resets = resets;
+    d->managed.is_active = values[ROS_LIFECYCLE] <= 0.0;
     d->drove = drove;
     d->gave = gave;
     d->settings = values;
@@ -243,6 +249,22 @@ int64_t ros_device_time_ns(const void *device, int64_t now_ns)
     return d->sim_clock.started ? sim_clock_now_ns(&d->sim_clock) : INT64_MIN;
 }
 
+/* ---- Managed nodes */
+
+static void take_state(struct ros_device *d, const struct ros_state *state)
+{
+    d->managed.is_active = state->is_active;
+    d->managed.is_final = state->is_final;
+    d->managed.resets += state->resets ? 1 : 0;
+}
+
+struct line_orders ros_device_orders(const void *device)
+{
+    const struct ros_managed *managed = &((const struct ros_device *)device)->managed;
+    const struct line_orders orders = { !managed->is_active, managed->is_final, managed->resets };
+    return orders;
+}
+
 /* ---- The console */
 
 /* Handles a parameter of the node that was set. After a restart of the node, the program's values
@@ -342,6 +364,7 @@ static void take(struct ros_device *d)
     case ROS_IMU: take_imu(d, &d->message.imu); break;
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
     case ROS_TOUCH: take_touch(d, &d->message.touch); break;
+    case ROS_STATE: take_state(d, &d->message.state); break;
     default: break;
     }
 }

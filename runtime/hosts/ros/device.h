@@ -13,6 +13,8 @@
 #include "sim_clock.h"
 #include "stamps.h"
 
+struct line_orders;
+
 /* The driver's settings, in the order of its table. */
 enum ros_setting {
     ROS_FASTEST,
@@ -24,6 +26,7 @@ enum ros_setting {
     ROS_LIDAR_HEADING,
     ROS_SIM_TIME,
     ROS_INSTANTS,
+    ROS_LIFECYCLE,
     ROS_SETTINGS
 };
 
@@ -63,6 +66,12 @@ struct ros_dial {
     double value;  /* the newest one */
 };
 
+/* The state of a managed node; others are always active. */
+struct ros_managed {
+    bool is_active, is_final;
+    uint32_t resets; /* how often the program was reset */
+};
+
 struct ros_device {
     const double *settings;
     struct frob_serial serial;
@@ -76,6 +85,7 @@ struct ros_device {
         struct ros_imu imu;
         struct ros_clock clock;
         struct ros_touch touch;
+        struct ros_state state;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the message being received */
     size_t have; /* number of its bytes so far */
@@ -85,6 +95,7 @@ struct ros_device {
     int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
     struct sim_clock sim_clock;
+    struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
     bool gave;                                /* the program has had an instant in this or an
                                                * earlier session */
@@ -102,5 +113,8 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
 /* Returns the time that the program's instants follow: that of /clock with use_sim_time, otherwise
  * `now_ns`, that of this machine; INT64_MIN if it is not known yet. */
 int64_t ros_device_time_ns(const void *device, int64_t now_ns);
+
+/* The orders of the nodes that manage this one. */
+struct line_orders ros_device_orders(const void *device);
 
 #endif

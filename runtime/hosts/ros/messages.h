@@ -17,6 +17,7 @@ enum ros_kind {
     ROS_SCAN,
     ROS_IMU,
     ROS_CLOCK, /* the simulator's time; the rest is a struct ros_clock */
+    ROS_STATE, /* a managed node has changed its state; the rest is a struct ros_state */
     /* To the node. */
     ROS_VELOCITY,
     /* An instant of the run, or its columns: a struct ros_text and then the text. */
@@ -94,6 +95,14 @@ struct ros_imu {
 struct ros_clock {
     struct ros_head head;
     int64_t time_ns;
+};
+
+/* The state of a managed node. */
+struct ros_state {
+    struct ros_head head;
+    bool is_active; /* the program steps */
+    bool is_final;  /* the run ends */
+    bool resets;    /* the program begins again at its initial state */
 };
 
 /* A knob or toggle of the program's console, which is a parameter of the node. */

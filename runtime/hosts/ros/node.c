@@ -19,6 +19,7 @@
 #include <std_msgs/msg/string.h>
 
 #include "inputs.h"
+#include "lifecycle.h"
 #include "diagnostics.h"
 #include "messages.h"
 #include "overrides.h"
@@ -44,6 +45,7 @@ struct node {
     rcl_publisher_t velocity, columns, instants;
     std_msgs__msg__String text;
     struct diagnostics diagnostics;
+    struct lifecycle lifecycle;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
     geometry_msgs__msg__Twist twist;
@@ -206,6 +208,22 @@ static bool diagnose(struct node *n)
     return false;
 }
 
+static void publish(struct node *n, double speed_m_s, double turn_rad_s);
+
+static void rest(void *of)
+{
+    publish((struct node *)of, 0.0, 0.0);
+}
+
+static bool manage(struct node *n)
+{
+    if (lifecycle_start(&n->lifecycle, n->options->is_managed, &n->node, n->options->socket, rest,
+                        n))
+        return true;
+    refuse(n, "cannot be a managed node");
+    return false;
+}
+
 /* Tells the supervisor the names after remapping. */
 static bool report(struct node *n)
 {
@@ -258,6 +276,15 @@ static void publish(struct node *n, double speed_m_s, double turn_rad_s)
     }
 }
 
+/* Drops the velocities of a node that is not active. */
+static void publish_if_active(struct node *n, double speed_m_s, double turn_rad_s)
+{
+    pthread_mutex_lock(&n->lifecycle.lock);
+    if (n->lifecycle.is_active)
+        publish(n, speed_m_s, turn_rad_s);
+    pthread_mutex_unlock(&n->lifecycle.lock);
+}
+
 /* Publishes an instant after its number and a space. */
 static void publish_text(struct node *n, const struct ros_text *text)
 {
@@ -293,7 +320,7 @@ static void *publish_all(void *of)
         if (got < (ssize_t)sizeof message.head || got != (ssize_t)message.head.size)
             break;
         if (message.head.kind == ROS_VELOCITY)
-            publish(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
+            publish_if_active(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
         else if (message.head.kind == ROS_TEXT)
             publish_text(n, &message.text);
         else if (message.head.kind == ROS_CLAIM)
@@ -301,7 +328,7 @@ static void *publish_all(void *of)
         else if (message.head.kind == ROS_TOUCH)
             services_note(&n->services, message.touch.control, message.touch.value);
     }
-    publish(n, 0.0, 0.0);
+    publish_if_active(n, 0.0, 0.0);
     if (rcl_publisher_wait_for_all_acked(&n->velocity, ACKNOWLEDGED_NS) != RCL_RET_OK)
         rcl_reset_error();
     __atomic_store_n(&n->is_over, true, __ATOMIC_SEQ_CST);
@@ -320,13 +347,17 @@ static bool prepare(struct node *n, rcl_wait_set_t *set)
                        RCL_RET_OK;
     for (size_t i = 0; i < SERVICES; i++)
         ok = ok && rcl_wait_set_add_service(set, &n->services.each[i], NULL) == RCL_RET_OK;
+    for (size_t i = 0; i < lifecycle_services(&n->lifecycle); i++)
+        ok = ok &&
+             rcl_wait_set_add_service(set, lifecycle_service(&n->lifecycle, i), NULL) == RCL_RET_OK;
     return ok && rcl_wait_set_add_guard_condition(set, &n->over, NULL) == RCL_RET_OK;
 }
 
 static int listen_until_over(struct node *n)
 {
     rcl_wait_set_t set = rcl_get_zero_initialized_wait_set();
-    if (rcl_wait_set_init(&set, n->inputs.count, 1, 0, 0, SERVICES, 0, &n->context,
+    if (rcl_wait_set_init(&set, n->inputs.count, 1, 0, 0,
+                          SERVICES + lifecycle_services(&n->lifecycle), 0, &n->context,
                           rcl_get_default_allocator()) != RCL_RET_OK) {
         fprintf(stderr, "error: %s\n", rcl_get_error_string().str);
         return FAULT;
@@ -347,6 +378,9 @@ static int listen_until_over(struct node *n)
         for (size_t i = 0; result == RCL_RET_OK && i < SERVICES; i++)
             if (set.services[i] != NULL)
                 services_take(&n->services, i);
+        for (size_t i = 0; result == RCL_RET_OK && i < lifecycle_services(&n->lifecycle); i++)
+            if (set.services[SERVICES + i] != NULL)
+                lifecycle_take(&n->lifecycle, i);
         graph_look(&n->graph, &n->node);
     }
     if (rcl_wait_set_fini(&set) != RCL_RET_OK)
@@ -380,6 +414,7 @@ static void leave(struct node *n)
     ok = rcl_publisher_fini(&n->instants, &n->node) == RCL_RET_OK && ok;
     ok = diagnostics_end(&n->diagnostics, &n->node) && ok;
     ok = services_end(&n->services, &n->node) && ok;
+    ok = lifecycle_end(&n->lifecycle, &n->node) && ok;
     ok = rcl_guard_condition_fini(&n->over) == RCL_RET_OK && ok;
     ok = rcl_node_fini(&n->node) == RCL_RET_OK && ok;
     ok = rcl_shutdown(&n->context) == RCL_RET_OK && ok;
@@ -396,7 +431,7 @@ int node_run(const struct node_options *options)
     n->options = options;
     leave_session();
     if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !advertise_instants(n) ||
-        !diagnose(n) || !report(n))
+        !diagnose(n) || !manage(n) || !report(n))
         return FAULT;
     if (pthread_create(&publisher, NULL, publish_all, n) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");

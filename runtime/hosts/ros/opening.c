@@ -26,7 +26,8 @@ enum { START_MS = 20000, END_MS = 1000 };
 /* ---- The supervisor's side */
 
 /* The options of the node's process, between the socket and the arguments for ROS. */
-static const char stamped_option[] = "stamped", sim_time_option[] = "sim_time";
+static const char stamped_option[] = "stamped", sim_time_option[] = "sim_time",
+                  lifecycle_option[] = "lifecycle";
 
 /* Returns the text NAME=VALUE of a parameter. */
 static char *setting_of(const struct frob_param *param, const void *values)
@@ -48,7 +49,7 @@ static void become_node(const struct line *line, const double *settings, int own
 {
     const struct frob_program *program = line->params->program;
     char number[16];
-    char **argv = (char **)calloc(line->argument_count + program->param_count + 8, sizeof *argv);
+    char **argv = (char **)calloc(line->argument_count + program->param_count + 9, sizeof *argv);
     size_t count = 0;
     const int fd = dup(own); /* without close-on-exec */
     if (argv == NULL || fd < 0)
@@ -61,6 +62,8 @@ static void become_node(const struct line *line, const double *settings, int own
         argv[count++] = (char *)(uintptr_t)stamped_option;
     if (settings[ROS_SIM_TIME] > 0.0)
         argv[count++] = (char *)(uintptr_t)sim_time_option;
+    if (settings[ROS_LIFECYCLE] > 0.0)
+        argv[count++] = (char *)(uintptr_t)lifecycle_option;
     for (size_t i = 0; i < program->param_count; i++)
         argv[count++] = setting_of(&program->params[i], line->params->values);
     argv[count++] = (char *)(uintptr_t)"--";
@@ -196,6 +199,7 @@ static void judge(const struct line *line, size_t claim, bool fails, bool is_voi
 const struct line_opening ros_opening = {
     .option = "--ros-args",
     .usage =
+        "  --lifecycle        be a managed node: wait until other nodes configure and activate it\n"
         "  --ros-args ARG... [--]\n"
         "                     arguments for ROS 2, up to `--`, such as `-r odom:=NAME` to remap\n"
         "                     a topic, or `-r __node:=NAME` to rename the node\n",
@@ -204,6 +208,7 @@ const struct line_opening ros_opening = {
     .close = close_node,
     .give = ros_device_give,
     .time_ns = ros_device_time_ns,
+    .orders = ros_device_orders,
     .publish = publish_text,
     .judge = judge,
     .publish_room = text_room,
@@ -227,6 +232,8 @@ bool ros_is_node(int argc, char **argv, const struct frob_program *program, int 
         options.stamped = true;
     for (; i < argc && strcmp(argv[i], sim_time_option) == 0; i++)
         options.use_sim_time = true;
+    for (; i < argc && strcmp(argv[i], lifecycle_option) == 0; i++)
+        options.is_managed = true;
     settings = (const char *const *)argv + i;
     for (; i < argc && strcmp(argv[i], "--") != 0; i++)
         count++;

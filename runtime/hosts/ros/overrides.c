@@ -162,8 +162,9 @@ static bool override_one(struct overrides *result, const struct parameters *para
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program)
 {
     const struct found found = overrides_in(argc, argv, program->name);
-    struct overrides result = { 1,
-                                (char **)calloc((size_t)argc + 2 * found.count + 1, sizeof *argv) };
+    struct overrides result = { 1, (char **)calloc(2 * (size_t)argc + 2 * found.count + 1,
+                                                   sizeof *argv) };
+    bool is_ours = true;
     const struct overrides failed = { 0, NULL };
     struct parameters parameters;
     if (result.argv == NULL || found.no_memory ||
@@ -175,8 +176,13 @@ struct overrides overrides_of(int argc, char **argv, const struct frob_program *
     for (size_t i = 0; i < found.count; i++)
         if (!override_one(&result, &parameters, program, &found.all[i]))
             return failed;
-    for (int i = 1; i < argc; i++)
-        result.argv[result.argc++] = argv[i];
+    for (int i = 1; i < argc; i++) {
+        is_ours = is_ours && strcmp(argv[i], "--ros-args") != 0;
+        if (!is_ours || strcmp(argv[i], "--lifecycle") != 0)
+            result.argv[result.argc++] = argv[i];
+        else if (!add(&result, "--set", "lifecycle", "1"))
+            return failed;
+    }
     return result;
 }
 

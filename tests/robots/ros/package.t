@@ -41,9 +41,11 @@
     <buildtool_depend>ament_cmake</buildtool_depend>
     <depend>diagnostic_msgs</depend>
     <depend>geometry_msgs</depend>
+    <depend>lifecycle_msgs</depend>
     <depend>nav_msgs</depend>
     <depend>rcl</depend>
     <depend>rcl_interfaces</depend>
+    <depend>rcl_lifecycle</depend>
     <depend>rcl_yaml_param_parser</depend>
     <depend>rcutils</depend>
     <depend>rmw</depend>

@@ -11,6 +11,13 @@ header() { # header PACKAGE PATH
 header rcl rcl/rcl.h
 header rcl rcl/error_handling.h
 header rcl rcl/graph.h
+header rcl_lifecycle rcl_lifecycle/rcl_lifecycle.h
+for message in state transition transition_description transition_event; do
+    header lifecycle_msgs lifecycle_msgs/msg/$message.h
+done
+for service in change_state get_state get_available_states get_available_transitions; do
+    header lifecycle_msgs lifecycle_msgs/srv/$service.h
+done
 header rcl_yaml_param_parser rcl_yaml_param_parser/parser.h
 header rcutils rcutils/allocator.h
 header rcutils rcutils/error_handling.h
@@ -35,9 +42,10 @@ header std_msgs std_msgs/msg/string.h
 header nav_msgs nav_msgs/msg/odometry.h
 header sensor_msgs sensor_msgs/msg/laser_scan.h
 header sensor_msgs sensor_msgs/msg/imu.h
-cp "$sources/fake_ros.h" "$prefix/include/rcl/"
-gcc -shared -fPIC -O1 -o "$prefix/lib/librcl.so" "$sources/fake_ros.c" -lm
-for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
+cp "$sources/fake_ros.h" "$sources/fake_lifecycle.h" "$prefix/include/rcl/"
+gcc -shared -fPIC -O1 -o "$prefix/lib/librcl.so" "$sources/fake_ros.c" "$sources/fake_lifecycle.c" -lm
+for library in rcl_lifecycle lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs__rosidl_generator_c \
+    rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
     geometry_msgs__rosidl_generator_c nav_msgs__rosidl_typesupport_c nav_msgs__rosidl_generator_c \
     sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c \
     rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
@@ -50,7 +58,7 @@ done
 echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage(void)
 { static const char *const type = "tf2_msgs/msg/TFMessage"; return &type; }' |
     gcc -shared -fPIC -x c - -o "$prefix/lib/libtf2_msgs__rosidl_typesupport_c.so"
-for package in rcl rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
+for package in rcl rcl_lifecycle lifecycle_msgs rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
     rcl_interfaces std_msgs diagnostic_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

@@ -83,7 +83,7 @@ typedef struct {
 typedef struct {
     size_t count, service_count;
     const rcl_subscription_t *subscriptions[4];
-    const rcl_service_t *services[6];
+    const rcl_service_t *services[11];
     const rcl_guard_condition_t *guard_conditions[1];
 } rcl_wait_set_t;
 
@@ -417,5 +417,7 @@ extern const rosidl_message_type_support_t fake_sensor_msgs_Imu;
 extern const rosidl_message_type_support_t fake_rosgraph_msgs_Clock;
 extern const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent;
 #define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)
+
+#include "fake_lifecycle.h"
 
 #endif
