@@ -15,8 +15,7 @@ struct Sample {
     Pose believed;        // pose by odometry, which starts at the true pose
     double forward, turn; // m/s and rad/s, of the body
     double commanded_forward, commanded_turn;
-    double measured_distance; // m, from the wall or the tape; NaN if the world file says to measure
-                              // nothing
+    double measured_distance; // m, from the wall, tape or ball; NaN if nothing is measured
     int collisions;           // number of collisions so far
 };
 

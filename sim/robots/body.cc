@@ -21,7 +21,7 @@ class NearestHit : public b2RayCastCallback {
     const b2Body *ignored_;
 };
 
-// Whether any nearby fixture overlaps a body of one fixture.
+// Finds whether a nearby fixture overlaps this body, which has a single fixture.
 class Overlap : public b2QueryCallback {
   public:
     explicit Overlap(const b2Body &body) : body_(body) {}

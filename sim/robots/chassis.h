@@ -47,8 +47,8 @@ struct Chassis {
     Vec left, right; // reference points for the distances to the sides
     RangeFinders range_finders;
     double height = 0.24;        // m, height of the body, for cameras
-    Vec camera = {0.12, 0.0};    // position of a camera,
-    double camera_height = 0.27; // and its height, unless the world file sets them
+    Vec camera = {0.12, 0.0};    // position of a camera, unless the world file sets it
+    double camera_height = 0.27; // m, its height, unless the world file sets it
 };
 
 // The outline of a body in the robot's frame; a polygon even for a round body.

@@ -8,8 +8,8 @@
 namespace frob::sim {
 namespace {
 
-constexpr double gravity = 9.80665;         // m/s^2
-constexpr double closest = 0.05;            // m: the field of a magnet is constant within it
+constexpr double gravity = 9.80665; // m/s^2
+constexpr double closest = 0.05;    // m: the field of a magnet is constant within this distance
 constexpr std::size_t most_waiting = 10000; // measurements that have not arrived
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }

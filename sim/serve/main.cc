@@ -1,4 +1,4 @@
-// frob-serve -- a simulated robot behind a serial line.
+// frob-serve -- a simulated robot at the other end of a serial line.
 //
 // Exit status: 0 when the duration is over or after SIGINT or SIGTERM, with a summary as frob-sim
 // prints it; 2 for usage errors.

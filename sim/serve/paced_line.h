@@ -13,7 +13,7 @@ class PacedLine {
     // A line that is not paced delivers bytes immediately.
     explicit PacedLine(bool paced) : paced_(paced) {}
 
-    // Sends bytes at this time, behind those in transit.
+    // Sends bytes at this time, after those in transit.
     void push(const Bytes &bytes, std::int64_t time_ns, std::uint32_t rate);
 
     // Takes the next byte that has arrived by this time, with its time of arrival; false if there

@@ -35,8 +35,8 @@ class Server {
     Firmware &firmware_;
     PacedLine to_robot_, to_client_;
     std::unique_ptr<Connection> connection_;
-    bool there_ = false, left_ = false; // a client is connected; one has left whose bytes are still
-                                        // in transit
+    bool there_ = false, left_ = false; // whether a client is connected; whether one has left whose
+                                        // bytes are still in transit
     std::int64_t heard_ns_ = 0;         // time of the last byte
 };
 

@@ -1,5 +1,5 @@
-// A simulated Create 2's end of its serial line: the Open Interface, in front of any body that uses
-// the structs of <frob/create.h>.
+// A simulated Create 2's end of its serial line: the Open Interface, for any body that uses the
+// structs of <frob/create.h>.
 //
 // Written from the protocol's description and independently of the driver, so that each tests the
 // other. It accepts every command in that description; lights, songs, brushes and schedules have no

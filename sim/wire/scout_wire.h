@@ -1,4 +1,4 @@
-// A simulated Scout's end of its serial line, in front of any body that uses the structs of
+// A simulated Scout's end of its serial line, for any body that uses the structs of
 // <frob/scout.h>.
 //
 // Written from the protocol's description (Nomadics' Ndirect) and independently of the driver, so

@@ -59,7 +59,7 @@ std::string_view leading_number(std::string_view s) {
     return s.substr(0, n);
 }
 
-// Recognizes a unit behind a number: `1.5 m`, `90deg`, `1[m]` or `5 %`.
+// Recognizes a unit after a number: `1.5 m`, `90deg`, `1[m]` or `5 %`.
 bool is_unit(std::string_view rest) {
     const unsigned char first = static_cast<unsigned char>(rest.front());
     return is_letter(rest.front()) || rest.front() == '[' || rest.front() == '%' || first >= 0x80;

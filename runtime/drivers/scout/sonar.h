@@ -3,8 +3,8 @@
  * A state contains the last reading of every transducer, but does not say which readings are new.
  * The transducers fire in turn, so a reading counts as new if it differs from the previous one, or
  * if somewhat more than a whole round has passed since the last new one. A reading must not count
- * as new too early: an old reading that is taken for new shifts an echo to the robot's current
- * place from where the robot was one round ago. */
+ * as new too early: if an old reading is mistaken for a new one, its echo is located relative to
+ * the robot's current place, although it was received where the robot was one round ago. */
 #ifndef FROB_DRIVERS_SCOUT_SONAR_H
 #define FROB_DRIVERS_SCOUT_SONAR_H
 

@@ -126,7 +126,7 @@ struct fresh buffers_look(const struct buffers *b)
     return fresh;
 }
 
-/* Takes a frame. The frames behind it move up, and the reader's old frame becomes the last one. */
+/* Takes a frame. The older frames move up, and the reader's old frame becomes the last one. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k)
 {
     uint32_t seen = fresh->state;

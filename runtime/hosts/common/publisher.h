@@ -41,7 +41,7 @@ void publisher_end(struct publisher *p, enum ring_fate fate);
 
 /* Ends the viewer, after publisher_end, so that no process keeps running. If `is_wanted`, first
  * waits while a page is open; SIGINT, SIGTERM or SIGHUP ends the wait, and so does a viewer that
- * hangs. Call it when the run's results are written and its line is closed. */
+ * hangs. Call it after the run's results have been written and the robot's line has been closed. */
 void publisher_leave(struct publisher *p, bool is_wanted);
 
 #endif

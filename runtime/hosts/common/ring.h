@@ -7,8 +7,8 @@
  * In the other direction there are a few words (stop, pause, speed) and a bounded queue of events,
  * also with a single writer.
  *
- * All data from a reader is validated where it is read. The worst that it can do is to end or pause
- * the run, or to send other events.
+ * All data from a reader is validated where it is read. The worst that such data can do is to end
+ * or pause the run, or to send unintended events.
  *
  * The duration of an instant is the difference of two times, as in a recording. */
 #ifndef FROB_HOST_RING_H
@@ -108,7 +108,7 @@ bool ring_take(struct ring *ring, struct ring_event *event);
 
 /* ---- The reader's side */
 
-/* Maps the ring behind a file descriptor. Returns false if it is not a ring. */
+/* Maps the ring that a file descriptor refers to. Returns false if it is not a ring. */
 bool ring_attach(struct ring *ring, int file);
 
 /* Returns the number of published instants; the index of the newest is one less. */

@@ -1,5 +1,5 @@
-/* controller.h -- runs the program's step in a separate process, so that its supervisor continues
- * whatever happens to it (a crash, a hang, a kill or stop signal).
+/* controller.h -- runs the program's step in a separate process, so that the supervisor continues
+ * even if that process crashes, hangs, or is killed or stopped by a signal.
  *
  * One message requests a step, with dt and the input; the answer contains the output. */
 #ifndef FROB_HOST_ROBOT_CONTROLLER_H

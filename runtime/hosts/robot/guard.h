@@ -1,11 +1,12 @@
 /* guard.h -- processes that stop the robot when the supervisor itself is gone or has stopped.
  *
  * A guard has the line open, too. It does nothing while it hears from the supervisor. If it hears
- * nothing for the patience, it sends the stop command ten times a second until the supervisor is
- * back. If the supervisor ends without ending the guard, the guard stops the robot and ends.
+ * nothing for longer than the patience, it sends the stop command ten times a second until the
+ * supervisor is back. If the supervisor ends without ending the guard, the guard stops the robot
+ * and ends.
  *
- * There are two, so that the supervisor and one guard may be killed at the same moment. The
- * supervisor replaces a guard that has ended or hangs. */
+ * There are two guards, so that one remains if the supervisor and a guard are killed at the same
+ * moment. The supervisor replaces a guard that has ended or hangs. */
 #ifndef FROB_HOST_ROBOT_GUARD_H
 #define FROB_HOST_ROBOT_GUARD_H
 

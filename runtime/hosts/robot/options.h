@@ -15,9 +15,9 @@
 enum { SETTINGS_MOST = 64 };
 
 struct options {
-    const char *device;                 /* the serial line, or */
-    const struct line_opening *opening; /* another line; NULL: a serial line */
-    const char *const *arguments;       /* for the opening */
+    const char *device;                 /* serial line; NULL if `opening` is used */
+    const struct line_opening *opening; /* another kind of line; NULL: a serial line */
+    const char *const *arguments;       /* arguments for `opening` */
     size_t argument_count;
     double duration_s;  /* 0: until it is ended */
     double rate_hz;     /* rate of the controller */

@@ -220,7 +220,7 @@ static const struct signal *find(struct reader *r, const char *name)
     return found == NULL && !r->wrong ? find_end(r, name, true) : found;
 }
 
-/* Whether a text contains another one, in upper or lower case. */
+/* Whether a text contains another one, ignoring case. */
 static bool contains(const char *text, const char *part)
 {
     for (; *text != '\0'; text++) {

@@ -21,7 +21,7 @@ struct recording {
     size_t output_size;   /* size of that part, which is followed by inner signals */
     bool *recorded;       /* for each signal: whether the recording has its column */
     struct buffer params; /* recorded parameters: NAME=VALUE, each with a NUL */
-    bool has_all_inputs;  /* so the program can be run on the recording */
+    bool has_all_inputs;  /* the program can be run on the recording */
     /* The frames next to the recording. Images that inputs point to stay valid as long as it
      * exists. */
     struct frame_reader frames;
@@ -39,7 +39,7 @@ struct recording {
     /* `count` structs of the simulator's ground truth, of `truth_size` bytes each; or NULL. */
     unsigned char *truths;
     size_t truth_size;
-    struct reader *reader; /* of a file that is not completely read; else NULL */
+    struct reader *reader; /* reads the rest of the file; NULL if there is none */
 };
 
 #define NO_GAP SIZE_MAX

@@ -100,7 +100,7 @@ bool replay_start(struct replay *replay, const struct signals *signals, struct r
     return keep(replay, 0);
 }
 
-/* Returns the end of the instants that can be run. */
+/* Returns the first instant that cannot be run; the number of instants if all can be run. */
 static size_t last_of(const struct replay *replay)
 {
     const struct recording *recording = replay->recording;

@@ -48,7 +48,7 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
 const narrow = matchMedia("(max-width: 820px)");
 const step = () => (narrow.matches ? 52 : 27);
 const height = () => (narrow.matches ? 44 : 20);
-/** Minimum width of the events beside the modes. */
+/** Minimum width of the events next to the modes. */
 const leastNote = 48;
 const lane = 9;
 const head = 4;
@@ -170,7 +170,7 @@ class Diagram {
     if (width === 0) return;
     const left = parseFloat(this.element.style.paddingLeft);
     const pill = (place: number) => this.pills.get(this.order[place] ?? 0);
-    // Lines and events are beside the modes, so that they do not cross any mode.
+    // Lines and events are next to the modes, so that they do not cross any mode.
     const most = width - this.margin(this.down) - left - 8;
     for (const pill of this.pills.values()) pill.style.maxWidth = `${Math.max(30, most)}px`;
     const right = (place: number) =>
