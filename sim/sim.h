@@ -149,12 +149,13 @@ struct frob_sim_summary {
     double wall_distance_m;  /* the distance that the robot should keep */
     double mean_error_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_error_m;
-    int tape_measured;  /* nonzero if it selects the distance from the middle
-                           of tape on the floor: */
+    int tape_measured;  /* nonzero if the world file selects the
+                           distance from the middle of tape on the floor: */
     double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
     double tape_way_m;      /* distance travelled along the tape, in the order of its points */
-    int ball_measured;      /* nonzero if it selects the distance from a ball: */
+    int ball_measured;      /* nonzero if the world file selects the
+                               distance from a ball: */
     double ball_distance_m; /* the distance that the robot should keep */
     double mean_ball_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_ball_m;

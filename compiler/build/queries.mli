@@ -51,7 +51,8 @@ val step : Step.Ir.program option t
 (** The entry as state, reset and step. *)
 
 val watched : (Step.Ir.program * Step.Ir.program option) option t
-(** The same as {!step}, and a second program that judges the assertions, if it has any. *)
+(** The program of {!step}, and, if that program has assertions, a second program that judges them.
+*)
 
 val compile : Cgen.Emit.t option t
 (** The entry as C. *)

@@ -54,8 +54,9 @@ let characters text =
   String.iter (fun c -> if not (Basis.Utf8.is_continuation c) then incr n) text;
   !n
 
-(* The column of a comment on its own line: that of the next line if they had the same column in the
-   source, or otherwise that of the block with whose items it was aligned. *)
+(* The column of a comment on its own line: the column of the next line if the comment and that line
+   had the same column in the source; otherwise, the column of the block whose items the comment was
+   aligned with. *)
 let column_of (c : Word.comment) ~below ~ended =
   match below with
   | Some (written, column) when written = c.column -> column

@@ -70,10 +70,10 @@ let rec types_behind t d ~depth (place, around) =
   else
     List.concat_map behind (Hashtbl.find_all t.all_uses place.Span.file) |> List.sort_uniq compare
 
-(* The values of variables inside a node. [places]: the places where it and the instances around it
-   run, each with the values there; the innermost place is first. If the node is an argument of a
-   function, such as the first one of [>>>], its use is at an outer place. Uses with different types
-   determine nothing. *)
+(* The values of variables inside a node. [places]: the places where the node and the instances
+   around it run, each with the values there; the innermost place is first. If the node is an
+   argument of a function, such as the first argument of [>>>], the node's use is at an outer place.
+   Uses with different types determine nothing. *)
 let entered t (node : Flow.Ir.node) ~only_head places =
   let around = match places with (_, values) :: _ -> values | [] -> Substitution.empty in
   let rec types d ~only_head = function

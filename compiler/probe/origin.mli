@@ -40,7 +40,7 @@ type transition = {
 
 type t = {
   column : string;  (** for example [probe.follow.v] or [out.turn] *)
-  place : Span.t;  (** the whole equation; for a parameter or input, the place where it is passed *)
+  place : Span.t;  (** the whole equation; for a parameter or input, the place of the argument *)
   sources : source list;
   transitions : transition list;  (** transitions of the machine if the column is its running mode *)
 }

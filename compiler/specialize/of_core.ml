@@ -64,9 +64,9 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 
 exception Unlike_ends
 
-(* The signal function of a program, and the type of the program's result, if it ends. If the
-   program chooses between several programs at the start, the type of the result must be the same
-   for all of them. *)
+(* The signal function of a program, and the type of the program's result, if the program ends. If
+   the program chooses between several programs at the start, the type of the result must be the
+   same for all of them. *)
 let rec in_program (value : Value.t) : Value.t * Ir.ty option =
   match value with
   | Choice { condition; then_; else_ } ->
@@ -101,8 +101,8 @@ let drawings = function
   | [ only ] -> [ ("draw", only) ]
   | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
 
-(* Builds the root node. Returns the type of the program's result, if it ends, and the names of its
-   drawings. *)
+(* Builds the root node. Returns the type of the program's result, if the program ends, and the
+   names of its drawings. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =

@@ -33,7 +33,7 @@ type field = {
   name : string;  (** from the source; not always unique *)
   content : content;
   purpose : string;  (** for readers of the generated C: [delay], [integral], a callee's name *)
-  origin : origin option;  (** the signal whose values it stores, if it stores a signal's values *)
+  origin : origin option;  (** the signal whose values the field stores, if any *)
   span : Span.t;
 }
 (** A member of a node's state. *)
@@ -200,7 +200,7 @@ type node = {
   origin : string;  (** name of the definition in the source *)
   file : string;
   span : Span.t;
-  state : field list;  (** {!State_struct} decides where they are in memory *)
+  state : field list;  (** {!State_struct} chooses the place of each field in memory *)
   modes : mode list;  (** the modes of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
       (** if present, step and reset are in the user's C: [reset] and [step] have no body, and the

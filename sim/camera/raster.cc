@@ -285,7 +285,8 @@ void Raster::paint(const Ball &ball, int y, int from, int count, float *to) {
              static_cast<float>(ball.tint.green), static_cast<float>(ball.tint.blue), to, count);
 }
 
-// A lamp's light is its intensity times the cosine of the angle to it, over the squared distance.
+// A lamp's light is its intensity times the cosine of the angle between the normal and the
+// direction to the lamp, divided by the squared distance.
 float Raster::relight(Point place, Point normal) const {
     double lamps = 0.0;
     for (const Shine &lamp : *lamps_) {

@@ -1,5 +1,5 @@
-// Sensors that look down at the floor. Each has its own light and measures how much of it the floor
-// reflects.
+// Sensors that look down at the floor. Each sensor has its own light, and measures how much of that
+// light the floor reflects.
 #pragma once
 
 #include <cstdint>

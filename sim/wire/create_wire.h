@@ -80,7 +80,7 @@ class CreateWire {
     std::vector<std::uint8_t> streamed_, frame_;
     bool streaming_ = false;
     std::vector<std::uint8_t> asked_; // requested packets that have not been sent
-    std::int64_t answer_ns_ = 0;      // when they are due
+    std::int64_t answer_ns_ = 0;      // when the answer with these packets is due
     std::int64_t reset_ns_ = 0;       // time of the last restart
     std::size_t to_boot_ = 0;         // steps of the restart that are still to come
 };

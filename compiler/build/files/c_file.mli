@@ -9,5 +9,6 @@ val is_standard_header : string -> bool
 
 val check : ?beside_c:bool -> string -> (unit, string) result
 (** Checks that C files can be named after this program. Returns an error if the name is too long
-    for a file, or if [NAME.h] would hide a header that the C files include or, if the user's C is
-    compiled with them ([beside_c]), that the user's C may include. *)
+    for a file, or if [NAME.h] would hide a header that the C files include. If the user's C is
+    compiled with them ([beside_c]), [NAME.h] must not hide a header that the user's C may include,
+    either. *)

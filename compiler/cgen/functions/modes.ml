@@ -97,7 +97,8 @@ let is_direct c (run : M.run) k =
 
 let fresh c (v : M.variable) = (v, Name.fresh (Expression.scope c.names) v.name)
 
-(* The step of the mode that [n] enters. None of its own transitions can occur in this instant. *)
+(* The step of the mode that [n] enters. None of the mode's own transitions can occur in this
+   instant. *)
 let step_directly c (run : M.run) (n : M.next) results =
   let mode = List.nth c.node.modes n.entry.mode and case = List.nth run.cases n.entry.mode in
   let unread = List.map (fresh c) case.others in

@@ -3,8 +3,8 @@
     ([root]), so that it can be mentioned several times at no cost. *)
 
 val binder : Context.t -> Typing.Ir.pattern -> Ir.binder
-(** The variable that holds the matched value: the pattern itself if it is a variable, otherwise a
-    new variable. *)
+(** The variable that is bound to the matched value: the pattern itself if it is a variable,
+    otherwise a new variable. *)
 
 val variables : Typing.Ir.pattern -> root:Ir.expr -> (Ir.binder * Ir.expr) list
 (** The values of the pattern's variables, in source order. Empty if the pattern is a variable,

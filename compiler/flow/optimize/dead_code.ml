@@ -21,8 +21,8 @@ type found = {
 let is_needed found (s : Ir.signal) = Bytes.get found.needed s.id <> '\000'
 let undefined () = Diagnostic.bug ~stage:"Flow.Dead_code" "a signal that is not defined"
 
-(* For each signal, by id, a function that returns the signals that are needed if this one is. It is
-   called at most once. *)
+(* For each signal, by id, a function that returns the signals that are needed if this signal
+   is needed. The function is called at most once. *)
 let consequences found (program : Ir.program) =
   let nodes = program.nodes in
   let of_nodes f = Array.map f nodes in

@@ -191,8 +191,8 @@ let after_event m node (mode : mode) input ~delayed ty event (continuation : Val
       in
       transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
 
-(* The output of the task's first statement, a condition that is true when it ends, and its
-   result. *)
+(* The output of the task's first statement, a condition that is true when the statement ends, and
+   the statement's result. *)
 let statement m node (mode : mode) input primitive ~output ~result signal_function =
   let at = mode.place and types = m.context.types in
   let run = run_in m node mode ~name:mode.name in

@@ -44,7 +44,7 @@ let is_forever line =
 
 let forever = "to repeat the tasks of this block, write `forever $ do` in place of this line"
 
-(* The number of rounds in `for i in range(4)`, `for i in 1..4` or `for (i = 0; i < 4; i++)`. *)
+(* The number of iterations in `for i in range(4)`, `for i in 1..4` or `for (i = 0; i < 4; i++)`. *)
 let rounds line =
   let is_for =
     List.exists (fun w -> String.starts_with ~prefix:w (String.trim line)) [ "for "; "for(" ]

@@ -15,7 +15,8 @@ let rec gives_signal_function = function
 let transparent = List.map Environment.built_in [ "mapSF"; "parZ"; "onEvent" ]
 let is_transparent g = List.mem g transparent
 
-(* Is this name stateful? A local variable is examined where it is bound. *)
+(* Does this name refer to a stateful signal function? A local variable is examined where it is
+   bound. *)
 let made_of senses globals (e : expr) =
   match e.desc with
   | Global (g, _) -> Option.value (Hashtbl.find_opt globals g) ~default:true

@@ -57,7 +57,7 @@ struct supervisor {
     struct instants instants;
     struct claims claims;
     size_t failing;    /* assertions that failed when verdicts were published last */
-    int64_t judged_ns; /* when that was */
+    int64_t judged_ns; /* time of those verdicts */
     struct console console;
     struct touches touches;
     struct publisher publisher;
