@@ -167,8 +167,9 @@ let ends (words : Word.t array) =
   done;
   ends
 
-(* The frames that a word at [column] opens or changes before the layout of its line: a block has the
-   column of its first item, and a bracket that of its first word, if this follows on the same line. *)
+(* The frames that a word at [column] opens or changes before the layout of its line: a block has
+   the column of its first item, and a bracket has the column of its first word, if that word
+   follows on the same line. *)
 let place state (words : Word.t array) i ~column =
   let w = words.(i) in
   match (inside state).kind with

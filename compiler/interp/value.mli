@@ -35,8 +35,8 @@ and instance = {
           any time. *)
   commit : unit -> unit;  (** Advances the state to the next instant. *)
   successor : unit -> instance option;
-      (** The instance that can replace this one from now on, if this one only forwards to it. Call
-          this only after the first [commit]. *)
+      (** The instance that can replace this instance from now on, if this instance only forwards to
+          it. Call this only after the first [commit]. *)
 }
 (** A started signal function with its state. In each instant, call [output] once and then [commit]
     once. *)

@@ -42,7 +42,7 @@ type t = {
   column : string;  (** for example [probe.follow.v] or [out.turn] *)
   place : Span.t;  (** the whole equation; for a parameter or input, the place of the argument *)
   sources : source list;
-  transitions : transition list;  (** transitions of the machine if the column is its running mode *)
+  transitions : transition list;  (** of the machine, if the column is its running mode *)
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list

@@ -63,8 +63,8 @@ static void fail(const char *format, ...)
 }
 
 /* Sets a path below the folder of the installation, which is PREFIX if this program is
- * PREFIX/lib/frobc/frob-tcc. In a build, this program is BUILD/default/runtime/tcc/frob-tcc, and the
- * installation is in BUILD/install/default. */
+ * PREFIX/lib/frobc/frob-tcc. In a build, this program is BUILD/default/runtime/tcc/frob-tcc, and
+ * the installation is in BUILD/install/default. */
 static void installed(char path[static LONGEST_PATH], const char *below)
 {
     static const char *const places[] = { "", "/../install/default" };

@@ -84,7 +84,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
         return colours;
     side_of(range->hueFrom, colours.from);
     side_of(range->hueTo, colours.to);
-    /* With the same half-line at both ends the opposite hue would match too, so end one step later. */
+    /* With the same half-line at both ends the opposite hue would match too, so end one step
+     * later. */
     if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
         side_of(range->hueTo + turn / (6 * STEPS), colours.to);
     for (int32_t i = 0; i < 3; i++)

@@ -117,7 +117,7 @@ void Film::expose(const float *light) {
     const int last = y + 1 == height_ ? y : y - radius_;
     for (int middle = y - radius_; middle <= last; ++middle) {
         if (middle < 0) continue;
-        const auto row = [&](int k) { // row number k of those that are blurred into this one
+        const auto row = [&](int k) { // row number k of the rows blurred into row `middle`
             const int other = middle - radius_ + k;
             return other < 0 || other > y ? dark_.data()
                                           : &spread_[static_cast<std::size_t>(other % rows) * row_];

@@ -166,8 +166,8 @@ let compile_allowed machine ~lists foreign arguments =
   | Some _ when lists && not (Included.lists_some output) -> Error (lists_nothing machine)
   | Some { sources; folders; allowed } -> Included.check ~allowed ~sources ~folders output
 
-(* The flags for one of the user's files. A C compiler recognizes C++ by the file's name, but rejects
-   the flags of C for it. *)
+(* The flags for one of the user's files. A C compiler recognizes C++ by the file's name, but
+   rejects the flags of C for it. *)
 let own_flags kind file =
   if is_cpp file then [ "-std=c++17"; "-O2"; "-ffp-contract=off"; "-fPIC" ]
   else flags @ compile_flags kind

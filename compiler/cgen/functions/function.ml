@@ -260,8 +260,8 @@ let own_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-(* Limits the times that the step reads: the caller's timer may have wrapped around, or its dt may be
-   NaN. *)
+(* Limits the times that the step reads: the caller's timer may have wrapped around, or its dt
+   may be NaN. *)
 let limit_times c (node : M.node) =
   let limit is_read name function_ =
     if is_read then [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] else []

@@ -83,8 +83,8 @@ let place ~entry uses index (program : Ir.program) modes transitions first_mode 
     | Some at, _ | None, Some (_, at) -> at
     | None, None -> entry
 
-(* A transition of the cycle: the mode that it leaves, its target, and the signal function whose event
-   causes it, with its place. *)
+(* A transition of the cycle: the mode that it leaves, its target, and the signal function whose
+   event causes the transition, with that function's place. *)
 type hop = { from : int; target : int; by : Ir.transition; source : (string * Span.t) option }
 type cycle = { entry : Span.t; program : Ir.program; modes : int array }
 

@@ -1,9 +1,9 @@
 (** Orders the computations of a step.
 
-    Requires that the program is causal and that every instance can run as one call, which {!Inline}
-    ensures. Each item comes after all items whose values it needs in the same instant; an instance
-    needs all its static parameters and inputs. Apart from this, the order is the node's own, with
-    instances placed by their spans.
+    Requires that the program is causal, and that every instance can run as one call ({!Inline}
+    ensures this). Each item comes after all items whose values it needs in the same instant; an
+    instance needs all its static parameters and inputs. Apart from this, the order is the node's
+    own, with instances placed by their spans.
 
     [Delay] and [Integral] do not need any other item: such an item represents the value for this
     instant, which is in the state. The value for the next instant must be stored after all items.

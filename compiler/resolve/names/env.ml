@@ -100,8 +100,8 @@ let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
   |> Diagnostic.label ~at:outer.span "this variable is hidden"
   |> Context.emit (context t)
 
-(* Warns about a variable that hides a parameter of the program: within the variable's scope, setting
-   the parameter has no effect. *)
+(* Warns about a variable that hides a parameter of the program: within the variable's scope,
+   setting the parameter has no effect. *)
 let warn_of_param t (inner : Ir.Local.t) =
   let is_it (param : Syntax.Ir.name) = String.equal param.text inner.name in
   match List.find_opt is_it (Lazy.force t.scope.params) with

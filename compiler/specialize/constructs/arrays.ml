@@ -138,7 +138,8 @@ let fold (p : position) evaluator primitive target (f : Value.argument) (first :
 
 (* {1 Single elements} *)
 
-(* Calls [make] with the target and the array of each leaf, and builds the value from the results. *)
+(* Calls [make] with the target and the array of each leaf, and builds the value from the
+   results. *)
 let for_leaves (p : position) target ty (array : Value.argument) make =
   let leaves = (Types.layout p.types ty).leaves in
   let arrays = Leaves.atoms p.types p.node ~span:p.span array.ty array.value in

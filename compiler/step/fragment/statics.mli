@@ -1,9 +1,9 @@
 (** Decides which items a node computes when it starts, and which in each instant.
 
     A signal is static if it depends only on the node's static parameters and on constants, through
-    operations and functions. Since a static signal never changes, the reset computes it and stores
-    it in the state, if it is expensive (its computation calls a function or the C library) and the
-    step reads it. A cheap static signal is computed where it is read, because that costs less than
+    operations and functions. Since a static signal never changes, the reset computes the signal and
+    stores it in the state, if the step reads it and if its computation calls a function or the C
+    library. Any other static signal is computed where it is read, because that costs less than
     storing it. The levels of the source language guarantee that the [init] of a [Delay] and the
     [statics] of an instance are static. A [Function] node has no state and no reset: the step
     computes everything. *)

@@ -18,8 +18,8 @@ val general_representation :
   Show.words -> owner -> at:Span.t -> Units.rigid -> Type.representation -> Diagnostic.t
 
 val promised_unit : Units.t * Units.t -> (Units.rigid * Units.t) option
-(** If one of two clashing units is a single variable of a signature, and the other one contains no
-    such variables: the variable and the other unit. *)
+(** The variable and the other unit, if one of two clashing units is a single variable of a
+    signature and the other unit contains no variables of signatures. *)
 
 val variable_like_a_type : Show.words -> at:Span.t -> Ir.variable -> Diagnostic.t option
 (** The warning [W0302] about a type variable that differs from the name of a type only in the case

@@ -114,9 +114,9 @@ let for_angles facts (f : expr) =
       Option.map (fun other -> (g, other)) (Doc_facts.for_angles facts.docs g)
   | _ -> None
 
-(* Reports the input or argument of a function, because it is an angle that wraps and the function is
-   unsuitable for such angles. [unwrap] is the fix that makes the angle continuous, which is also
-   correct for a multiple of an angle. *)
+(* Reports the input or argument of a function, because it is an angle that wraps and the
+   function is unsuitable for such angles. [unwrap] is the fix that makes the angle continuous,
+   which is also correct for a multiple of an angle. *)
 let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (input : expr) kind
     ~unwrap =
   warning facts (head f) input g.name (fun d ->

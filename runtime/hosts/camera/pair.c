@@ -73,7 +73,8 @@ static bool choose(struct pair *p, const struct fresh fresh[2], size_t chosen[2]
 }
 
 /* Takes the frame with the chosen frame's number, even if the writer has published more frames
- * meanwhile. Returns NULL if it has published so many that it has reused the memory of this one. */
+ * meanwhile. Returns NULL if the writer has published so many that it has reused this frame's
+ * memory. */
 static const struct captured *take_number(struct buffers *b, struct fresh *fresh, size_t chosen)
 {
     const uint32_t number = fresh->numbers[chosen];

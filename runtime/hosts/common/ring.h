@@ -81,10 +81,10 @@ void ring_stopping(struct ring *ring);
 void ring_end(struct ring *ring, enum ring_fate fate);
 
 /* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host
- * calls this at least ten times a second, whether or not it publishes instants. If it has not done
- * so for RING_PATIENCE_NS, it was frozen, so pending events are stale: this function drops them
- * and counts them as late. It also counts the freeze, so that callers can discard events that they
- * took earlier. */
+ * calls this at least ten times a second, whether or not it publishes instants. If the host has not
+ * called it for RING_PATIENCE_NS, the host was frozen, and pending events are stale: this function
+ * drops them and counts them as late. It also counts the freeze, so that callers can discard events
+ * that they took earlier. */
 #define RING_PATIENCE_NS INT64_C(500000000)
 void ring_show_alive(struct ring *ring);
 

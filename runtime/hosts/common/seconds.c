@@ -5,7 +5,8 @@
 
 #define NS_PLACES 9
 
-/* Returns the number of digits before the decimal point, or -1 if there are no digits. Stores the position after the last digit in `end`. */
+/* Returns the number of digits before the decimal point, or -1 if there are no digits. Stores
+ * the position after the last digit in `end`. */
 static long digits(const char *text, const char **end)
 {
     const char *at = text;

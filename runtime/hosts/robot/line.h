@@ -32,12 +32,12 @@ struct line_opening {
      * `message`, of size `room`, explains the problem in one line. */
     enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
 
-    /* Sets the events of the program's controls that come over this line, for this instant; `now_ns`
-     * is the monotonic clock. NULL: there are none. */
+    /* Sets the events of the program's controls that come over this line, for this instant;
+     * `now_ns` is the monotonic clock. NULL: there are none. */
     void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
-    /* Returns the time that the program's instants follow; `now_ns` is the monotonic clock. It never
-     * goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
+    /* Returns the time that the program's instants follow; `now_ns` is the monotonic clock. It
+     * never goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
 
     /* NULL: there are no orders. */
@@ -50,9 +50,9 @@ struct line_opening {
     /* Maximum length of these texts, or 0 if the settings turn them off. */
     size_t (*publish_room)(const struct line *line);
 
-    /* Publishes the verdict on an assertion of the program: whether it fails now, whether verdicts no
-     * longer count because an assumption has failed, and what happened to it. NULL: the line does
-     * not publish verdicts. */
+    /* Publishes the verdict on an assertion of the program: whether it fails now, whether
+     * verdicts no longer count because an assumption has failed, and what happened to it. NULL: the
+     * line does not publish verdicts. */
     void (*judge)(const struct line *line, size_t claim, bool fails, bool is_void,
                   const char *fate);
 

@@ -369,8 +369,8 @@ static void take(struct ros_device *d)
     }
 }
 
-/* Handles the received messages, and keeps the beginning of the next one. Returns false if the bytes
- * are not messages. */
+/* Handles the received messages, and keeps the beginning of the next one. Returns false if the
+ * bytes are not messages. */
 static bool take_all(struct ros_device *d)
 {
     while (d->have >= sizeof d->message.head) {

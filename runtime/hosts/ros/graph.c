@@ -33,8 +33,8 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
     }
 }
 
-/* Reports a subscriber that requests earlier messages too. DDS connects it only to publishers that
- * keep them, and does not report it. */
+/* Reports a subscriber that requests earlier messages too. DDS connects such a subscriber only
+ * to publishers that keep earlier messages, and does not report a refusal. */
 static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
 {
     for (size_t i = 0; i < nodes->size && !topic->told_durability; i++) {

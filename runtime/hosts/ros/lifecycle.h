@@ -26,7 +26,8 @@ struct lifecycle {
     bool is_active;
 };
 
-/* Starts in the state `unconfigured` if the node is managed. Returns false if rcl reports an error. */
+/* Starts in the state `unconfigured` if the node is managed. Returns false if rcl reports an
+ * error. */
 bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int socket,
                      void (*rest)(void *context), void *context);
 

@@ -92,8 +92,8 @@ static bool send_touch(const struct services *s, const struct parameter *p, doub
            (ssize_t)sizeof touch;
 }
 
-/* Sets a parameter that is not fixed. Returns false, with a reason, if the program cannot receive the
- * value. */
+/* Sets a parameter that is not fixed. Returns false, with a reason, if the program cannot
+ * receive the value. */
 static bool set(struct services *s, const rcl_interfaces__msg__Parameter *parameter, double value,
                 char *reason)
 {

@@ -1,5 +1,5 @@
-/* services.h -- the services with which other nodes read and set the parameters of the node, and the
- * topic /parameter_events. */
+/* services.h -- the services with which other nodes read and set the parameters of the node, and
+ * the topic /parameter_events. */
 #ifndef FROB_HOST_ROS_SERVICES_H
 #define FROB_HOST_ROS_SERVICES_H
 

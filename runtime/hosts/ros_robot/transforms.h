@@ -1,5 +1,5 @@
-/* transforms.h -- the robot's frames: `odom` to `base_link` on /tf, and `base_link` to the frames of
- * its sensors on /tf_static.
+/* transforms.h -- the robot's frames: `odom` to `base_link` on /tf, and `base_link` to the frames
+ * of its sensors on /tf_static.
  *
  * A minimal installation of ROS 2 does not contain the package tf2_msgs, so the node does not need
  * its headers: it opens the library of the message's type support, if there is one, when it

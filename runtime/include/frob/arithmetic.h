@@ -180,7 +180,7 @@ static inline const char *frob_arithmetic_reason(unsigned faults)
         return "uses a double that is not an IEEE 754 binary64";
     if ((faults & FROB_ARITHMETIC_ROUNDING) != 0)
         return "does not round to nearest: remove the code that sets another rounding mode";
-    /* Excess precision looks like contraction too, and -ffast-math can look like excess precision. */
+    /* Excess precision also looks like contraction; -ffast-math can look like excess precision. */
     if ((faults & FROB_ARITHMETIC_PRECISION) != 0 && (faults & FROB_ARITHMETIC_SPECIAL) == 0)
         return "uses more than 53 bits of precision: compile for SSE2 or another unit for doubles";
     if ((faults & FROB_ARITHMETIC_CONTRACTION) != 0)

@@ -11,7 +11,7 @@ val sides :
   Units.t * Units.t ->
   (Resolve.Ir.expr * (Units.t * Units.t)) list
 (** The expression, and the other operand of a sum or a comparison, each with the unit that it
-    should have and the one that it has. *)
+    should have and the unit that it has. *)
 
 val complete :
   Show.words ->

@@ -157,8 +157,9 @@ export interface Instant {
   readonly cells: readonly string[];
   /** The edited program's values, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
-  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position and
-   * heading of the first robot at that time, true or by odometry. For records, also the cell. */
+  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the
+   * position and heading of the first robot at that time, true or by odometry. For records, also
+   * the cell. */
   readonly recent: readonly (readonly [
     signal: number,
     value: number,
@@ -167,10 +168,11 @@ export interface Instant {
     heading: number | null,
     cell?: string,
   ])[];
-  /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else 0. */
+  /** The true state of each simulated robot: x, y, heading, and 1 if it touches something, else
+   * 0. */
   readonly truth?: readonly (readonly [number, number, number, number])[];
-  /** The true poses of the simulator's boxes, and then of its balls, in the order of the world file:
-   * x, y and heading. */
+  /** The true poses of the simulator's boxes, and then of its balls, in the order of the world
+   * file: x, y and heading. */
   readonly objects?: readonly (readonly [number, number, number])[];
 }
 
@@ -326,7 +328,8 @@ export interface Picture {
   /** Age in seconds. */
   readonly age?: number;
   readonly marks?: readonly string[];
-  /** The pixels, each the mean of `by` by `by` image pixels; missing if the page already has them. */
+  /** The pixels, each the mean of `by` by `by` image pixels; missing if the page already has
+   * them. */
   readonly by?: number;
   readonly columns?: number;
   readonly rows?: number;

@@ -5,7 +5,8 @@
 const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
 
-/** Paul Tol's light colours for modes: none of them is the colour of a plot. Text on them is dark. */
+/** Paul Tol's light colours for modes: none of them is the colour of a plot. Text on them is
+ * dark. */
 const modes = [
   "#77aadd",
   "#44bb99",

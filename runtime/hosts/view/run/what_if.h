@@ -27,7 +27,8 @@ struct what_if_commands {
     /* Called with a program's file: compiles it, and prints the path of the shared object. NULL:
      * not available. */
     what_if_command build;
-    /* Called with options and a file of `frobc run`: runs it in the simulator. NULL: not available. */
+    /* Called with options and a file of `frobc run`: runs it in the simulator. NULL: not
+     * available. */
     what_if_command drive;
 };
 

@@ -31,8 +31,8 @@ export function newPlot(signals: number[]): Plot {
   return { id: ++count, signals, fixed: null, isXy: false };
 }
 
-// The text of plots in addresses: plots are separated by `;`, their signals by `,`. An XY plot starts
-// with `xy:`, and a fixed range follows as `@LOW..HIGH`.
+// The text of plots in addresses: plots are separated by `;`, their signals by `,`. An XY plot
+// starts with `xy:`, and a fixed range follows as `@LOW..HIGH`.
 
 export function spell(plots: readonly Plot[], program: Program): string {
   const name = (number: number) => encodeURIComponent(program.signals[number]?.name ?? "");

@@ -1,5 +1,5 @@
-// How the list of signals is divided: the program's own signals first, those of the library last and
-// folded.
+// How the list of signals is divided: the program's own signals first, those of the library last
+// and folded.
 import type { Program, Signal } from "../protocol";
 import { modeSignals } from "./modes";
 

@@ -67,8 +67,8 @@ function ofDefinition(signature: string, definition: string): [string, string][]
   ];
 }
 
-/** Maps each function that has a signature to the type of its result, or of the output of the signal
- * function that it returns; null if functions of the same name have different types. */
+/** Maps each function that has a signature to the type of its result, or of the output of the
+ * signal function that it returns; null if functions of the same name have different types. */
 type Results = ReadonlyMap<string, string | null>;
 
 function resultsOf(sources: readonly Source[]): Results {
