@@ -213,7 +213,7 @@ type node = {
           only returns the outputs with this or a higher number (see {!Early_end}) *)
   seconds : bool;  (** the step, or a callee, reads [Dt] *)
   nanoseconds : bool;  (** the step, or a callee, reads [Dt_nanoseconds] *)
-  operations : int;  (** rough number of operations in the step, without callees *)
+  operations : int;  (** approximate number of operations in the step, without callees *)
 }
 
 type mark = {

@@ -17,7 +17,7 @@ constexpr double strongest = 1e6; // largest noise used; with more, pixels would
 
 // Nearly normal random numbers from 0 to 252, in an array so long that its reuse is not
 // noticeable. Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of
-// two stretches of this array that begin at random places: mean 252, standard deviation 52.249,
+// two sections of this array that begin at random places: mean 252, standard deviation 52.249,
 // out to nearly five deviations.
 class Grains {
   public:

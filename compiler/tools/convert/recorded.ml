@@ -106,7 +106,7 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
                 !width (Array.length cells)
                 (Interp.Dialect.width_hint dialect ~width:!width ~cells:(Array.length cells))
             in
-            (* A torn row has fewer cells than the others. *)
+            (* A truncated row has fewer cells than the others. *)
             if Array.length cells > !width then wrong number "%s" text
             else short := Some (number, text)
         | Ok cells -> row number line cells

@@ -144,7 +144,7 @@ val ask : t -> question -> unit
 
 val settle : t -> unit
 (** Answers all postponed questions: attempts them repeatedly, guesses when attempts make no
-    progress, and finally gives up on the rest. *)
+    progress, and finally calls [give_up] of the remaining questions. *)
 
 val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
 (** Runs the function. If it reports errors, drops the constraints it recorded, because they come

@@ -147,8 +147,8 @@ static void see(struct claims *claims, size_t i, int64_t time_ns, const void *ou
     }
 }
 
-/* Handles the assumptions first: an assumption that fails now voids the verdicts of assertions at
- * this instant. */
+/* Handles the assumptions first: an assumption that fails now makes the verdicts of assertions
+ * at this instant invalid. */
 void claims_see(struct claims *claims, int64_t time_ns, const void *output)
 {
     const size_t count = claims->program->claim_count;

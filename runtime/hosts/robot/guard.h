@@ -1,9 +1,9 @@
-/* guard.h -- processes that stop the robot when the supervisor itself is gone or has stopped.
+/* guard.h -- processes that stop the robot when the supervisor itself has ended or no longer runs.
  *
- * A guard has the line open, too. It does nothing while it hears from the supervisor. If it hears
- * nothing for longer than the patience, it sends the stop command ten times a second until the
- * supervisor is back. If the supervisor ends without ending the guard, the guard stops the robot
- * and ends.
+ * A guard has the line open, too. It does nothing while it receives messages from the supervisor.
+ * If it receives none for longer than the patience, it sends the stop command ten times a second
+ * until the supervisor is back. If the supervisor ends without ending the guard, the guard stops
+ * the robot and ends.
  *
  * There are two guards, so that one remains if the supervisor and a guard are killed at the same
  * moment. The supervisor replaces a guard that has ended or hangs. */

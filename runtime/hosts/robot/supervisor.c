@@ -80,7 +80,7 @@ struct supervisor {
     uint32_t resets;    /* how often the program was reset */
     int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
     int64_t looped_ns;  /* start of the last loop iteration; 0: none yet */
-    int64_t awake_ns;   /* when this process last resumed after it was stopped or starved */
+    int64_t awake_ns;   /* when this process last resumed after a pause */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;
@@ -247,7 +247,7 @@ static void be_late(struct supervisor *s)
     tell(s, "a step takes longer than %g s: stopping the robot", s->options->patience_s);
 }
 
-/* Publishes the verdicts once a second, and when an assertion begins or ceases to fail. */
+/* Publishes the verdicts once a second, and when an assertion starts or stops failing. */
 static void publish_claims(struct supervisor *s)
 {
     const struct line_opening *opening = s->line.opening;

@@ -22,13 +22,20 @@ struct trial {
 bool trial_open(struct trial *trial, const struct frob_program *judge);
 
 /* Performs a run in an opened simulation. The run ends at the first instant at which something
- * fails. Writes a line of tab-separated cells: the seed; the verdict: `held`, `violated`,
- * `undecided` (the judge was still waiting for something when the time was over), `unasked`
- * (nothing had to hold at any instant) or `void` (an assumption failed); the time; the label of
- * what failed, or `judge`; for the first robot at that time its x, y, heading, clearance, whether
- * something touches it, the distance driven and the error of its odometry; the number of its
- * collisions, and for the first collision the time, x, y, clearance and object; and `name=value`
- * for each probe of the judge. Returns false if a recording or a picture cannot be written. */
+ * fails. Writes a line of tab-separated cells:
+ *
+ *   the seed;
+ *   the verdict: `held`, `violated`, `undecided` (the judge was still waiting for something when
+ *     the time was over), `unasked` (nothing had to hold at any instant) or `void` (an assumption
+ *     failed);
+ *   the time;
+ *   the label of what failed, or `judge`;
+ *   for the first robot at that time its x, y, heading, clearance, whether something touches it,
+ *     the distance driven and the error of its odometry;
+ *   the number of its collisions, and for the first collision the time, x, y, clearance and object;
+ *   `name=value` for each probe of the judge.
+ *
+ * Returns false if a recording or a picture cannot be written. */
 bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
                struct frob_sim *sim, FILE *file);
 

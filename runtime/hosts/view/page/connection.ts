@@ -125,7 +125,7 @@ export class Connection implements Link {
     this.send();
   }
 
-  /** Call this when the page has drawn the new data and wants more. */
+  /** Call this when the page has drawn the new data and needs more. */
   more(): void {
     if (this.isOpen) this.socket?.send("more");
   }

@@ -33,7 +33,7 @@ function element<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
-/** How long the page shows a complaint, in ms. */
+/** How long the page shows an error message, in ms. */
 const attention = 4000;
 let complaint: { readonly text: string; readonly until: number } | null = null;
 

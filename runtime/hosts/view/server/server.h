@@ -22,7 +22,7 @@
 #define SERVER_LINGERS 5
 #define SERVER_RELOADS 2
 #define SERVER_ENDS 2              /* maximum seconds for shutting down */
-#define SERVER_FAREWELL 3          /* beats for telling pages how a run ended */
+#define SERVER_FAREWELL 3          /* beats during which pages are told how a run ended */
 #define SERVER_STRANGER_MESSAGE 64 /* maximum bytes of a request without the token */
 #define SERVER_BEAT_US 100000
 
