@@ -93,8 +93,8 @@ type declaration =
   | Struct_definition of {
       name : string;
       overlaid : bool;
-          (** its memory may overlap with that of another struct, so compilers must not assume that
-              accesses to the two are independent *)
+          (** its memory may overlap with another struct's, so compilers must not assume that
+              accesses to the two structs are independent *)
       members : member list;
       comment : string;
     }

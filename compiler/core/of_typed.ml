@@ -54,8 +54,8 @@ let foreign (f : T.foreign) : Ir.foreign =
     values = List.map value f.values;
   }
 
-(* If several parameters share a name, only that of the main module is labelled without its module.
-   *)
+(* If several parameters share a name, only the parameter of the main module is labelled without its
+   module. *)
 let params (p : T.program) =
   let label (param : T.param) =
     let namesake (q : T.param) = String.equal q.param.name param.param.name in

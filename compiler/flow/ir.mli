@@ -196,7 +196,7 @@ type transition = {
   occurs : atom;
   target : int;  (** index into the machine's [modes] *)
   arguments : atom list;  (** arguments for the statics of the target's node *)
-  delayed : bool;  (** if true, the output in this instant is still that of the previous mode *)
+  delayed : bool;  (** if true, the output in this instant still comes from the previous mode *)
   at_entry : at_entry;
   by : follower;
   span : Span.t;
@@ -302,7 +302,7 @@ type program = {
       (** if true, the last part of the output is an event with the program's result, which occurs
           when the program ends and in all later instants *)
   probes : (string * shape) list;
-      (** inner signals to show, with their names: the root returns their leaves after those of
+      (** inner signals to show, with their names: the root returns their leaves after the leaves of
           [output] *)
   claims : claim list;  (** the [probes] that are verdicts of assertions *)
   marks : int;

@@ -11,7 +11,7 @@ type arrow = {
   label : string;  (** the signal function that causes the transition; [""] if it is not known *)
   may_be_immediate : bool;
       (** whether the transition may occur in the first instant of the state that it leaves *)
-  delayed : bool;  (** whether the output in this instant is still that of the old state *)
+  delayed : bool;  (** whether the output in this instant still comes from the old state *)
 }
 
 type state = {

@@ -1,5 +1,5 @@
-// Dimensions and constants of iRobot's Create 2. They are those of stdlib/Create.frob, which lists
-// the sources and the values that are estimates.
+// Dimensions and constants of iRobot's Create 2. The values are the same as in stdlib/Create.frob,
+// which lists the sources and says which values are estimates.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Dimensions of Nomadics' Super Scout. They are those of stdlib/Scout.frob, which lists the sources
-// and the values that are estimates.
+// Dimensions of Nomadics' Super Scout. The values are the same as in stdlib/Scout.frob, which lists
+// the sources and says which values are estimates.
 #pragma once
 
 #include "chassis.h"

@@ -16,7 +16,7 @@ struct Echo {
     Pose from;              // pose of the transducer in the world when it fired
 };
 
-// The distance to the nearest object in a transducer's cone, which is the one heard first. Casts
+// The distance to the nearest object in a transducer's cone, that is, the object heard first. Casts
 // `rays` rays.
 std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer, double half_angle,
                                       double reach, int rays);

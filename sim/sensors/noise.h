@@ -1,5 +1,5 @@
 // Seeded noise that is the same on every machine. The standard library specifies the output of its
-// generators, but not that of its distributions.
+// generators, but not the output of its distributions.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ void Server::plug(std::unique_ptr<Connection> connection) {
 }
 
 // Passes bytes to the firmware in order, each at its time of arrival. A new client's bytes wait
-// until those of the previous client have been delivered.
+// until the previous client's bytes have been delivered.
 void Server::receive(std::int64_t time_ns) {
     if (left_ && to_robot_.travelling() == 0) {
         firmware_.forget();

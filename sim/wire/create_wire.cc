@@ -224,7 +224,8 @@ void CreateWire::boot() {
     }
 }
 
-// Appends a packet's data, or those of all packets in a group; appends nothing for an unknown id.
+// Appends a packet's data, or the data of all packets in a group; appends nothing for an unknown
+// id.
 void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to) {
     if (id < 7 || id > 58) {
         for (const Group &group : groups)

@@ -104,7 +104,7 @@ Print Print::tag(int id) {
 }
 
 // Interpolates between four pixels of a mipmap level: the first one whose pixels are not much finer
-// than those of the camera.
+// than the camera's.
 void Print::colours(int count, const float *x, const float *y, const float *per_width, float light,
                     float *to) const {
     std::size_t number = 0;

@@ -85,7 +85,7 @@ struct CameraSettings {
     double rate = 30.0;                      // Hz
     double latency = 0.0;                    // s from a frame's exposure to its arrival at the
                                              // program
-    double rolling = 0.0;      // s from the exposure of a frame's first row to that of its last
+    double rolling = 0.0;      // s from the exposure of a frame's first row to its last row's
     double jitter = 0.0;       // s: maximum deviation of a frame's time
     double dropout = 0.0;      // fraction of frames that are lost
     double noise = 0.0;        // standard deviation of a pixel's value, on the scale from 0 to 255

@@ -20,7 +20,7 @@ let create n = { keys = [||]; values = [||]; length = 0; bits = bits_for n fewes
    Art of Computer Programming 3, section 6.4). *)
 let own_place t key = (key * 0x278DDE6E5FD29F05) lsr (Sys.int_size - t.bits)
 
-(* The slot that contains the key, or the one to insert it at. *)
+(* The slot that contains the key, or the slot where to insert the key. *)
 let rec place t key i =
   match t.values.(i) with
   | Some _ when t.keys.(i) <> key -> place t key ((i + 1) land (Array.length t.keys - 1))

@@ -1,5 +1,5 @@
 (** List functions that do not overflow the stack, for lists that grow with the size of the program.
-    Before OCaml 5.1, those of the standard library are not tail-recursive. *)
+    Before OCaml 5.1, the functions of the standard library are not tail-recursive. *)
 
 val map : ('a -> 'b) -> 'a list -> 'b list
 (** Visits the elements from first to last. *)

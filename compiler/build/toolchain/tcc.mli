@@ -12,5 +12,5 @@ val adapted : string -> string
 (** Adapts generated C to avoid two bugs of tcc 0.9.27. *)
 
 val archive : string -> string
-(** Replaces the path of [libfrob.a] with that of an archive that tcc can link; other paths are
+(** Replaces the path of [libfrob.a] with the path of an archive that tcc can link; other paths are
     unchanged. *)

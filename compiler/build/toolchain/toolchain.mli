@@ -21,7 +21,7 @@ type machine = {
 
 val this_machine : unit -> machine
 (** The compiler that [CC] names, or else the first of [cc], [gcc] and [clang] that is installed, or
-    else the one that comes with frobc (see {!Tcc}). *)
+    else the compiler that comes with frobc (see {!Tcc}). *)
 
 val build :
   ?machine:machine ->

@@ -82,8 +82,7 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
   in
   Leaves.value p.types result outputs
 
-(* Detects C components whose struct and functions would have the same names as those of the
-   program. *)
+(* Detects C components whose struct and functions would have the same names as the program's. *)
 let check_names sink ~name (foreign : Core.Ir.foreign) =
   (* For example, [my-robot.frob] defines [my_robot_step]. *)
   let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in

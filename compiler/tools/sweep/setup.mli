@@ -4,7 +4,7 @@ type place = {
   world : string;  (** the world's name in the plan *)
   path : string;
   robot : string;  (** empty if only the program determines it *)
-  program : string;  (** path of the program compiled for hosts; [judge] is that of the judge *)
+  program : string;  (** path of the program compiled for hosts; [judge]: path of the judge *)
   judge : string;
   digest : string;
       (** digest of everything that a run here depends on, except the seed and the parameters *)

@@ -84,7 +84,7 @@ let of_chance t (chance : Chance.t) =
     "%s %g of runs, with confidence %g: held in %d of %s, so the true fraction is %.4f to %.4f" said
     chance.share chance.confidence held (plural total "run") least most
 
-(* The failed runs, starting with the one that has evidence. *)
+(* The failed runs, starting with the run that has evidence. *)
 let told t =
   match (t.evidence, failures t) with
   | Some e, _ :: others -> e.run :: others

@@ -5,7 +5,7 @@ open Context
 type sequence = {
   input : Type.t;
   output : Type.t;
-  whole : Type.t; (* the type of the remaining statements; it does not depend on the ones before *)
+  whole : Type.t; (* the type of the remaining statements; does not depend on earlier ones *)
 }
 
 let task s result = Environment.task_of s.input s.output result

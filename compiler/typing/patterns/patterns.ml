@@ -26,7 +26,7 @@ let rec falls (e : expr) =
 let listed ({ named; more } : Coverage.missing) =
   Enumeration.some (List.map (Printf.sprintf "`%s`") named) ~more
 
-(* A branch that binds a variable whose name, if capitalized, is that of a constructor. *)
+(* A branch that binds a variable whose name, if capitalized, is the name of a constructor. *)
 let taken_for_a_constructor w (branches : branch list) =
   let constructor name =
     let name = String.capitalize_ascii name in

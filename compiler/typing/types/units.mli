@@ -10,7 +10,8 @@ type t
 
 type rigid = { variable : Ir.variable; depth : int }
 (** A universally quantified variable. [depth]: the number of generalizing definitions around the
-    one that quantifies it. Variables of outer definitions must not depend on it. *)
+    definition that quantifies the variable. Variables of outer definitions must not depend on it.
+*)
 
 type flexible
 (** An unsolved variable. *)

@@ -1,5 +1,6 @@
 /* settings.h -- the user's settings of a camera: the source of its frames, its projection and its
- * pose. The names are those of a camera in a world file (sim/README.md). */
+ * pose. The settings have the same names as the keys of a camera in a world file
+ * (sim/README.md). */
 #ifndef FROB_HOST_CAMERA_SETTINGS_H
 #define FROB_HOST_CAMERA_SETTINGS_H
 

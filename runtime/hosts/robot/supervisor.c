@@ -66,7 +66,7 @@ struct supervisor {
     bool tells;
 
     void *input, *output;
-    /* The program's time is that of the monotonic clock, or of a simulator (line.h). */
+    /* The program's time follows the monotonic clock, or a simulator (line.h). */
     bool started;       /* the first instant has begun */
     int64_t first_ns;   /* the program's time in the first instant */
     int64_t instant_ns; /* last instant, from the first one on */

@@ -110,8 +110,8 @@ extern const struct frob_driver frob_ros_driver;
 /* Sets the events of the program's lidars and inertial measurement units for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
-/* Returns the time that the program's instants follow: that of /clock with use_sim_time, otherwise
- * `now_ns`, that of this machine; INT64_MIN if it is not known yet. */
+/* Returns the time that the program's instants follow: the time of /clock with use_sim_time,
+ * otherwise `now_ns`, the time of this machine; INT64_MIN if it is not known yet. */
 int64_t ros_device_time_ns(const void *device, int64_t now_ns);
 
 /* The orders of the nodes that manage this one. */

@@ -9,7 +9,8 @@
 
 extern const struct line_opening ros_opening;
 
-/* If the command line is that of a node, runs it, and returns true and its exit status. */
+/* If this is the command line of a node, runs the node, and returns true and the node's exit
+ * status. */
 bool ros_is_node(int argc, char **argv, const struct frob_program *program, int *status);
 
 #endif

@@ -52,7 +52,7 @@ static void add_from_file(void *context, const char *name, const char *value)
     add_override((struct found *)context, name, strlen(name), value);
 }
 
-/* Calls `take` for each argument for ROS and the one before it. */
+/* Calls `take` for each argument for ROS, and passes the previous argument as well. */
 static void each_argument(int argc, char **argv,
                           void (*take)(void *context, const char *before, const char *argument),
                           void *context)

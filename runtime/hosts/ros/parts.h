@@ -29,7 +29,7 @@ struct graph {
 /* The monotonic clock. */
 int64_t node_now_ns(void);
 
-/* The time for stamps: that of /clock with use_sim_time, otherwise that of this machine. */
+/* The time for stamps: the time of /clock with use_sim_time, otherwise this machine's time. */
 int64_t node_stamp_ns(void);
 
 /* Checks the other nodes once a second, and reports topics without a publisher, messages of a

@@ -17,8 +17,8 @@ struct ros_seat {
     double x_m, y_m, heading_rad; /* positive to the left */
 };
 
-/* Converts a scan; `room` receives its distances and must be large enough for those of the message.
- * Returns NULL, or the reason why the scan is invalid. */
+/* Converts a scan; `room` receives its distances and must be large enough for the message's
+ * distances. Returns NULL, or the reason why the scan is invalid. */
 const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *seat, double *room,
                         struct frob_scan *scan);
 

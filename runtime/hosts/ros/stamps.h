@@ -28,7 +28,7 @@ struct stamps {
 enum stamps_verdict {
     STAMPS_GOOD,
     STAMPS_OLD,   /* delayed by more than the patience */
-    STAMPS_BACK,  /* its timestamp is before that of an earlier message */
+    STAMPS_BACK,  /* its timestamp is before an earlier message's */
     STAMPS_AHEAD, /* its timestamp is ahead of the sender's clock by more than the patience */
     STAMPS_RESET  /* accepted: from now on, the new clock applies */
 };

@@ -224,7 +224,7 @@ static void publish(const rcl_publisher_t *publisher, const void *message)
         rcl_reset_error();
 }
 
-/* The frame of a sensor. Without transforms it is that of the robot, which every node knows. */
+/* The frame of a sensor. Without transforms it is the robot's frame, which every node knows. */
 static bool set_frame(const struct robot *r, std_msgs__msg__Header *header, uint32_t sensor)
 {
     return rosidl_runtime_c__String__assign(

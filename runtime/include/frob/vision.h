@@ -292,7 +292,7 @@ struct frob_vec3 {
  * the direction of its face, which points towards the camera; the root mean square distance, in
  * pixels, of the found corners from those that this pose predicts; and the ambiguity between this
  * pose and the other pose that looks nearly the same. The ambiguity is the residual of this pose
- * divided by that of the other: 0 is certain, 1 is a guess. */
+ * divided by the residual of the other: 0 is certain, 1 is a guess. */
 #ifndef FROB_TAG_PLACE_DEFINED
 #define FROB_TAG_PLACE_DEFINED
 struct frob_tag_place {

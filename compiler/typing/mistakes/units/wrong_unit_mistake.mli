@@ -1,6 +1,6 @@
 (** Units that are written, but wrong: a superfluous factor such as [1[m]], and a gain, a constant
-    or a parameter whose unit is not the one that its use requires. Each pair of units contains the
-    expected unit and the actual one. *)
+    or a parameter whose use requires a different unit. Each pair of units contains the expected
+    unit and the actual one. *)
 
 open Basis
 

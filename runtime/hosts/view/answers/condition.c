@@ -393,7 +393,7 @@ static const char *name_at(const struct names *names, size_t i)
     return names->machine != NULL ? names->machine->modes[i] : names->constructors[i].name;
 }
 
-/* Reports a name that is neither one of the signal's modes or constructors nor that of a signal. */
+/* Reports a name that is neither a mode or constructor of the signal nor a signal's name. */
 static void not_one_of(struct reader *r, const struct names *names, const char *name)
 {
     complain(r, "there is no mode or value", name);

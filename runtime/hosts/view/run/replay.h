@@ -33,8 +33,8 @@ struct replay {
     struct watch watch;     /* assertions before instant `reached` */
 };
 
-/* Prepares without running anything. The signals' program need not be the one that the recording
- * was read for, but must have the same input and output. Sets those of its parameters that are in
+/* Prepares without running anything. The signals' program need not be the program that the
+ * recording was read for, but must have the same input and output. Sets the parameters that are in
  * `settings` (see recording.h). Returns false if memory runs out. */
 bool replay_start(struct replay *replay, const struct signals *signals, struct recording *recording,
                   const struct buffer *settings);

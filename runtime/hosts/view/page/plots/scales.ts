@@ -38,7 +38,7 @@ function shorten(name: string): string {
   return name.length > 10 ? `${name.slice(0, 9)}…` : name;
 }
 
-/** Returns the labelled positions on an axis of some pixels: those of names, or round numbers. */
+/** Returns the labelled positions on an axis of some pixels: of names, or of round numbers. */
 export function splitsOf(
   named: Signal | undefined,
   [low, high]: readonly [number, number],

@@ -34,7 +34,7 @@ export class XyPlot implements Body {
   private readonly canvas = document.createElement("canvas");
   private readonly still = document.createElement("canvas").getContext("2d");
   private height = 100;
-  /** For each vertical signal: times and points; and those of the other recording. */
+  /** For each vertical signal: its times and points, and the same from the other recording. */
   private points: Points[] = [];
   private others: Points[] = [];
 
