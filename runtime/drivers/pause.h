@@ -2,7 +2,7 @@
  * incomplete.
  *
  * No robot pauses within a packet, but the line may be unplugged or the robot turned off in the
- * middle of one. The bytes that the robot sends next must not be read as the rest of that
+ * middle of a packet. The bytes that the robot sends next must not be read as the rest of that
  * packet. */
 #ifndef FROB_DRIVERS_PAUSE_H
 #define FROB_DRIVERS_PAUSE_H

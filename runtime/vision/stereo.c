@@ -120,8 +120,6 @@ static void add_row(struct frob_stereo_rows *rows, int32_t y, bool take)
     }
 }
 
-/* Adds up each `window` neighbours, as sums of 1, 2, 4, 8 and 16 neighbours. `part` is a work
- * area. */
 FROB_CLONES
 static void add_doubles(const uint16_t *FROB_APART from, int32_t step, int32_t count,
                         uint16_t *FROB_APART to)
@@ -137,6 +135,8 @@ static void add_to(const uint16_t *FROB_APART from, int32_t count, uint16_t *FRO
         to[i] = (uint16_t)(to[i] + from[i]);
 }
 
+/* Adds up the `window` neighbours from each position on, from sums of 1, 2, 4, 8 and
+ * 16 neighbours. */
 static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, uint16_t *sums)
 {
     enum { WIDE = FROB_IMAGE_SIDE + 32 };

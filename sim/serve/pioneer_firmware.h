@@ -1,6 +1,7 @@
 // The firmware of a Pioneer (P2OS to ARCOS) on the simulated robot: the handshake, the motion
 // commands, the server information packets (SIPs), and the watchdog. The watchdog stops the robot
-// when no packet has arrived for two seconds; the robot resumes its old speeds when one arrives.
+// when no packet has arrived for two seconds; the robot resumes its old speeds when the next packet
+// arrives.
 #pragma once
 
 #include <array>

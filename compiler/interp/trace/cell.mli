@@ -18,4 +18,4 @@ val overflows : string -> bool
 (** Is the text a number, written in digits, that would be rounded to infinity, such as [1e400]? *)
 
 val largest : Basis.Real.t -> string
-(** The range of numbers to state in the error message for such a number. *)
+(** The range of numbers to state in the error message for a number that {!overflows}. *)

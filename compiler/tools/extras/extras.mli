@@ -1,8 +1,8 @@
 (** Third-party Python packages, in a virtual environment that only frobc uses.
 
     The environment is in [XDG_DATA_HOME/frobc] or [~/.local/share/frobc]. If the user has activated
-    a virtual environment, frobc uses that one instead. Python in the environment finds the package
-    frob of this frobc. *)
+    a virtual environment, frobc uses that environment instead. Python in the environment finds the
+    package frob of this frobc. *)
 
 type group = {
   name : string;

@@ -18,8 +18,8 @@ struct overrides {
  * and wrong values. The result is never freed. */
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program);
 
-/* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: its
- * name. */
+/* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: the
+ * program's name. */
 void overrides_of_controls(int argc, char **argv, const char *program,
                            const struct parameters *parameters,
                            void (*set)(void *context, struct parameter *parameter, double value),

@@ -48,7 +48,7 @@ struct frob_origin {
     /* The place of its equation; for a parameter, the place of its argument. */
     const char *file;
     unsigned line, last;
-    const struct frob_source *sources; /* ends with one whose column is NULL; or NULL */
+    const struct frob_source *sources; /* ends with a source whose column is NULL; or NULL */
     /* If the column is a machine's running mode: its transitions. The array ends with one whose
      * label is NULL. */
     const struct frob_transition *transitions;

@@ -210,8 +210,8 @@ const struct frob_origin *why_origin(const struct frob_origin *origins, const st
 #define LONGEST 16
 
 /* Finds how a machine changed from one mode to another in an instant: by one transition, or by
- * several through modes that ended as soon as they began. Stores the shortest path and returns its
- * length; 0 if it is unknown. */
+ * several transitions through modes that ended as soon as they began. Stores the shortest path and
+ * returns its length; 0 if it is unknown. */
 static size_t way(const struct frob_transition *transitions, int from, int to,
                   const struct frob_transition *result[LONGEST])
 {

@@ -281,7 +281,7 @@ export class Store {
       this.savings.delete(instant.k);
       return;
     }
-    // Another page may have an edited program where this one has none.
+    // Another page may have an edited program although this page has none.
     if (!this.following) this.instant = this.hasOthers ? instant : withoutOthers(instant);
     this.outstanding = false;
     if (this.wanted !== null) {

@@ -1,5 +1,5 @@
-/* what_if.h -- runs an edited program on the inputs of the recorded one, or in the simulator that
- * the recorded one ran in. */
+/* what_if.h -- runs an edited program on the inputs of the recorded program, or in the
+ * simulator, with the recorded run's world and seed. */
 #ifndef FROB_VIEW_WHAT_IF_H
 #define FROB_VIEW_WHAT_IF_H
 

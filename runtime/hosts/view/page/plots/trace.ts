@@ -80,8 +80,8 @@ export class Trace {
     return this.values.every((value) => value === null);
   }
 
-  /** Returns the value that the signal has at a time: its last value before it; for an event, the
-   * nearest one within `close` seconds. */
+  /** Returns the value that the signal has at a time: its last value before that time; for an
+   * event, the nearest value within `close` seconds. */
   at(seconds: number, close: number, values = this.values): number | null {
     let low = 0,
       high = this.times.length;
