@@ -8,7 +8,7 @@ val missing : Shape_fact.rule
 (** A function where a value is expected; the hint lists the missing arguments. *)
 
 val more_missing_than_expected : Shape_fact.rule
-(** A function that lacks more arguments than the expected function takes. *)
+(** A function that still needs more arguments than a function of the expected type takes. *)
 
 val lambda_with_too_few_parameters : Shape_fact.rule
 (** The body of a lambda that is called with one argument more than it has parameters. *)

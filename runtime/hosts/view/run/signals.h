@@ -50,7 +50,7 @@ const struct signal *signals_find(const struct signals *signals, const char *nam
 /* Returns whether the signal is the running mode of a machine. */
 bool signal_is_mode(const struct signal *signal);
 
-/* Writes the signal's value as the cell of a trace. */
+/* Writes the signal's value as a cell of a trace. */
 void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text);
 
