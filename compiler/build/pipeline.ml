@@ -70,11 +70,12 @@ let lint flow =
 
 (* Specializes the program, and checks the rules for all programs before any pass moves an
    equation, so that messages refer to equations as they were written. *)
-let specialize ~options ~default ~name ~entry sink ~(written : Typing.Ir.definition) core marks =
+let specialize ~options ~default ~name ~entry sink ~sources ~(written : Typing.Ir.definition) core
+    marks =
   let options = { options with Specialize.Context.marks } and span = written.span in
   let* flow = Specialize.Of_core.program ~options ~default sink ~name ~entry core in
   Flow.Extent.check sink ~entry:span flow;
-  Flow.Causality.check sink ~entry:span flow;
+  Flow.Causality.check sink ~sources ~entry:span flow;
   if Diagnostic.has_errors sink then None
   else Some (Flow.Instantaneous_loops.program sink ~entry:span flow)
 
@@ -87,7 +88,7 @@ let with_marks r sink ~written ~specialized (plain : Flow.Ir.program) =
     if not (Drawing.is_shown r) then Some { plain with marks }
     else match marks with 0 -> Some plain | 1 -> Some counted | _ -> specialized (Some marks)
 
-let to_flow (r : Request.t) sink front ~(written : Typing.Ir.definition) (core, entry) =
+let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition) (core, entry) =
   match Typing.Entry.refusal front.typed ~closed:(entry <> written.name) written with
   | Some refusal ->
       Core.Recursion.check sink core;
@@ -98,7 +99,7 @@ let to_flow (r : Request.t) sink front ~(written : Typing.Ir.definition) (core, 
       let name = C_file.name r.file in
       let* default = Params.defaults sink core in
       let* core = Operator.declared options sink front.typed ~name ~entry core in
-      let specialized = specialize ~options ~default ~name ~entry sink ~written core in
+      let specialized = specialize ~options ~default ~name ~entry sink ~sources ~written core in
       let* flow = specialized None in
       let* flow = with_marks r sink ~written ~specialized flow in
       let* flow = stage r sink Specialize ~lint ~print:Flow.Print.program flow in

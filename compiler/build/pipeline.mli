@@ -32,13 +32,14 @@ val reachable : Resolve.Ir.program -> Resolve.Ir.program
 val to_flow :
   Request.t ->
   Diagnostic.sink ->
+  Source.t ->
   front ->
   written:Typing.Ir.definition ->
   Core.Ir.program * Core.Ir.Global.t ->
   ((Core.Ir.program * Core.Ir.Global.t) * Flow.Ir.program) option
-(** Finds the console, specializes the entry and checks causality. [written] is the entry as written
-    in the source, and the last argument is the program closed for a robot, with its entry. The
-    result contains the same program with the fields of its console. *)
+(** Finds the console, specializes the entry and checks causality. The messages quote the sources.
+    [written] is the entry as written in the source, and the last argument is the program closed for
+    a robot, with its entry. The result contains the same program with the fields of its console. *)
 
 val lint : Flow.Ir.program -> unit
 (** Checks the invariants of Flow between two stages. *)

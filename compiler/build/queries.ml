@@ -15,7 +15,8 @@ let for_a_robot r { Pipeline.resolved; typed; core; _ } entry : Robots.program =
 
 (* Checks a program for several robots without choosing one or, if a robot is needed, with any that
    fits. *)
-let check_entry (r : Request.t) sink (front : Pipeline.front) (written : Typing.Ir.definition) =
+let check_entry (r : Request.t) sink sources (front : Pipeline.front)
+    (written : Typing.Ir.definition) =
   let program = for_a_robot r front written.name in
   let sampled = Option.is_none r.robot && Robots.is_open program in
   match if sampled then Robots.sampled program else Robots.closed sink r.robot program with
@@ -23,7 +24,7 @@ let check_entry (r : Request.t) sink (front : Pipeline.front) (written : Typing.
       let claims ((core, _), flow) =
         if Probe.Observed.has_claims flow then Probes.warn_of_claims sink written core flow
       in
-      Option.iter claims (Pipeline.to_flow r sink front ~written closed)
+      Option.iter claims (Pipeline.to_flow r sink sources front ~written closed)
   | None -> Core.Recursion.check sink front.core
 
 let check ?seen sink sources r =
@@ -32,7 +33,7 @@ let check ?seen sink sources r =
   | Some front when Typing.Entry.all front.typed = [] ->
       Core.Recursion.check sink front.core;
       if not (Diagnostic.has_errors sink) then ignore (Params.defaults sink front.core)
-  | Some front -> List.iter (check_entry r sink front) (Typing.Entry.all front.typed)
+  | Some front -> List.iter (check_entry r sink sources front) (Typing.Entry.all front.typed)
   | None -> ()
 
 let partial sources (r : Request.t) =
@@ -83,7 +84,7 @@ let program sink sources (r : Request.t) =
   let* front = Pipeline.front r sink sources in
   let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
   let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
-  let* closed, flow = Pipeline.to_flow r sink front ~written closed in
+  let* closed, flow = Pipeline.to_flow r sink sources front ~written closed in
   let { Pipeline.resolved; typed; margin; core = _ } = front in
   Some { resolved; typed; written; closed; flow; margin }
 

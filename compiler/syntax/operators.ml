@@ -132,15 +132,21 @@ let compared_twice first (operand : term) second =
         name.text name.text (shown second)
   | _ -> "compare two at a time: `a < b && b < c`"
 
-(* `0.2[m] < d && d < …` for a chain of comparisons *)
-let both_compared (left : term) first (operand : term) second quote =
-  match (quote left.span, quote operand.span) with
-  | Some left, Some operand ->
-      Printf.sprintf "compare two at a time: `%s %s %s && %s %s …`" left (shown first) operand
-        operand (shown second)
-  | _ -> compared_twice first operand second
+(* `0.2[m] < d && d < 0.8[m]` for a chain of comparisons *)
+let both_compared (left : term) first (operand : term) second (right : term) quote d =
+  match (quote left.span, quote operand.span, quote right.span) with
+  | Some a, Some b, Some c ->
+      let text = Printf.sprintf "%s %s %s && %s %s %s" a (shown first) b b (shown second) c in
+      Diagnostic.hint (Printf.sprintf "compare two at a time: `%s`" text) d
+      |> Diagnostic.write (Span.merge left.span right.span) text
+  | Some a, Some b, _ ->
+      Diagnostic.hint
+        (Printf.sprintf "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
+           (shown second))
+        d
+  | _ -> Diagnostic.hint (compared_twice first operand second) d
 
-let reject_two (left : term) (first : Ir.qualified) operand (second : Ir.qualified) =
+let reject_two (left : term) (first : Ir.qualified) operand (second : Ir.qualified) right =
   match written_in_words operand with
   | Some (word, symbol, at) ->
       Reject.diagnostic
@@ -152,10 +158,10 @@ let reject_two (left : term) (first : Ir.qualified) operand (second : Ir.qualifi
           Diagnostic.error ~code:"E0113" ~at:second.span
             "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
           |> Diagnostic.label ~at:first.span "after this one"
-          |> Diagnostic.hint
-               (if fst (precedence second) = comparison_level then
-                  both_compared left first operand second quote
-                else "put parentheses around the part to compute first"))
+          |>
+          if fst (precedence second) = comparison_level then
+            both_compared left first operand second right quote
+          else Diagnostic.hint "put parentheses around the part to compute first")
 
 let in_parentheses (first : Span.t) (last : Span.t) =
   let place at = Span.make ~file:first.file ~start:at ~stop:at in
@@ -179,18 +185,18 @@ let reject_minus (operator : Ir.qualified) at (operand : term) =
     |> in_parentheses at operand.span)
 
 (* Operator-precedence parsing with an explicit stack. [reduce] applies the operators on the stack
-   that bind tighter than an operator of [level]. *)
-let rec reduce stack operand level side next =
+   that bind tighter than an operator of [level]. [right]: the operand after the operator [next]. *)
+let rec reduce stack operand level side next ~right =
   match stack with
   | Binary b :: rest ->
       if b.level > level || (b.level = level && b.side = Left && side = Left) then
-        reduce rest (apply b.left b.operator operand) level side next
+        reduce rest (apply b.left b.operator operand) level side next ~right
       else if b.level = level && not (b.side = Right && side = Right) then
-        reject_two b.left b.operator operand next
+        reject_two b.left b.operator operand next right
       else (stack, operand)
   | Unary at :: rest ->
       if minus_level > level || (minus_level = level && side = Left) then
-        reduce rest (negate at operand) level side next
+        reduce rest (negate at operand) level side next ~right
       else (stack, operand)
   | [] -> (stack, operand)
 
@@ -207,7 +213,7 @@ let push stack next = function
       Unary at :: stack
   | Operand { operand; operator } ->
       let level, side = precedence operator in
-      let stack, left = reduce stack operand level side operator in
+      let stack, left = reduce stack operand level side operator ~right:next in
       Binary { left; operator; level; side } :: stack
 
 let rec finish stack operand =

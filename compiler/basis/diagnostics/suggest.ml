@@ -24,6 +24,26 @@ let distance ~limit a b =
     | Some d when d <= limit -> Some d
     | Some _ | None -> None
 
+(* The words of a name in lower case, in alphabetical order: [follow] and [wall] for [wallFollow]. *)
+let words name =
+  let rec split i start found =
+    let add () = if i > start then String.sub name start (i - start) :: found else found in
+    if i >= String.length name then add ()
+    else if name.[i] = '_' then split (i + 1) (i + 1) (add ())
+    else if Character.is_upper name.[i] then split (i + 1) i (add ())
+    else split (i + 1) start found
+  in
+  List.sort String.compare (List.map String.lowercase_ascii (split 0 0 []))
+
+(* The only candidate that consists of the same words in another order. *)
+let reordered name candidates =
+  match words name with
+  | _ :: _ :: _ as all -> (
+      match List.filter (fun candidate -> words candidate = all) candidates with
+      | [ candidate ] -> Some candidate
+      | _ -> None)
+  | _ -> None
+
 let closest name candidates =
   let limit = min 3 ((String.length name + 1) / 3) in
   let lower = String.lowercase_ascii name in
@@ -39,4 +59,6 @@ let closest name candidates =
     | Some d, Some (d', other) when (d', other) <= (d, candidate) -> best
     | Some d, (Some _ | None) -> Some (d, candidate)
   in
-  Option.map snd (List.fold_left better None candidates)
+  match List.fold_left better None candidates with
+  | Some (_, candidate) -> Some candidate
+  | None -> reordered name candidates

@@ -42,7 +42,8 @@ let named sink entry core flow ~asserts names =
 let causal entry flow probes =
   let is_causal probes =
     let sink = Diagnostic.sink () in
-    Flow.Causality.check sink ~entry:(name_of entry) (Probe.Observed.program flow probes);
+    Flow.Causality.check sink ~sources:(Source.create ()) ~entry:(name_of entry)
+      (Probe.Observed.program flow probes);
     not (Diagnostic.has_errors sink)
   in
   (* Bisection, because only few probes are not causal, if any. *)

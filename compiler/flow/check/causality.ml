@@ -134,6 +134,34 @@ let initial (program : Ir.program) (signal : Ir.signal) =
       | _ -> "x0")
   | Array _ | Foreign _ -> "x0"
 
+(* The hint for a loop that an equation on one line closes: the equation with the previous value, or
+   an integral. *)
+let of_equation sources program first last =
+  let read = last.read in
+  let start = initial program read in
+  if String.equal start "x0" || last.via <> [] || not (is_expression read.name) then None
+  else
+    let shown (cure : Own_equation.t) =
+      String.concat " and "
+        (List.map
+           (fun (name, right) -> Printf.sprintf "`%s = %s`" name right)
+           (Option.to_list cure.before @ [ (last.reader.name, cure.right) ]))
+    in
+    let hint (cure : Own_equation.t) =
+      match cure.kind with
+      | Integral -> Printf.sprintf "for the sum over time, write %s" (shown cure)
+      | Previous ->
+          Printf.sprintf "let `%s` read %s: write %s, where %s is the initial value"
+            last.reader.name
+            (if last.reader.id = read.id then "its own previous value"
+             else Printf.sprintf "the previous value of `%s`" first.reader.name)
+            (shown cure) start
+    in
+    Own_equation.cure sources ~name:last.reader.name ~at:last.reader.span ~read:read.name ~start
+    |> Option.map (fun (cure : Own_equation.t) d ->
+           Diagnostic.hint (hint cure) d
+           |> Diagnostic.fix (Printf.sprintf "write %s" (shown cure)) cure.edits)
+
 let hint_here program first last =
   let read = last.read in
   let whose =
@@ -160,7 +188,7 @@ let shorten hops =
   if n <= longest_shown then (hops, 0)
   else (List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) hops, n - longest_shown)
 
-let report_named program entry hops =
+let report_named sources program entry hops =
   let first = List.hd hops in
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
@@ -174,15 +202,19 @@ let report_named program entry hops =
       first.reader.name
   in
   let shown, left_out = shorten hops in
-  let hint =
+  let complete =
     let own (_, (at : Span.t)) = Own_code.is_own ~entry at in
     match (List.concat_map elsewhere hops, Own_code.is_own ~entry last.at) with
-    | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
-    | others, true when List.exists own others -> hint_elsewhere (fst (List.find own others))
-    | _, true -> hint_here program first last
-    | [], false -> hint_within
+    | (_ :: _ as others), false -> Diagnostic.hint (hint_elsewhere (fst (List.hd others)))
+    | others, true when List.exists own others ->
+        Diagnostic.hint (hint_elsewhere (fst (List.find own others)))
+    | _, true ->
+        Option.value
+          (of_equation sources program first last)
+          ~default:(Diagnostic.hint (hint_here program first last))
+    | [], false -> Diagnostic.hint hint_within
   in
-  let d = List.fold_left label d shown |> Diagnostic.hint hint in
+  let d = List.fold_left label d shown |> complete in
   let d =
     if List.exists (fun hop -> List.exists by_a_switch hop.via) hops then
       Diagnostic.note
@@ -211,27 +243,27 @@ let report_unnamed hops =
   |> Diagnostic.here ("the value comes back here" ^ through first.via)
   |> Diagnostic.hint "read the previous value instead, with `delay`"
 
-let report program entry passages uses index (node : Dependency.node) component =
+let report sources program entry passages uses index (node : Dependency.node) component =
   let cycle = Graph.shortest_cycle node.graph component in
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = Long_list.map (hop program passages node) edges in
   let d =
     match named_hops hops with
-    | Some hops -> report_named program entry hops
+    | Some hops -> report_named sources program entry hops
     | None -> report_unnamed hops
   in
   match Own_code.use uses ~entry index with
   | None -> d
   | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d
 
-let check sink ~entry (program : Ir.program) =
+let check sink ~sources ~entry (program : Ir.program) =
   let uses = Own_code.uses program in
   let report_cycles passages index (node : Dependency.node) =
     List.iter
       (fun component ->
         if Graph.is_cyclic node.graph component then
-          Diagnostic.emit sink (report program entry passages uses index node component))
+          Diagnostic.emit sink (report sources program entry passages uses index node component))
       node.components
   in
   ignore (Dependency.program ~each:report_cycles program)

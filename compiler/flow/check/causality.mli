@@ -6,6 +6,8 @@
     dependency graph. Each cyclic component results in one diagnostic, which shows the shortest
     loop. *)
 
-val check : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> unit
-(** Reports [E0401] for each loop. [entry] is the place of the program's definition: for a loop
-    inside the library, the message shows the place in the program that uses it. *)
+val check :
+  Basis.Diagnostic.sink -> sources:Basis.Source.t -> entry:Basis.Span.t -> Ir.program -> unit
+(** Reports [E0401] for each loop. The hints quote [sources]. [entry] is the place of the program's
+    definition: for a loop inside the library, the message shows the place in the program that uses
+    it. *)

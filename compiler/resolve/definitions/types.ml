@@ -87,7 +87,13 @@ let concrete_unit (scope : Scope.t) u =
     |> (match Unit_word.symbol name.text with
        | Some symbol ->
            fun d ->
-             Diagnostic.hint (Printf.sprintf "the unit is `%s`" symbol) d
+             Diagnostic.hint
+               (match Name_in_text.unit_of_literal ~text:scope.text name.span with
+               | Some (digits, before, after) when before <> "" || after <> "" ->
+                   Printf.sprintf "the unit is `%s`: write `%s[%s%s%s]`" symbol digits before symbol
+                     after
+               | Some _ | None -> Printf.sprintf "the unit is `%s`" symbol)
+               d
              |> Diagnostic.write name.span symbol
        | None when explained scope name <> None -> Option.get (explained scope name)
        | None when power_without_caret scope name <> None ->

@@ -170,6 +170,29 @@ let definition ~text (span : Span.t) =
       (String.sub first 0 (forward Character.is_name first 0), List.mem "where" words))
     (up [] (List.rev before))
 
+let signature ~text (span : Span.t) =
+  Option.bind (definition ~text span) (fun (name, _) ->
+      List.find_opt (String.starts_with ~prefix:(name ^ " :: ")) (String.split_on_char '\n' text))
+
+let unit_of_literal ~text (span : Span.t) =
+  let line = line_of text span in
+  let is_inside c = c <> '[' && c <> ']' && c <> '\000' in
+  let first = Span.column span.start - 1 and last = Span.column span.stop - 1 in
+  let opening = backward is_inside line first and closing = forward is_inside line last in
+  let start = backward is_of_a_number line (opening - 1) in
+  if char_at line (opening - 1) = '[' && char_at line closing = ']' && start < opening - 1 then
+    Some
+      ( String.sub line start (opening - 1 - start),
+        String.sub line opening (first - opening),
+        String.sub line last (closing - last) )
+  else None
+
+let assigned ~text (span : Span.t) =
+  let line = line_of text span in
+  match Basis.Own_equation.of_line line with
+  | Some (name, right, start) -> Some (name, right, on_line span start (start + String.length right))
+  | None -> None
+
 let divided_difference ~text (span : Span.t) =
   let line = line_of text span in
   let slash = backward (Char.equal ' ') line (Span.column span.start - 1) - 1 in

@@ -54,6 +54,17 @@ val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
     contains a [where]. *)
 
+val signature : text:string -> Span.t -> string option
+(** The line with the type of the top-level definition around this place. *)
+
+val unit_of_literal : text:string -> Span.t -> (string * string * string) option
+(** The digits before the brackets that contain the name, and the texts before and after it in these
+    brackets: [20], [km/] and nothing for [h] in [20[km/h]]. *)
+
+val assigned : text:string -> Span.t -> (string * string * Span.t) option
+(** The equation on the line of the name, if it is on one line: the name that it defines, its
+    right-hand side, and the place of that. *)
+
 val divided_difference : text:string -> Span.t -> (Span.t * string) option
 (** The quotient [(x - y) / dt] that ends with the name [dt]: its place and [x], in parentheses if
     it needs them as an argument. *)

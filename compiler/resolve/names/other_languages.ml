@@ -7,6 +7,25 @@ let no_module = "the mathematical functions are built in: write `abs x`, `sqrt x
 let filled = "use `generate (const 0)`: its type gives the number of elements"
 let fixed_size = "the size of an array is fixed; to change the element at i, write `replace i x xs`"
 
+let constant = function
+  | "pi" | "PI" | "Pi" -> Some "pi"
+  | "tau" -> Some "2 * pi"
+  | "e" -> Some "exp 1"
+  | "inf" | "INFINITY" -> Some "1 / 0"
+  | "nan" -> Some "0 / 0"
+  | _ -> None
+
+let of_each = function
+  | "fmap" -> Some [ ("Array", "map"); ("Event", "mapE"); ("Task", "mapT") ]
+  | "filter" -> Some [ ("Event", "filterEvent") ]
+  | _ -> None
+
+let is_of_gains = function
+  | "PID" | "Pid" | "PIDController" | "pidControl" | "pidController" | "pid_controller"
+  | "pid_control" | "computePID" | "pidLoop" | "PI" | "PD" ->
+      true
+  | _ -> false
+
 let number = function
   | "fromIntegral" | "fromInteger" | "realToFrac" | "float" -> Some made_into_float
   | "int" | "toInt" | "rint" | "lround" | "lroundf" | "nearbyint" -> Some made_into_int
@@ -107,8 +126,9 @@ let activity = function
       Some "to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile"
   | "while" ->
       Some
-        "to repeat a task, write `forever t`, or `whileT condition t` while a signal function \
-         returns True; to end it when something happens, use `abortWhen`"
+        "to repeat the tasks below it, write `forever $ do` in place of this line, or, while a \
+         condition holds, `whileT (proc i -> …) $ do`; to end a task when something happens, use \
+         `abortWhen`"
   | "end" | "endif" | "fi" | "done" | "begin" ->
       Some "remove it: a block ends where its indentation ends"
   | "for" | "foreach" | "forEach" ->

@@ -140,7 +140,13 @@ let power_in_text t (name : Syntax.Ir.name) =
       |> Option.map (fun text -> (whole, text))
   | _ -> None
 
-(* `len a`, as a factor or divisor of Floats *)
+(* `x + v * dt` as the equation of `x` *)
+let integral_in_text t (name : Syntax.Ir.name) =
+  if not (List.mem name.text [ "dt"; "deltaTime"; "delta_t" ]) then None
+  else
+    Option.bind (Name_in_text.assigned ~text:t.text name.span) (fun (x, right, place) ->
+        Option.map (fun integral -> (x, integral, place)) (Own_equation.integral ~name:x right))
+
 (* `(x - xBefore) / dt` *)
 let rate_in_text t (name : Syntax.Ir.name) =
   if not (List.mem name.text [ "dt"; "deltaTime"; "delta_t" ]) then None
@@ -149,6 +155,7 @@ let rate_in_text t (name : Syntax.Ir.name) =
       (fun (whole, x) -> (whole, "derivative " ^ x))
       (Name_in_text.divided_difference ~text:t.text name.span)
 
+(* `len a`, as a factor or divisor of Floats *)
 let length_in_text t (name : Syntax.Ir.name) =
   match (name.text, Name_in_text.application ~text:t.text name.span) with
   | ("len" | "sizeof"), Some (whole, [ argument ]) ->
@@ -163,8 +170,52 @@ let length_in_text t (name : Syntax.Ir.name) =
 
 (* `math.sin(x)`, which is parsed as a field of `math` *)
 let of_a_module t (name : Syntax.Ir.name) =
-  if not (List.mem name.text [ "math"; "np"; "numpy" ]) then None
-  else Option.bind (Name_in_text.field ~text:t.text name.span) (Name_in_text.call ~text:t.text)
+  if not (List.mem name.text [ "math"; "np"; "numpy"; "Math" ]) then None
+  else
+    Option.bind (Name_in_text.field ~text:t.text name.span) (fun whole ->
+        let n = Span.column whole.stop - Span.column name.span.stop - 1 in
+        let line = List.nth (String.split_on_char '\n' t.text) (Span.line whole.start - 1) in
+        let field = String.sub line (Span.column name.span.stop) n in
+        match Other_languages.constant field with
+        | Some text -> Some (whole, text)
+        | None -> Name_in_text.call ~text:t.text whole)
+
+(* `fmap f e` or `filter f e`, where the signature contains only one kind of container, and
+   `length (filter f xs)` *)
+let of_a_container t (name : Syntax.Ir.name) =
+  let words =
+    Option.fold (Name_in_text.signature ~text:t.text name.span) ~none:[] ~some:(fun line ->
+        String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
+  in
+  let kinds = List.filter (fun kind -> List.mem kind words) [ "Array"; "Event"; "Task" ] in
+  match (Other_languages.of_each name.text, kinds) with
+  | Some choices, [ kind ] ->
+      Option.map (fun text -> (name.span, text)) (List.assoc_opt kind choices)
+  | _ -> None
+
+let counted_in_text t (name : Syntax.Ir.name) =
+  match Name_in_text.application ~text:t.text name.span with
+  | Some (whole, ([ _; _ ] as arguments))
+    when String.equal name.text "filter" && Name_in_text.follows ~text:t.text "length (" name.span
+    ->
+      let back n (p : Span.position) =
+        Span.position ~line:(Span.line p) ~column:(Span.column p + n)
+      in
+      let whole =
+        Span.make ~file:whole.file
+          ~start:(back (-String.length "length (") whole.start)
+          ~stop:(back 1 whole.stop)
+      in
+      Some (whole, String.concat " " ("countWhere" :: arguments))
+  | Some _ | None -> None
+
+(* `PID 0.5 0.1 0 e` *)
+let controller_in_text t (name : Syntax.Ir.name) =
+  match Name_in_text.application ~text:t.text name.span with
+  | Some (whole, [ kp; ki; kd; e ]) when Other_languages.is_of_gains name.text ->
+      Some
+        (whole, Printf.sprintf "pid (Pid { kp = %s, ki = %s, kd = %s, largest = … }) %s" kp ki kd e)
+  | Some _ | None -> None
 
 let call_in_text t space (name : Syntax.Ir.name) =
   if not (String.equal space.noun "name") then None
@@ -174,7 +225,14 @@ let call_in_text t space (name : Syntax.Ir.name) =
     | None ->
         List.find_map
           (fun rule -> rule t name)
-          [ power_in_text; length_in_text; rate_in_text; of_a_module ]
+          [
+            power_in_text;
+            length_in_text;
+            rate_in_text;
+            of_a_module;
+            counted_in_text;
+            of_a_container;
+          ]
 
 let clamp_module = ", with `import Control`"
 
@@ -200,6 +258,13 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
   let preceding = Name_in_text.before ~text:t.text name.span in
   let following = Name_in_text.after ~text:t.text name.span in
   match operator_word space name.text with
+  | None when String.equal space.noun "name" && integral_in_text t name <> None ->
+      let x, integral, place = Option.get (integral_in_text t name) in
+      Diagnostic.hint
+        (Printf.sprintf "for the sum over time, write `%s = %s`, which needs no time step" x
+           integral)
+        diagnostic
+      |> Diagnostic.write place integral |> Option.some
   | Some symbol ->
       Diagnostic.error ~code:space.unknown ~at:name.span "Frob has no `%s`" name.text
       |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name.text)
@@ -227,7 +292,11 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
           c_type_before t name )
       with
       | Some (whole, text), _, _ ->
-          let source = if String.starts_with ~prefix:"clamp " text then clamp_module else "" in
+          let source =
+            if String.starts_with ~prefix:"clamp " text then clamp_module
+            else if String.starts_with ~prefix:"countWhere " text then ", with `import Arrays`"
+            else ""
+          in
           Diagnostic.hint
             (without_imported t (Printf.sprintf "write `%s`%s" text source))
             diagnostic
@@ -244,6 +313,16 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
           |> Diagnostic.hint (of_c_declaration declaration)
           |> Option.some
       | None, None, None -> None)
+
+(* The message for a controller with three gains as arguments. *)
+let of_a_controller t (name : Syntax.Ir.name) diagnostic =
+  Option.map
+    (fun (_, text) ->
+      let text = Printf.sprintf "use `%s`, with `import Control`" text in
+      Diagnostic.hint (without_imported t text) diagnostic
+      |> Diagnostic.note
+           "each gain has its unit, such as `0.5[1/s]`, and `largest` is the largest output")
+    (controller_in_text t name)
 
 (* The hint for a signal of another `proc`. *)
 let of_another_proc t (signal : Proc_signals.t) (name : Syntax.Ir.name) =
@@ -413,6 +492,8 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   in
   let diagnostic =
     match (with_it, other, signal) with
+    | _ when of_a_controller t name diagnostic <> None ->
+        Option.get (of_a_controller t name diagnostic)
     | _ when by_qualifier <> None ->
         let text = Option.get by_qualifier in
         Diagnostic.hint
@@ -446,6 +527,7 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
     | _ -> false
   in
   if told then ()
+  else if controller_in_text t name <> None then Context.emit t.context diagnostic
   else if by_qualifier <> None then Context.emit t.context diagnostic
   else if String.equal space.noun "type" && is_known t classes name.text then report_class t name
   else if with_it <> [] && signal = None then

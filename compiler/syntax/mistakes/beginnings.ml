@@ -53,6 +53,7 @@ let rounds line =
   let numbers = List.filter (( <> ) "") (String.split_on_char ' ' (String.map separate line)) in
   let is_counted =
     String.contains line '.' || String.contains line '(' || String.contains line ':'
+    || List.mem "to" (String.split_on_char ' ' line)
   in
   match List.rev numbers with last :: _ when is_for && is_counted -> Some last | _ -> None
 

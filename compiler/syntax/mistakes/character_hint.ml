@@ -349,6 +349,16 @@ let symbol text at = function
   | "\u{2018}" | "\u{2019}" -> Some ("'", "write a prime as `'`; put an infix name in backticks")
   | _ -> None
 
+let modules_of_robots =
+  [ "Robot"; "Control"; "Geometry"; "Filters"; "Vision"; "Lidar"; "Ros"; "Imu"; "Matrix" ]
+
+(* [Robot] in `#include <Robot.h>` *)
+let included line =
+  match (String.index_opt line '<', String.index_opt line '>') with
+  | Some first, Some last when first < last ->
+      Filename.remove_extension (String.trim (String.sub line (first + 1) (last - first - 1)))
+  | _ -> ""
+
 (* The hint for `#include <math.h>` or `#include "motor.h"`. *)
 let of_include text at =
   let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
@@ -366,6 +376,8 @@ let of_include text at =
          \"%s\"`"
         (if is_module then Printf.sprintf ": `import %s`" stem else ", as in `import Robot`")
         file
+  | _ when List.mem (included line) modules_of_robots ->
+      Printf.sprintf "write `import %s`" (included line)
   | _ ->
       "remove it: functions such as `sqrt` and `sin` are built in; other modules are imported by \
        name, as in `import Robot`"
@@ -489,7 +501,11 @@ let of_character ~text ~at character =
         (Printf.sprintf "use `%s`" (Option.value (ternary text at) ~default:"if c then a else b"))
   | "%", None when begins_line text at -> both "write `--` to start a comment" "--"
   | "%", None when char_at text (at - 1) = '[' ->
-      only "percent is not a unit: write 20 percent of x as `0.2 * x`"
+      let digits = ending text (at - 1) (fun c -> Basis.Character.is_digit c || c = '.') in
+      only
+        (match float_of_string_opt digits with
+        | Some x -> Printf.sprintf "percent is not a unit: write `%g`" (x /. 100.)
+        | None -> "percent is not a unit: write 20 percent of x as `0.2 * x`")
   | "%", None when ends_in_words text at || ends_in_a_new_word text at ->
       both "write `--` to start a comment" "--"
   | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"

@@ -96,6 +96,25 @@ let of_c text at =
             }
       | _ -> None)
 
+(* `square(x) { return x * x; }`, without types *)
+let of_javascript text at =
+  let open Basis.Let_syntax.Option in
+  let stop = end_of_line text at in
+  let* name, inside, closing = called text at stop in
+  let* parameters =
+    all (List.map (fun p -> if is_word p then Some p else None) (split_commas inside))
+  in
+  let opening =
+    let rec skip i = match char_at text i with ' ' | '\n' -> skip (i + 1) | _ -> i in
+    skip closing
+  in
+  if (not (is_word name)) || char_at text opening <> '{' then None
+  else
+    let* last = String.index_from_opt text opening '}' in
+    let lines = String.split_on_char '\n' (sub text (opening + 1) last) in
+    let* body = returned (String.concat " " lines) in
+    Some { head = (at, closing); signature = None; equation = equation name parameters (Some body) }
+
 (* The indented lines below the line that ends at this offset. *)
 let below text stop =
   let rec lines start found =

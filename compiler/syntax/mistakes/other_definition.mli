@@ -10,6 +10,8 @@ type t = {
 val of_c : string -> int -> t option
 (** The C function that begins at this offset: [float f(float x) { return x; }]. *)
 
+val of_javascript : string -> int -> t option
+
 val of_python : string -> int -> t option
 (** The Python function that begins at this offset: [def f(x): return x]. *)
 

@@ -117,6 +117,23 @@ let task_without_else found =
       | _ -> None)
   | _ -> None
 
+(* `whenT condition $ do` for a line `if condition then` above several statements. *)
+let block_without_else found =
+  match found.context with
+  | (Layout.Then, { by; _ }) :: _ when innermost_block found.context = Do -> (
+      match
+        String.split_on_char ' '
+          (between found by.start.pos_cnum (end_of_line found by.start.pos_cnum))
+      with
+      | "if" :: rest -> (
+          match List.rev rest with
+          | "then" :: (_ :: _ as condition) ->
+              let condition = String.concat " " (List.rev condition) in
+              Some (Printf.sprintf "whenT %s $ do" (Source.grouped condition))
+          | _ -> None)
+      | _ -> None)
+  | _ -> None
+
 (* Adds the fix that replaces the token, if only one replacement makes sense. *)
 let cured found =
   match (found.token.token, found.before) with
@@ -172,6 +189,13 @@ let plain found =
           Printf.sprintf
             "to run a task only if a condition holds, write `%s`; for a choice, add an `else`"
             (Option.get (task_without_else found));
+        ]
+    | _ when lacks_else found && block_without_else found <> None ->
+        [
+          Printf.sprintf
+            "to run these tasks only if the condition holds, write `%s` in place of the line of \
+             the `if`; for a choice, add an `else`"
+            (Option.get (block_without_else found));
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
         List.map (fun _ -> "add an `else`: every `if` has a value") hints
@@ -302,7 +326,9 @@ let function_of_c found =
       let at = Build.span (start, { start with pos_cnum = snd d.head }) in
       Diagnostic.error ~code:"E0110" ~at "this defines a function as in C"
       |> Diagnostic.hint (Other_definition.advice d))
-    (Other_definition.of_c found.text bol)
+    (match Other_definition.of_c found.text bol with
+    | Some d -> Some d
+    | None -> Other_definition.of_javascript found.text bol)
 
 (* Is this the `{` below the first line of a C function? *)
 let is_body_of_c found =

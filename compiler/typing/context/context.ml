@@ -30,6 +30,7 @@ type group = {
   locals : Type.scheme Int_table.t;
   definitions : Resolve.Ir.expr Int_table.t;
       (** values of the local variables that have no parameters *)
+  functions : Resolve.Ir.binding Int_table.t;  (** the local variables that have parameters *)
   first_uses : Span.t option Int_table.t;
       (** for each local function without a signature, the place of its first application *)
   mutable errors : int;
@@ -62,6 +63,7 @@ let new_group () =
   {
     locals = Int_table.create 16;
     definitions = Int_table.create 8;
+    functions = Int_table.create 8;
     first_uses = Int_table.create 8;
     errors = 0;
     waiting = [];
@@ -98,7 +100,9 @@ let defined_locally t (x : Ir.Local.t) (b : Resolve.Ir.binding) =
   | [], { guards = [ { condition = None; value } ]; _ } ->
       Int_table.replace t.group.definitions x.id value
   | [], _ -> ()
-  | _ :: _, _ -> Int_table.replace t.group.first_uses x.id None
+  | _ :: _, _ ->
+      Int_table.replace t.group.functions x.id b;
+      Int_table.replace t.group.first_uses x.id None
 
 let first_use t (x : Ir.Local.t) ~at =
   match Int_table.find_opt t.group.first_uses x.id with
@@ -139,6 +143,39 @@ let parameter t (x : Ir.Local.t) =
   let add _ b found = if found = None then Option.map (fun i -> (b, i)) (index b) else found in
   Resolve.Global_table.fold add t.bindings None
 
+(* The constructors of an enumeration with few cases. *)
+let choices t ty =
+  match Type.expand ty with
+  | Data { tycon; _ } -> (
+      match (Environment.type_ t.reader.environment tycon).definition with
+      | Data { constructors = _ :: _ :: _ as all; _ }
+        when List.compare_length_with all 4 <= 0
+             && List.for_all (fun (c : Ir.constructor) -> c.fields = []) all ->
+          List.map (fun (c : Ir.constructor) -> c.constructor.name) all
+      | Data _ | Alias _ | Builtin | Foreign -> [])
+  | _ -> []
+
+(* The constructors of the first type that have a field of the second type, shown with their fields. *)
+let makers t ty ~of_ =
+  match (Type.expand ty, Type.expand of_) with
+  | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
+      let same u unit_ = Units.is_open u || Units.to_ir u = unit_ in
+      let is_part (_, (field : Ir.ty)) =
+        match field with
+        | Data { tycon = t; units = declared; _ } -> t = part && List.for_all2 same units declared
+        | _ -> false
+      in
+      match (Environment.type_ t.reader.environment tycon).definition with
+      | Data { constructors; _ } ->
+          List.filter (fun (c : Ir.constructor) -> List.exists is_part c.fields) constructors
+          |> List.map (fun (c : Ir.constructor) ->
+                 let shown (name, field) =
+                   if is_part (name, field) then "…" else String.uncapitalize_ascii (Show.ty field)
+                 in
+                 String.concat " " (c.constructor.name :: List.map shown c.fields))
+      | Alias _ | Builtin | Foreign -> [])
+  | _ -> []
+
 let words t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
   let needs_class input = List.exists (asks input) t.group.required in
@@ -163,44 +200,13 @@ let words t =
             | _ -> None)
     | _ -> None
   in
-  let choices ty =
-    match Type.expand ty with
-    | Data { tycon; _ } -> (
-        match (Environment.type_ t.reader.environment tycon).definition with
-        | Data { constructors = _ :: _ :: _ as all; _ }
-          when List.compare_length_with all 4 <= 0
-               && List.for_all (fun (c : Ir.constructor) -> c.fields = []) all ->
-            List.map (fun (c : Ir.constructor) -> c.constructor.name) all
-        | Data _ | Alias _ | Builtin | Foreign -> [])
-    | _ -> []
-  in
-  let makers ty ~of_ =
-    match (Type.expand ty, Type.expand of_) with
-    | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
-        let same u unit_ = Units.is_open u || Units.to_ir u = unit_ in
-        let is_part (_, (field : Ir.ty)) =
-          match field with
-          | Data { tycon = t; units = declared; _ } -> t = part && List.for_all2 same units declared
-          | _ -> false
-        in
-        match (Environment.type_ t.reader.environment tycon).definition with
-        | Data { constructors; _ } ->
-            List.filter (fun (c : Ir.constructor) -> List.exists is_part c.fields) constructors
-            |> List.map (fun (c : Ir.constructor) ->
-                   let shown (name, field) =
-                     if is_part (name, field) then "…"
-                     else String.uncapitalize_ascii (Show.ty field)
-                   in
-                   String.concat " " (c.constructor.name :: List.map shown c.fields))
-        | Alias _ | Builtin | Foreign -> [])
-    | _ -> []
-  in
   let declared g =
     Option.map
       (fun (entry : entry) -> entry.scheme.body)
       (Resolve.Global_table.find_opt t.globals g)
   in
   let binding g = Resolve.Global_table.find_opt t.bindings g in
+  let local_function (x : Ir.Local.t) = Int_table.find_opt t.group.functions x.id in
   let place : Show.place =
     {
       sources = t.sources;
@@ -213,10 +219,11 @@ let words t =
       unit_ = written_unit t;
       fields;
       field_of;
-      choices;
+      choices = choices t;
       declared;
       binding;
-      makers;
+      local_function;
+      makers = makers t;
     }
   in
   Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()

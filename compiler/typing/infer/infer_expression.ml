@@ -59,7 +59,7 @@ let told_of ctx ~before (e : Resolve.Ir.expr) =
   errors ctx > before
   &&
   match Diagnostic.last ctx.reader.sink with
-  | Some d -> String.equal d.code "E0301" && Span.compare d.at e.span = 0
+  | Some d -> List.mem d.code [ "E0301"; "E0370"; "E0371" ] && Span.compare d.at e.span = 0
   | None -> false
 
 let anything (expected : Expected.t) : Expected.t = { expected with ty = Erroneous }

@@ -217,6 +217,27 @@ let takes_a_record words input field =
   | Some (constructor, fields) when List.mem field fields -> Some constructor
   | Some _ | None -> None
 
+(* The type of the quantity that a field of this name usually has. *)
+let usual_type = function
+  | "distance" | "dist" | "range" | "depth" | "length" | "d" | "r" -> Some "Float[m]"
+  | "speed" | "velocity" | "vel" | "v" -> Some "Float[m/s]"
+  | "time" | "stamp" | "timestamp" | "duration" | "t" -> Some "Float[s]"
+  | "omega" | "turn" | "turnRate" | "angularVelocity" | "yawRate" | "w" -> Some "Float[1/s]"
+  | "angle" | "bearing" | "heading" | "theta" | "direction" | "yaw" -> Some "Float"
+  | "voltage" | "volts" -> Some "Float[V]"
+  | _ -> None
+
+(* The only field with the type of the quantity that the name describes. *)
+let of_the_same_quantity ctx ty name =
+  match (Type.expand ty, usual_type name) with
+  | Data { tycon; _ }, Some type_ ->
+      Option.bind (Environment.record_of ctx.reader.environment tycon) (fun constructor ->
+          let is_it (_, field) = String.equal (Show.ty field) type_ in
+          match List.filter is_it constructor.ir.fields with
+          | [ (field, _) ] -> Some field
+          | _ -> None)
+  | _ -> None
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
@@ -238,9 +259,14 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
                 let field = List.find begins known in
                 Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
                 |> Diagnostic.write name.span field
-            | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
+            | None, _ :: _ when List.compare_length_with known 8 <= 0 -> (
                 let fields = List.map (Printf.sprintf "`%s`") known in
-                Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
+                let d = Diagnostic.note ("its fields: " ^ String.concat ", " fields) d in
+                match of_the_same_quantity ctx ty name.text with
+                | Some field ->
+                    Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
+                    |> Diagnostic.write name.span field
+                | None -> d)
             | _ -> suggest name known d
           in
           match (Type.expand ty, Show.quote words record.span) with

@@ -73,8 +73,31 @@ let for_arguments w head input =
        choose between their outputs, pass the signal in the input, or use `initially` to keep its \
        first value"
 
+(* `delay x 0`, with the arguments in the wrong order *)
+let exchanged_delay w (start : expr) (input : expr) =
+  let quote e = Option.map Source.grouped (Settings.quote w.sources e) in
+  match (quote start, quote input) with
+  | Some x, Some constant when Settings.is_constant input ->
+      let text = Printf.sprintf "delay %s %s" constant x in
+      Some
+        (fun d ->
+          Diagnostic.hint
+            (Printf.sprintf "the initial value comes before the signal: write `%s`" text)
+            d
+          |> Diagnostic.fix
+               (Printf.sprintf "write `%s`" text)
+               [ (start.span, constant); (input.span, x) ])
+  | _ -> None
+
 (* A hint that guesses what the programmer meant. *)
 let cure w = function
+  | Head
+      {
+        head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, start); _ };
+        input;
+      }
+    when exchanged_delay w start input <> None ->
+      Option.get (exchanged_delay w start input)
   | Head { head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ }; _ }
     ->
       Diagnostic.hint

@@ -3,6 +3,12 @@
 
 open Basis
 
+val quote : Source.t -> Ir.expr -> string option
+(** The source text, if it is short. *)
+
+val is_constant : Ir.expr -> bool
+(** Does the expression contain neither local variables nor choices? *)
+
 val hint :
   Source.t -> value:(Ir.Local.t -> Ir.expr option) -> head:Ir.expr -> input:Ir.expr -> string option
 (** The hint applies if an argument of [head] chooses between constants, as in

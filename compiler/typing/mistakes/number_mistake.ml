@@ -11,22 +11,34 @@ let angle : Resolve.Ir.unit_ option -> string option = function
 let is_angular_velocity (t : Type.t) =
   match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
-(* A time below this value, written without a unit, is probably meant in seconds. *)
+(* A time below the first value, written without a unit, is probably meant in seconds, and one from
+   the second value on in milliseconds. *)
 let many_seconds = 20.
+let many_milliseconds = 100.
 
-let with_unit words ~ty ~at digits unit_ =
+let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   let text = Show.measure words unit_ in
   let cure words units d =
     let with_unit unit_ = write at (Printf.sprintf "%s[%s]" digits unit_) in
     List.fold_right with_unit (List.rev units) (hint words d)
   in
-  let is_long = Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) many_seconds) in
-  if is_angular_velocity ty then
+  let is_at_least least =
+    Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) least)
+  in
+  let is_a_field = match expected.because with Field _ -> true | _ -> false in
+  if is_angular_velocity expected.ty then
     cure
       (Printf.sprintf "write `%s[deg/s]` for degrees per second, `%s[rad/s]` for radians per second"
          digits digits)
       [ "deg/s"; "rad/s" ]
-  else if String.equal text "s" && is_long then
+  else if
+    String.equal text "s" && is_at_least many_seconds
+    && (is_a_field || not (is_at_least many_milliseconds))
+  then
+    cure
+      (Printf.sprintf "write `%s[s]` for seconds, `%s[ms]` if these are milliseconds" digits digits)
+      [ "s"; "ms" ]
+  else if String.equal text "s" && is_at_least many_seconds then
     cure
       (Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits)
       [ "ms"; "s" ]
@@ -45,17 +57,6 @@ let rec chosen (e : Resolve.Ir.expr) =
       List.concat_map
         (fun (b : Resolve.Ir.branch) -> List.concat_map of_guard b.right.guards)
         branches
-  | _ -> []
-
-(* The literals in the definition of a name that chooses among several numbers of one unit. *)
-let chosen_by_name words (e : Resolve.Ir.expr option) =
-  match e with
-  | Some { desc = Local x; _ } -> (
-      match Option.fold (Show.definition words x) ~none:[] ~some:chosen with
-      | (_, unit_, _) :: _ :: _ as all
-        when List.for_all (fun (_, u, _) -> angle u = angle unit_) all ->
-          all
-      | _ -> [])
   | _ -> []
 
 (* The number literal, if the expression is one or a name defined as one. *)
@@ -83,14 +84,14 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   let is_global (e : Resolve.Ir.expr option) =
     match e with Some { desc = Global _; _ } -> true | Some _ | None -> false
   in
-  let write (e : Resolve.Ir.expr option) ~ty unit_ =
+  let write (e : Resolve.Ir.expr option) ~expected unit_ =
     match Option.bind e (literal words) with
     | Some ({ unit_ = None; _ } as number)
       when is_global e && Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
         Some (Bare_number.give words number (Show.measure words unit_), number.at, None)
     | Some { digits; unit_ = None; at; name; _ }
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
-        Some (with_unit words ~ty ~at digits unit_, at, name)
+        Some (with_unit words ~expected ~at digits unit_, at, name)
     | Some { digits; unit_ = written; at; name; _ } when Unit_conversion.is_per_second words unit_
       ->
         let per_second angle =
@@ -107,27 +108,11 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   let other = match expected.because with Operand { other; _ } -> Some other | _ -> None in
   let is_one u = Units.equal u Units.one in
   let cure =
-    if is_one given then write subject ~ty:expected.ty wanted
-    else if is_one wanted then write other ~ty:found given
+    if is_one given then write subject ~expected wanted
+    else if is_one wanted then write other ~expected:{ expected with ty = found } given
     else None
   in
-  let several = chosen_by_name words subject in
   match cure with
-  | None when is_one given && several <> [] && not (Units.is_open wanted) ->
-      let unit_ =
-        match several with
-        | (_, written, _) :: _ when Unit_conversion.is_per_second words wanted ->
-            Option.fold (angle written) ~none:"deg/s" ~some:(fun angle -> angle ^ "/s")
-        | _ -> Show.measure words wanted
-      in
-      let cure (digits, _, at) = (at, Printf.sprintf "%s[%s]" digits unit_) in
-      let cures = List.map cure several in
-      let texts = List.map (fun (_, text) -> Printf.sprintf "`%s`" text) cures in
-      let diagnostic =
-        List.fold_left (fun d (at, _) -> label ~at "this number lacks the unit" d) diagnostic cures
-      in
-      hint (Printf.sprintf "write %s if that is the unit" (String.concat ", " texts)) diagnostic
-      |> fix (Printf.sprintf "give the numbers the unit `%s`" unit_) cures
   | None -> diagnostic
   | Some (cure, _, None) -> cure diagnostic
   | Some (cure, at, Some name) ->
@@ -326,6 +311,14 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
       | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
       | None -> hint (Printf.sprintf "write `%s` if you mean a plain number" digits) d)
       |> write at digits
+  | Parameter { callee = Some _; _ }, Some { digits; unit_ = Some _; name = None; negative; at; _ }
+    when d.hints = [] && Units.equal wanted Units.one ->
+      hint
+        (Printf.sprintf "write `%s%s`, without a unit, if it is a plain number"
+           (if negative then "-" else "")
+           digits)
+        d
+      |> write at digits
   | _ -> d
 
 let first_of rules = List.find_map (fun rule -> rule ()) rules
@@ -335,6 +328,11 @@ let certain words ~subject ~expected ~is_first units =
   let operand = Unit_conversion.is_operand expected in
   first_of
     [
+      (fun () -> Distant_number.compared words ~expected units);
+      (fun () ->
+        if is_first && Units.equal (snd units) Units.one then
+          Distant_number.chosen words ~subject ~expected units
+        else None);
       (fun () -> Wrong_unit_mistake.superfluous_factor words ~subject ~expected units);
       (fun () -> Function_unit_mistake.complete words ~subject ~expected units);
       (fun () -> if operand then Formula_mistake.root words ~subject ~expected units else None);
@@ -358,11 +356,13 @@ let likely words ~subject ~expected units =
       (fun () -> Formula_mistake.gain_of_rate words ~subject ~expected units);
       (fun () -> Formula_mistake.opposite words ~subject units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
+      (fun () -> Distant_number.chosen words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.superfluous_function words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.gain words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.constant words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.parameter words ~subject ~expected units);
       (fun () -> Lacking_unit_mistake.of_a_literal words ~likely:true ~subject ~expected units);
+      (fun () -> Lacking_unit_mistake.of_the_only_decimal words ~subject ~expected units);
     ]
 
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =

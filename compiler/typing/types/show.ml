@@ -119,6 +119,7 @@ type place = {
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
+  local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
   parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
   unnamed_input : Span.t option;
   makers : Type.t -> of_:Type.t -> string list;
@@ -137,6 +138,7 @@ let nowhere =
     choices = (fun _ -> []);
     declared = (fun _ -> None);
     binding = (fun _ -> None);
+    local_function = (fun _ -> None);
     parameter = (fun _ -> None);
     unnamed_input = None;
     makers = (fun _ ~of_:_ -> []);
@@ -165,6 +167,7 @@ let definition words x = words.place.definition x
 let local words x = words.place.local x
 let unit_written words u = words.place.unit_ u
 let binding words g = words.place.binding g
+let local_function words x = words.place.local_function x
 let parameter words x = words.place.parameter x
 let unnamed_input words = words.place.unnamed_input
 let declared_type words g = words.place.declared g

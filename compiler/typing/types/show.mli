@@ -39,6 +39,8 @@ type place = {
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
+  local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
+      (** the definition of a local variable with parameters *)
   parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
       (** the top-level definition that has this parameter, and the index of the parameter *)
   unnamed_input : Span.t option;
@@ -58,6 +60,7 @@ val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val local : words -> Resolve.Ir.Local.t -> Type.t option
 val unit_written : words -> Resolve.Ir.unit_ -> Units.t option
 val binding : words -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
+val local_function : words -> Resolve.Ir.Local.t -> Resolve.Ir.binding option
 val parameter : words -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
 val unnamed_input : words -> Span.t option
 val declared_type : words -> Resolve.Ir.Global.t -> Type.t option

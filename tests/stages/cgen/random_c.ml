@@ -112,7 +112,7 @@ let run_function name instants outputs =
 
 let is_causal program =
   let sink = Basis.Diagnostic.sink () in
-  Causality.check sink ~entry:(Build.span "test.frob" 1) program;
+  Causality.check sink ~sources:(Basis.Source.create ()) ~entry:(Build.span "test.frob" 1) program;
   not (Basis.Diagnostic.has_errors sink)
 
 (* The evaluator adds seconds, while the C code adds whole nanoseconds. Both agree if the times

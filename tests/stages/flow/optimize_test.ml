@@ -24,7 +24,7 @@ let random name count property =
 
 let is_causal program =
   let sink = Basis.Diagnostic.sink () in
-  Causality.check sink ~entry:(Build.span "test.frob" 1) program;
+  Causality.check sink ~sources:(Basis.Source.create ()) ~entry:(Build.span "test.frob" 1) program;
   not (Basis.Diagnostic.has_errors sink)
 
 let same_outputs expected found = List.for_all2 (List.for_all2 Evaluate.equal) expected found

@@ -136,7 +136,13 @@ let membership found =
 let double_arrow found =
   match (found.token.token, found.before) with
   | DOUBLE_ARROW, Some _ when innermost_block found.context = Of ->
-      Some "write the branch as `pattern -> value`"
+      let bol = found.token.start.pos_bol in
+      let pattern = between found bol found.token.start.pos_cnum in
+      let value = between found found.token.stop.pos_cnum (end_of_line found bol) in
+      Some
+        (if String.length value < 60 && value <> "" then
+           Printf.sprintf "use `->` in a branch: `%s -> %s`" pattern value
+         else "write the branch as `pattern -> value`")
   | _ -> None
 
 let branch found =

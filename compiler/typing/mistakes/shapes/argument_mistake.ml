@@ -139,13 +139,25 @@ let missing_by_name fact ~missing d =
   | Some (f, names), Some texts, last :: _
     when List.compare_length_with names (List.length given + missing) = 0 && missing <= 2 ->
       let n = List.length given in
+      let types = parameters_of fact.words fact.subject in
+      let fits_the_last (x : Resolve.Ir.Local.t) =
+        match (List.assoc_opt x.name (Show.inputs fact.words), List.rev types) with
+        | Some input, last :: _ -> (
+            match (Type.expand input, Type.expand last) with
+            | Number (_, u), Number (_, v)
+              when not (Units.is_open u || Units.is_open v || Units.rigid_powers v <> []) ->
+                Units.equal u v
+            | _ -> true)
+        | _ -> true
+      in
       let is_signal =
-        match last.desc with Local x -> Show.is_input fact.words x.name | _ -> false
+        match last.desc with
+        | Local x -> Show.is_input fact.words x.name && fits_the_last x
+        | _ -> false
       in
       let kept = if is_signal then n - 1 else n in
       let lacking = List.filteri (fun i _ -> i >= kept && i < kept + missing) names in
       (* a text is a label, which must be written in quotes *)
-      let types = parameters_of fact.words fact.subject in
       let written i name =
         match Option.map Type.expand (List.nth_opt types (kept + i)) with
         | Some Type.String -> Printf.sprintf "%S" name

@@ -308,6 +308,12 @@ let without_value fact =
   match fact.expected.because with
   | (Parameter _ | Signature _ | Output _ | Branch _)
     when is_of_nothing fact.found && event_wanted fact
+         && Option.map Type.expand (content fact.wanted) = Some Bool ->
+      Some
+        (Printf.sprintf "the value of this event is `()`: for the value True, write `tag %s True`"
+           (grouped fact "e"))
+  | (Parameter _ | Signature _ | Output _ | Branch _)
+    when is_of_nothing fact.found && event_wanted fact
          && Option.fold (content fact.wanted) ~none:false ~some:is_plain ->
       Some
         (Printf.sprintf

@@ -11,23 +11,38 @@ let before fact ~callee ~(next : Resolve.Ir.expr) whole =
       Printf.sprintf "write the record before `%s`: `%s (%s) %s`" next callee whole next
   | None -> Printf.sprintf "write the record: `%s`" whole
 
+let is_number words (e : Resolve.Ir.expr) =
+  match e.desc with Number _ -> true | _ -> Bare_number.literal words e <> None
+
+(* `pid 0.5 0.1 0 e`: the values of the fields, and then the signal. *)
+let from_numbers fact ~callee constructor fields (given : Resolve.Ir.expr list) =
+  let numbers, rest = List.partition (is_number fact.words) given in
+  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let value i field =
+    Printf.sprintf "%s = %s" field
+      (Option.value (Option.bind (List.nth_opt numbers i) quote) ~default:"…")
+  in
+  let record =
+    Printf.sprintf "(%s { %s })" constructor (String.concat ", " (List.mapi value fields))
+  in
+  match rest with
+  | [] -> Some (callee ^ " " ^ record)
+  | [ signal ] when List.nth given (List.length given - 1) == signal ->
+      Option.map
+        (fun text -> String.concat " " [ callee; record; Source.grouped text ])
+        (quote signal)
+  | _ -> None
+
 let how_to_build fact constructor fields =
   let whole = Printf.sprintf "%s { %s }" constructor (with_each fields) in
   match fact.expected.because with
-  | Parameter { callee = Some callee; position = 1; given = _ :: _ :: _ as given; _ }
-    when List.compare_lengths given fields <= 0
-         && List.for_all (fun e -> Bare_number.literal fact.words e <> None) given ->
-      let value i field =
-        let text =
-          Option.bind (List.nth_opt given i) (fun (e : Resolve.Ir.expr) ->
-              Show.quote fact.words e.span)
-        in
-        Printf.sprintf "%s = %s" field (Option.value text ~default:"…")
-      in
+  | Parameter { callee = Some callee; position = 1; given = first :: _ :: _ as given; _ }
+    when List.compare_length_with fields (List.length given - 1) >= 0
+         && is_number fact.words first
+         && from_numbers fact ~callee constructor fields given <> None ->
       Some
-        (Printf.sprintf "`%s` takes one record in place of these numbers: write `%s (%s { %s })`"
-           callee callee constructor
-           (String.concat ", " (List.mapi value fields)))
+        (Printf.sprintf "`%s` takes one record in place of these numbers: write `%s`" callee
+           (Option.get (from_numbers fact ~callee constructor fields given)))
   | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
       Some (before fact ~callee ~next whole)
   | Parameter _ -> Some (Printf.sprintf "write the record: `%s`" whole)

@@ -67,6 +67,7 @@ let of_values =
     Argument_mistake.missing_in_an_operand;
     Array_mistake.of_another_size;
     Array_mistake.mapped;
+    Task_mistake.without_count;
     Task_mistake.only_returned;
     Conversion_mistake.by_a_constructor;
     Vector_mistake.of_a_number;

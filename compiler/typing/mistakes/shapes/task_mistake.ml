@@ -181,6 +181,28 @@ let only_returned fact =
         (hinted fact "`return` is only for tasks: write the value after the `=`, without `return`")
   | _ -> None
 
+(* `repeatT (do …)` without a count *)
+let without_count fact =
+  match fact.expected.because with
+  | Parameter
+      {
+        callee = Some (("repeatT" | "retryT" | "recover" | "retryBackoff") as f);
+        position = 1;
+        at;
+        _;
+      }
+    when Environment.is_task fact.given ->
+      let counted = f ^ " 4" in
+      let d =
+        different fact
+        |> hint
+             (Printf.sprintf "the number of times comes first: write `%s (…)`%s" counted
+                (if String.equal f "repeatT" then "; to repeat without end, use `forever`" else ""))
+        |> write at counted
+      in
+      Some d
+  | _ -> None
+
 let condition fact =
   match fact.expected.because with
   | Condition when Environment.is_task fact.found ->

@@ -17,6 +17,9 @@ val of_an_array : Shape_fact.rule
 val beside_each_other : Shape_fact.rule
 (** Tasks combined by a Boolean operator. *)
 
+val without_count : Shape_fact.rule
+(** A task in place of the number of times that it should run. *)
+
 val only_returned : Shape_fact.rule
 (** [return x] as the value of a function or an equation. *)
 

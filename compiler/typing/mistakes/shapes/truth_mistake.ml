@@ -23,8 +23,26 @@ let comparison fact =
         (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
   | _ -> None
 
+(* The condition in `edge b`, also by the name of such an event. *)
+let condition_of_edge fact =
+  match Option.map (Bare_number.value fact.words) fact.subject with
+  | Some
+      { desc = Apply { head = { desc = Global { name = "edge"; _ }; _ }; argument; style = _ }; _ }
+    ->
+      Show.quote fact.words argument.span
+  | Some _ | None -> None
+
 let is_now fact otherwise =
-  Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact otherwise)
+  let occurs =
+    Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact otherwise)
+  in
+  match condition_of_edge fact with
+  | Some b ->
+      Printf.sprintf
+        "for the whole time that the condition is True, write `%s`; for the one instant at which \
+         it becomes True, `isEvent %s`"
+        b (grouped fact otherwise)
+  | None -> occurs
 
 let condition fact =
   match fact.expected.because with
@@ -33,7 +51,11 @@ let condition fact =
       Some
         (match comparison fact with
         | Some text -> hint text d
-        | None when Environment.is_event fact.found -> hint (is_now fact "e") d
+        | None when Environment.is_event fact.found -> (
+            let d = hint (is_now fact "e") d in
+            match (condition_of_edge fact, fact.subject) with
+            | Some b, Some e -> write e.span (Source.grouped b) d
+            | _ -> d)
         | None -> d)
   | _ -> None
 

@@ -29,6 +29,19 @@ let definition words (e : Resolve.Ir.expr) =
       | Some _ | None -> None)
   | _ -> None
 
+let own_function words (f : Resolve.Ir.expr) =
+  let is_own (b : Resolve.Ir.binding) =
+    b.signature = None && b.parameters <> [] && String.equal b.span.file f.span.file
+  in
+  match
+    match f.desc with
+    | Global g -> Show.binding words g
+    | Local x -> Show.local_function words x
+    | _ -> None
+  with
+  | Some b when is_own b -> Some b
+  | Some _ | None -> None
+
 let rec number (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; _ } when float_of_string_opt digits = Some 0. -> None
@@ -89,6 +102,16 @@ let keeps_the_unit (head : Resolve.Ir.expr) =
       true
   | _ -> false
 
+(* The only expression for the result of an application of a function without a signature. *)
+let rec result words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head = { desc = Apply _; _ } as head; style = Juxtaposed; _ } -> result words head
+  | Apply { head; style = Juxtaposed; _ } -> (
+      match own_function words head with
+      | Some { body = { guards = [ { condition = None; value } ]; _ }; _ } -> Some value
+      | Some _ | None -> None)
+  | _ -> None
+
 (* The factors that [select] accepts, each with its exponent: in a product only the first one, in a
    sum one for each operand. *)
 let factors words ~select e =
@@ -119,6 +142,8 @@ let factors words ~select e =
         match definition words e with
         | Some (_, value, None) -> of_expr (depth + 1) power value
         | Some (_, _, Some _) | None -> [])
+    | None, Apply { style = Juxtaposed; _ } when depth < deepest ->
+        Option.fold (result words e) ~none:[] ~some:(of_expr (depth + 1) power)
     | None, _ -> []
   in
   of_expr 0 1 e
@@ -165,7 +190,9 @@ let gain words e =
   factors words ~select e
 
 let value words e =
-  match definition words e with Some (_, value, None) -> value | Some _ | None -> e
+  match (definition words e, result words e) with
+  | Some (_, value, None), _ | None, Some value -> value
+  | Some (_, _, Some _), _ | None, None -> e
 
 let with_unit { digits; negative; _ } unit_ =
   let literal = Printf.sprintf "%s[%s]" digits unit_ in

@@ -32,8 +32,13 @@ val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
 val is_per_millisecond : Show.words -> Resolve.Ir.expr -> bool
 (** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
 
+val own_function : Show.words -> Resolve.Ir.expr -> Resolve.Ir.binding option
+(** The definition of a function that has parameters and no signature, if it is in the file of the
+    expression. *)
+
 val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
-(** The definition of a name, or the expression itself. *)
+(** The definition of a name, the result of a function without a signature, or the expression
+    itself. *)
 
 val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
 (** Labels the literal, and suggests adding this unit to it. *)

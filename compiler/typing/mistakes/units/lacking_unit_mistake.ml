@@ -103,6 +103,34 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
   if Units.is_open wanted || Units.is_open given then None
   else List.find_map cure (sides ~subject ~expected (wanted, given))
 
+(* `n / perRev * 2 * pi * 0.04`: a formula without a unit, in which only one number has a decimal
+   point. *)
+let of_the_only_decimal words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) =
+  let is_number e = Bare_number.literal words e <> None in
+  let is_decimal (e, _) =
+    match Bare_number.literal words e with
+    | Some { digits; unit_ = None; _ } -> String.contains digits '.'
+    | Some _ | None -> false
+  in
+  let factors =
+    Option.fold subject ~none:[] ~some:(fun e -> Formula.factors (Bare_number.value words e))
+  in
+  match List.filter is_decimal factors with
+  | [ (e, 1) ]
+    when is_one given
+         && (not (is_one wanted || is_operand expected || Units.is_open wanted))
+         && List.length factors > 2
+         && not (List.for_all (fun (e, _) -> is_number e) factors) ->
+      Option.map
+        (fun (number : Bare_number.t) d ->
+          let unit_ = Show.measure words wanted in
+          let text = Printf.sprintf "%s[%s]" number.digits unit_ in
+          label ~at:number.at "this number has no unit" d
+          |> hint (Printf.sprintf "if `%s` is in `%s`, write `%s`" number.digits unit_ text)
+          |> write number.at text)
+        (Bare_number.literal words e)
+  | _ -> None
+
 (* The signal [x] of a difference [x - delay 0 x] or [x - previous x]. *)
 let difference words (e : Resolve.Ir.expr) =
   match Formula.binary (Bare_number.value words e) with
@@ -155,11 +183,30 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
     | [ (_, power) ], false, [] -> Rational.equal power Rational.one
     | _ -> false
   in
+  let is_a_rate u = String.equal (Show.measure words u) "m/s" in
   match (expected.because, subject) with
   | Operand { operator = ("+" | "-") as operator; other; _ }, Some (e : Resolve.Ir.expr)
     when not (is_one wanted || is_one given) -> (
       let product = Units.multiply wanted given in
+      let gain = Units.divide wanted given in
       match (Show.quote words other.span, Show.quote words e.span) with
+      | Some a, Some b when is_a_rate product ->
+          let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
+          Some
+            (fun d ->
+              hint
+                (Printf.sprintf "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
+                   (Show.measure words product) text)
+                d
+              |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
+      | Some a, Some b when simple gain ->
+          let factor = Printf.sprintf "1[%s]" (Show.measure words gain) in
+          Some
+            (hint
+               (Printf.sprintf
+                  "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * \
+                   %s`"
+                  operator b (Show.measure words gain) a operator b factor))
       | Some a, Some b when simple product ->
           Some
             (hint

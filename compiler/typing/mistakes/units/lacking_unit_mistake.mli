@@ -33,6 +33,14 @@ val of_a_literal :
     considers only literals with a decimal point, because such literals are rarely plain factors.
     Otherwise, considers only literals without a decimal point. *)
 
+val of_the_only_decimal :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The only number with a decimal point in a product without a unit. *)
+
 val of_a_difference :
   Show.words ->
   subject:Resolve.Ir.expr option ->

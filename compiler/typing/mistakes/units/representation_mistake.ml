@@ -37,6 +37,52 @@ let to_float words ~found (e : Resolve.Ir.expr option) =
       hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
   | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
 
+(* The unit for a count of this size: a speed of 200 is probably in mm/s. *)
+let unit_of_count measure (number : Bare_number.t) =
+  match (measure, float_of_string_opt number.digits) with
+  | "m/s", Some x when x >= 10. -> "mm/s"
+  | "m", Some x when x >= 20. -> "cm"
+  | "s", Some x when x >= 20. -> "ms"
+  | _ -> measure
+
+(* An `Int` where a quantity with a unit is expected: a name for a literal gets the unit there;
+   otherwise it counts a unit. *)
+let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr option) =
+  let wanted =
+    match (expected.because, Type.expand expected.ty, Type.expand found) with
+    | Operand { operator = "*" | "/"; _ }, _, _ -> None
+    | _, Number (_, u), Number (_, v)
+      when Units.equal v Units.one && (not (Units.is_open u)) && not (Units.equal u Units.one) ->
+        Some u
+    | _ -> None
+  in
+  match (wanted, e) with
+  | Some u, Some e -> (
+      let measure = Show.measure words u in
+      match (Bare_number.literal words e, Show.quote words e.span) with
+      | (Some { name = Some name; signature = Some place; at; negative = false; _ } as number), _
+        when Show.quote words place <> None && Span.line place.start <> Span.line at.start ->
+          let number = Option.get number in
+          let unit_ = unit_of_count measure number in
+          let text = Printf.sprintf "%s[%s]" number.digits unit_ in
+          Some
+            (fun d ->
+              label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
+              |> hint
+                   (Printf.sprintf "give `%s` its unit: `%s :: Float[%s]` and `%s = %s`" name name
+                      measure name text)
+              |> fix
+                   (Printf.sprintf "write `%s`" text)
+                   [ (place, Printf.sprintf "Float[%s]" measure); (at, text) ])
+      | _, Some text ->
+          let cure = Printf.sprintf "toFloat %s * 1[%s]" (Source.grouped text) measure in
+          Some
+            (fun d ->
+              hint (Printf.sprintf "if it counts the unit `%s`, write `%s`" measure cure) d
+              |> fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ])
+      | _, None -> None)
+  | _ -> None
+
 let to_int words ~found (e : Resolve.Ir.expr option) =
   let whole digits =
     match String.index_opt digits '.' with
@@ -107,8 +153,14 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
         | None -> Function_unit_mistake.whole_numbers words ~expected ~found)
     | _ -> None
   in
+  let of_quantity =
+    match ((wanted : Type.representation), (given : Type.representation)) with
+    | Float, Int -> to_quantity words ~expected ~found subject
+    | _ -> None
+  in
   match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
   | _ when of_function <> None -> (Option.get of_function) (plain ())
+  | _ when of_quantity <> None -> (Option.get of_quantity) (plain ())
   | Operand { operator = "!"; _ }, _, Float -> plain () |> to_int words ~found subject
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in

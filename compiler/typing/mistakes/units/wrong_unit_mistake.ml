@@ -146,14 +146,17 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
               | None, None -> number.digits
             in
             let shown, edits = with_unit words number unit_ in
-            if not (is_of_a_gain unit_) then None
+            let of_a_rate = mentions [ "derivative"; "integral" ] (Bare_number.value words e) in
+            if not (is_of_a_gain unit_ || (of_a_rate && is_one unit_)) then None
             else
               Some
                 ( Bare_number.value words e,
                   fun d ->
                     label_number number d
                     |> hint
-                         (Printf.sprintf "if the gain `%s` has another unit, write %s" what shown)
+                         (Printf.sprintf "if the gain `%s` has %s unit, write %s" what
+                            (if is_one unit_ then "no" else "another")
+                            shown)
                     |> fix (Printf.sprintf "write %s" shown) edits )
         | None -> None)
     | _ -> None

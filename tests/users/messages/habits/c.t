@@ -93,7 +93,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
     |                  |
     |                  after this one
     |
-    = hint: compare two at a time: `a < b && b < …`
+    = hint: compare two at a time: `a < b && b < c`
   
   1 error
   [1]

@@ -253,7 +253,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   4 |     A => 1.0
     |       ^^
     |
-    = hint: write the branch as `pattern -> value`
+    = hint: use `->` in a branch: `A -> 1.0`
   
   1 error
   [1]

@@ -134,7 +134,7 @@ Choices:
     |                   |
     |                   after this one
     |
-    = hint: compare two at a time: `0.2[m] < frontSonar i && frontSonar i < …`
+    = hint: compare two at a time: `0.2[m] < frontSonar i && frontSonar i < 0.5[m]`
   
   1 error
   [1]

@@ -51,7 +51,7 @@ C and Arduino:
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True; to end it when something happens, use `abortWhen`
+    = hint: to repeat the tasks below it, write `forever $ do` in place of this line, or, while a condition holds, `whileT (proc i -> …) $ do`; to end a task when something happens, use `abortWhen`
   
   1 error
   [1]

@@ -101,7 +101,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: write the record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … }) (frontSonar i - 0.5[m])`
   
   1 error
   # 010_pid_gains_without_units.frob
@@ -173,7 +173,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write `previous x`, with `import Control`
+    = hint: the initial value comes before the signal: write `delay 0 x`
   
   1 error
   # 016_speed_as_output.frob
@@ -310,7 +310,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 |     count = if pressed then count + 1 else count
     |     ^^^^^   ------------------------------------ `count` reads `count` here
     |
-    = hint: let `count` read its own previous value: add the equation `before = delay 0 count`, where 0 is the initial value, and read `before` here
+    = hint: let `count` read its own previous value: write `before = delay 0 count` and `count = if pressed then before + 1 else before`, where 0 is the initial value
   
   1 error
   # 028_task_as_robot.frob
@@ -391,7 +391,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     v = if hit then 0 else 0.3[m/s])
     |            ^^^
     |
-    = hint: use `isEvent hit`, which is True when the event occurs
+    = hint: for the whole time that the condition is True, write `bumped i`; for the one instant at which it becomes True, `isEvent hit`
   
   1 error
   # 034_truth_as_event.frob
@@ -1000,7 +1000,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: to repeat a task, write `forever t`, or `whileT condition t` while a signal function returns True; to end it when something happens, use `abortWhen`
+    = hint: to repeat the tasks below it, write `forever $ do` in place of this line, or, while a condition holds, `whileT (proc i -> …) $ do`; to end a task when something happens, use `abortWhen`
   
   1 error
   # 089_milliseconds.frob

@@ -86,7 +86,7 @@ hint replaces it.
   [1]
   $ try 'SF (Event Int) (Event Int)' 'f = proc e -> filter (\n -> n > 3) e' 'f = proc e -> filterEvent (\n -> n > 3) e'
   error[E0205]: unknown name `filter`
-    = hint: for events, use `filterEvent holds e`; the size of an array is fixed: to leave elements out of a `sum`, replace them by 0 with `map (\x -> if holds x then x else 0) xs`
+    = hint: write `filterEvent`
   [1]
   $ try 'SF Bool Bool' 'f = proc b -> hold False b' 'f = proc b -> hold False (tag (edge b) True)'
   error[E0301]: expected `Event Bool`, found `Bool`

@@ -52,7 +52,7 @@ A degree sign, percent, and a point between units:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (50[%] * 0.4[m/s]) 0))
     |                                                        ^
     |
-    = hint: percent is not a unit: write 20 percent of x as `0.2 * x`
+    = hint: percent is not a unit: write `0.5`
   
   1 error
   [1]

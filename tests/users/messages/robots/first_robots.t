@@ -58,7 +58,7 @@ An event where a Bool or a number is expected.
   4 | stops = proc i -> if edge (bumped i) then 0 else 1
     |                      ^^^^^^^^^^^^^^^
     |
-    = hint: use `isEvent (edge (bumped i))`, which is True when the event occurs
+    = hint: for the whole time that the condition is True, write `bumped i`; for the one instant at which it becomes True, `isEvent (edge (bumped i))`
   
   error[E0301]: expected a number, found `Event Float`
    --> events.frob:7:18

@@ -309,7 +309,7 @@ A type annotation belongs to its expression; names are not hidden; an hour:
   2 | main = proc v -> v / 1[km/h]
     |                           ^
     |
-    = hint: the unit is `hour`
+    = hint: the unit is `hour`: write `1[km/hour]`
   
   1 error
   [1]

@@ -14,7 +14,7 @@ Values of events, and functions of them.
     |                  |    because this is `Bool`
     |                  argument 2 of `hold` is `Event Bool`
     |
-    = hint: the value of this event is `()`: write `tag (edge b) x` for an event with the value of `x`
+    = hint: the value of this event is `()`: for the value True, write `tag (edge b) True`
   
   1 error
   [1]

@@ -49,19 +49,19 @@ A value that keeps or counts:
   >   printf 'main :: SF Bool Int\nmain = proc bumped -> n where\n    %s\n' "$e" > counter.frob
   >   frobc check counter.frob 2>&1 | grep 'hint: let'
   > done
-    = hint: let `n` read its own previous value: add the equation `before = delay 0 n`, where 0 is the initial value, and read `before` here
-    = hint: let `n` read its own previous value: add the equation `before = delay 0 n`, where 0 is the initial value, and read `before` here
-    = hint: let `n` read its own previous value: add the equation `before = delay 0 n`, where 0 is the initial value, and read `before` here
+    = hint: let `n` read its own previous value: write `before = delay 0 n` and `n = if bumped then before + 1 else before`, where 0 is the initial value
+    = hint: let `n` read its own previous value: write `n = delay 0 n + 1`, where 0 is the initial value
+    = hint: let `n` read its own previous value: write `before = delay 0 n` and `n = if bumped then 1 else before - k`, where 0 is the initial value
   $ printf 'main :: SF Bool Int\nmain = proc bumped -> n where\n    before = delay 0 n\n    n = if bumped then before + 1 else before\n' > pasted.frob
   $ frobc check pasted.frob
   $ printf 'main :: SF (Bool, Bool) Bool\nmain = proc (on, off) -> stopped where\n    stopped = if on then True else if off then False else stopped\n' > latch.frob
   $ frobc check latch.frob 2>&1 | grep hint
-    = hint: let `stopped` read its own previous value: add the equation `before = delay False stopped`, where False is the initial value, and read `before` here
+    = hint: let `stopped` read its own previous value: write `before = delay False stopped` and `stopped = if on then True else if off then False else before`, where False is the initial value
   $ printf 'main :: SF (Bool, Bool) Bool\nmain = proc (on, off) -> stopped where\n    before = delay False stopped\n    stopped = if on then True else if off then False else before\n' > pasted.frob
   $ frobc check pasted.frob
   $ printf 'data Side = Port | Starboard\nmain :: SF Bool Side\nmain = proc on -> side where\n    side = if on then Starboard else side\n' > side.frob
   $ frobc check side.frob 2>&1 | grep hint
-    = hint: let `side` read its own previous value: add the equation `before = delay Port side`, where Port is the initial value, and read `before` here
+    = hint: let `side` read its own previous value: write `before = delay Port side` and `side = if on then Starboard else before`, where Port is the initial value
   $ printf 'data Side = Port | Starboard\nmain :: SF Bool Side\nmain = proc on -> side where\n    before = delay Port side\n    side = if on then Starboard else before\n' > pasted.frob
   $ frobc check pasted.frob
 

@@ -175,7 +175,7 @@ Operators on Bools do not accept events.
     |                   |
     |                   argument 1 of `not` is `Bool`
     |
-    = hint: use `isEvent (edge b)`, which is True when the event occurs
+    = hint: for the whole time that the condition is True, write `b`; for the one instant at which it becomes True, `isEvent (edge b)`
   
   3 errors
   [1]
