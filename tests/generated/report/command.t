@@ -33,7 +33,7 @@ A rejected program has no report:
   3 |   y = y + x
     |   ^   ----- `y` reads `y` here
     |
-    = hint: let `y` read its own previous value: add the equation `before = delay 0 y`, where 0 is the initial value, and read `before` here
+    = hint: let `y` read its own previous value: write `y = delay 0 y + x`, where 0 is the initial value
   
   1 error
   [1]

@@ -84,7 +84,7 @@ A part that depends on itself is rejected, and the message shows the loop:
   5 |     y = if b then 0 else x
     |         ------------------ `y` reads `x` here
     |
-    = hint: let `y` read the previous value of `x`: add the equation `before = delay 0 x`, where 0 is the initial value, and read `before` here
+    = hint: let `y` read the previous value of `x`: write `before = delay 0 x` and `y = if b then 0 else before`, where 0 is the initial value
   
   1 error
   [1]
@@ -105,7 +105,7 @@ A loop is an error even if the value of an operand or branch would break it:
   4 |     x = x && False
     |     ^   ---------- `x` reads `x` here
     |
-    = hint: let `x` read its own previous value: add the equation `before = delay False x`, where False is the initial value, and read `before` here
+    = hint: let `x` read its own previous value: write `x = delay False x && False`, where False is the initial value
   
   error[E0401]: the signal `q.g` needs its own value in the same instant
    --> needless.frob:5:5
