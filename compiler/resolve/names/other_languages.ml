@@ -20,6 +20,38 @@ let of_each = function
   | "filter" -> Some [ ("Event", "filterEvent") ]
   | _ -> None
 
+let applied name arguments =
+  match (name, arguments) with
+  | ("constrain" | "clip" | "saturate" | "clampTo"), [ x; low; high ] ->
+      Some (Printf.sprintf "clamp %s %s %s" low high x, Some "Control")
+  | ("lowPassFilter" | "lowpassFilter" | "lowpass_filter" | "lowPassF" | "lpf"), [ tau; x ] ->
+      Some (Printf.sprintf "lowPass %s %s" tau x, Some "Control")
+  | ("highPassFilter" | "highpassFilter" | "highpass_filter" | "hpf"), [ tau; x ] ->
+      Some (Printf.sprintf "highPass %s %s" tau x, Some "Filters")
+  | ("zip", [ xs; ys ]) -> Some (Printf.sprintf "zipWith (\\x y -> (x, y)) %s %s" xs ys, None)
+  | "enumerate", [ xs ] -> Some (Printf.sprintf "imap (\\i x -> (i, x)) %s" xs, None)
+  | ("average" | "avg"), [ xs ] -> Some ("mean " ^ xs, None)
+  | "sorted", [ xs ] -> Some ("sort " ^ xs, Some "Arrays")
+  | ("foldr" | "reduce"), [ f; x; xs ] -> Some (Printf.sprintf "foldl %s %s %s" f x xs, None)
+  | "product", [ xs ] -> Some ("foldl (*) 1 " ^ xs, None)
+  | "minimum", [ xs ] -> Some ("minimumBy id " ^ xs, None)
+  | "maximum", [ xs ] -> Some ("maximumBy id " ^ xs, None)
+  | ("fromIntegral" | "fromInteger" | "float"), [ n ] -> Some ("toFloat " ^ n, None)
+  | ("sq" | "square" | "sqr"), [ x ] -> Some (x ^ " ^ 2", None)
+  | ("prev" | "previousValue" | "lastValue" | "unitDelay" | "memory"), [ x ] ->
+      Some ("delay 0 " ^ x, None)
+  | ("iPre" | "pre"), [ start; x ] -> Some (Printf.sprintf "delay %s %s" start x, None)
+  | ("wrapToPi" | "wrap_angle" | "wrap_to_pi" | "normalizeAngle" | "normalize_angle"), [ a ] ->
+      Some ("wrapAngle " ^ a, Some "Geometry")
+  | ("rad2deg" | "degrees" | "toDegrees" | "to_degrees"), [ a ] -> Some (a ^ " / 1[deg]", None)
+  | ("deg2rad" | "radians" | "toRadians" | "to_radians"), [ x ] ->
+      Some ((if float_of_string_opt x = None then x ^ " * 1[deg]" else x ^ "[deg]"), None)
+  | ("sleep" | "wait"), [ t ] when String.ends_with ~suffix:"s]" t ->
+      Some (Printf.sprintf "sleepT %s restingOutput" t, None)
+  | _ -> None
+
+let is_an_object = function "self" | "this" -> true | _ -> false
+
 let is_of_gains = function
   | "PID" | "Pid" | "PIDController" | "pidControl" | "pidController" | "pid_controller"
   | "pid_control" | "computePID" | "pidLoop" | "PI" | "PD" ->

@@ -209,6 +209,40 @@ let counted_in_text t (name : Syntax.Ir.name) =
       Some (whole, String.concat " " ("countWhere" :: arguments))
   | Some _ | None -> None
 
+(* `constrain x 0 255`, with the arguments in the order of Frob *)
+let applied_in_text t (name : Syntax.Ir.name) =
+  Option.bind (Name_in_text.application ~text:t.text name.span) (fun (whole, arguments) ->
+      Option.map
+        (fun (text, _) -> (whole, text))
+        (Other_languages.applied name.text arguments))
+
+(* `self.k` *)
+let of_an_object t (name : Syntax.Ir.name) =
+  if not (Other_languages.is_an_object name.text) then None
+  else
+    Option.map
+      (fun (whole : Span.t) ->
+        let n = Span.column whole.stop - Span.column name.span.stop - 1 in
+        let line = List.nth (String.split_on_char '\n' t.text) (Span.line whole.start - 1) in
+        (whole, String.sub line (Span.column name.span.stop) n))
+      (Name_in_text.field ~text:t.text name.span)
+
+(* The import that a rewritten application needs. *)
+let import_of t (name : Syntax.Ir.name) text =
+  let module_ =
+    match Name_in_text.application ~text:t.text name.span with
+    | Some (_, arguments) -> Option.bind (Other_languages.applied name.text arguments) snd
+    | None -> None
+  in
+  match module_ with
+  | Some module_ -> Printf.sprintf ", with `import %s`" module_
+  | None when String.starts_with ~prefix:"clamp " text -> ", with `import Control`"
+  | None when String.starts_with ~prefix:"countWhere " text -> ", with `import Arrays`"
+  | None when String.starts_with ~prefix:"delay 0 " text ->
+      ", where 0 is the value at the first instant"
+  | None when String.starts_with ~prefix:"sleepT " text -> ": the robot rests meanwhile"
+  | None -> ""
+
 (* `PID 0.5 0.1 0 e` *)
 let controller_in_text t (name : Syntax.Ir.name) =
   match Name_in_text.application ~text:t.text name.span with
@@ -232,9 +266,8 @@ let call_in_text t space (name : Syntax.Ir.name) =
             of_a_module;
             counted_in_text;
             of_a_container;
+            applied_in_text;
           ]
-
-let clamp_module = ", with `import Control`"
 
 (* The hint without the imports that the module already has. *)
 let without_imported t hint =
@@ -258,6 +291,12 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
   let preceding = Name_in_text.before ~text:t.text name.span in
   let following = Name_in_text.after ~text:t.text name.span in
   match operator_word space name.text with
+  | None when String.equal space.noun "name" && of_an_object t name <> None ->
+      let whole, field = Option.get (of_an_object t name) in
+      Diagnostic.hint
+        (Printf.sprintf "Frob has no objects with methods: write `%s` alone" field)
+        diagnostic
+      |> Diagnostic.write whole field |> Option.some
   | None when String.equal space.noun "name" && integral_in_text t name <> None ->
       let x, integral, place = Option.get (integral_in_text t name) in
       Diagnostic.hint
@@ -292,11 +331,7 @@ let of_another_language t space (name : Syntax.Ir.name) diagnostic =
           c_type_before t name )
       with
       | Some (whole, text), _, _ ->
-          let source =
-            if String.starts_with ~prefix:"clamp " text then clamp_module
-            else if String.starts_with ~prefix:"countWhere " text then ", with `import Arrays`"
-            else ""
-          in
+          let source = import_of t name text in
           Diagnostic.hint
             (without_imported t (Printf.sprintf "write `%s`%s" text source))
             diagnostic

@@ -62,6 +62,25 @@ let repeated rounds =
     "to run the tasks of this block %s times, write `repeatT %s $ do` in place of this line" rounds
     rounds
 
+(* The numbers of `[1..10]` before or after the `..`, if these are few. *)
+let range text =
+  let digits = String.for_all Basis.Character.is_digit in
+  match String.split_on_char '.' text with
+  | [ first; ""; last ] when first <> "" && last <> "" && digits first && digits last -> (
+      match (int_of_string_opt first, int_of_string_opt last) with
+      | Some a, Some b when a <= b && b - a < 12 ->
+          Some (List.init (b - a + 1) (fun i -> string_of_int (a + i)))
+      | _ -> None)
+  | _ -> None
+
+let no_ranges inside =
+  match range inside with
+  | Some numbers ->
+      Printf.sprintf "Frob has no ranges: write the elements, `[%s]`" (String.concat ", " numbers)
+  | None ->
+      "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
+       `generate (\\i -> i + 1)`; the type gives their number"
+
 let waiting =
   "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \
    that occurs 1 s after the start"

@@ -18,6 +18,9 @@ val rounds : string -> string option
 val repeated : string -> string
 (** The hint for a loop with this number of iterations in a task. *)
 
+val no_ranges : string -> string
+(** The hint for a range such as [1..10], given by its text without blanks. *)
+
 val waiting : string
 (** The hint that explains how to wait. *)
 

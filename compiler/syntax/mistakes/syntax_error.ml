@@ -86,6 +86,24 @@ let awaits_arrow expected =
     (fun prefix -> String.starts_with ~prefix expected)
     [ "expected `->` after the input"; "expected `->` or another parameter" ]
 
+(* `proc i roMake …` without an arrow, or `proc x y -> …` with two inputs *)
+let inputs_of_proc found =
+  match (found.token.token, found.before) with
+  | LOWER _, Some ({ token = LOWER x; _ } as input) when stands_after found "proc" input ->
+      let line = between found found.token.start.pos_cnum (end_of_line found found.token.start.pos_cnum) in
+      let rec inputs taken = function
+        | "->" :: _ -> Some (List.rev taken)
+        | word :: rest when word <> "" && Basis.Character.is_lower word.[0] && String.for_all Basis.Character.is_name word -> inputs (word :: taken) rest
+        | _ -> None
+      in
+      Some
+        (match inputs [ x ] (String.split_on_char ' ' line) with
+        | Some all ->
+            Printf.sprintf "a `proc` has one input: use a tuple, `proc (%s) -> …`"
+              (String.concat ", " all)
+        | None -> Printf.sprintf "put `->` after the input: `proc %s -> …`" x)
+  | _ -> None
+
 let rec trimmed found last =
   if last > 0 && is_blank (char_at found (last - 1)) then trimmed found (last - 1) else last
 
@@ -176,6 +194,8 @@ let plain found =
         [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected ->
         [ "write `->` between the input and the output; `=` is for equations" ]
+    | _ when awaits_arrow expected && inputs_of_proc found <> None ->
+        [ Option.get (inputs_of_proc found) ]
     | _ when found.token.token = WHERE && awaits_arrow expected ->
         [ "write the output before `where`: `proc x -> y where`" ]
     | _ when lacks_else found && innermost_block found.context = Do && names_before found "return"

@@ -259,10 +259,36 @@ let two_outputs fact =
             `abortWhen`, which keep only the output of the task")
   | _ -> None
 
-(* A task in an equation. *)
+(* The statement `roMake (…)`, if it is a line of its own, and its place. *)
+let command_line fact =
+  let at = fact.required.at in
+  Option.bind
+    (Source.line fact.ctx.sources at.file (Span.line at.start))
+    (fun line ->
+      let text = String.trim line in
+      let is_alone = String.starts_with ~prefix:"roMake (" text && String.ends_with ~suffix:")" text in
+      let count c = List.length (String.split_on_char c text) in
+      if is_alone && count '(' = count ')' && String.length text < 60 then
+        let stop = Span.forward (String.length text) at.start in
+        Some (text, { at with stop })
+      else None)
+
+(* A task in an equation, or a command in place of a task. *)
 let task fact =
-  match fact.lack.lacking with
-  | Declared _ when Environment.is_task fact.lack.culprit ->
+  match (fact.lack.lacking, command_line fact) with
+  | Declared _, Some (command, at)
+    when Environment.is_task fact.lack.culprit && fact.required.by = "`roMake`" ->
+      let text = Printf.sprintf "sleepT 1[s] (%s)" command in
+      Some
+        (fun d ->
+          Diagnostic.hint
+            (Printf.sprintf
+               "a command of the robot is not a task: to give it for a time, write `%s`; until an \
+                event `e`, `mkTask (proc i -> (%s, e))`"
+               text command)
+            d
+          |> Diagnostic.write at text)
+  | Declared _, _ when Environment.is_task fact.lack.culprit ->
       Some
         (Diagnostic.hint
            (if fact.required.by = "`roMake`" then
@@ -437,7 +463,15 @@ let follows_from_a_tuple ctx (required : required) (lack : lack) =
   errors ctx > 0 && (lack.lacking = Eq || lack.lacking = Ord) && holds_a_function required.argument
 
 let lacking ctx required (lack : lack) =
-  if not (follows_from_a_tuple ctx required lack) then
+  (* an output that was reported to be a time *)
+  let follows_from_an_order =
+    errors ctx > 0
+    &&
+    match (lack.lacking, Type.expand lack.culprit) with
+    | Declared { name = "RobotOutput" | "DiffDrive"; _ }, Number _ -> required.by = "`roMake`"
+    | _ -> false
+  in
+  if not (follows_from_a_tuple ctx required lack || follows_from_an_order) then
     match (lack.lacking, lack.through) with
     | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
         report_no_condition ctx ~at:required.at lack.culprit

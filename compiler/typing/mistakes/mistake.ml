@@ -123,7 +123,10 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
       match (Type.expand expected.ty, Type.expand found) with
       | (_, Signal_function _ | _, Function _) when Type.expand found == other ->
           finish (Shape_mistake.shapes words ~subject ~at ~expected ~found)
-      | _ -> Signature_mistake.general_type words owner ~at r other)
+      | _ -> (
+          match Output_mistake.of_sleeping words ~subject other with
+          | Some d -> d
+          | None -> Signature_mistake.general_type words owner ~at r other))
   | Different _ -> finish (Shape_mistake.shapes words ~subject ~at ~expected ~found)
   | Infinite _ ->
       finish

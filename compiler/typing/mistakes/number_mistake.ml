@@ -363,6 +363,7 @@ let likely words ~subject ~expected units =
       (fun () -> Wrong_unit_mistake.parameter words ~subject ~expected units);
       (fun () -> Lacking_unit_mistake.of_a_literal words ~likely:true ~subject ~expected units);
       (fun () -> Lacking_unit_mistake.of_the_only_decimal words ~subject ~expected units);
+      (fun () -> Wrong_unit_mistake.bare_parameter words ~subject ~expected units);
     ]
 
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =

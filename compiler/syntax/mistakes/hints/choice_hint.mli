@@ -18,6 +18,9 @@ val branch : Found.rule
 val in_braces : Found.rule
 (** An `if` with its branches in braces. *)
 
+val if_in_a_guard : Found.rule
+(** [| if x > 0 = 1], a guard with an [if]. *)
+
 val otherwise : Found.rule
 (** A guard with `else`. *)
 

@@ -131,9 +131,14 @@ let foreign_operator found (before : Layout.token) =
     | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
     | ".." when names_before found "seeds" -> Some (seeds found before)
     | ".." ->
-        Some
-          "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
-           `generate (\\i -> i + 1)`; the type gives their number"
+        let inside =
+          match (String.rindex_from_opt found.text before.start.pos_cnum '[', String.index_from_opt found.text before.stop.pos_cnum ']') with
+          | Some first, Some last when last <= end_of_line found before.stop.pos_cnum ->
+              let text = between found (first + 1) last in
+              String.concat "" (String.split_on_char ' ' text)
+          | _ -> ""
+        in
+        Some (Beginnings.no_ranges inside)
     | _ -> None
 
 let foreign found = Option.bind found.before (foreign_operator found)

@@ -10,11 +10,38 @@ let is_a_unit : Layout.context -> bool = function
   | (Bracket, { by = { token = UNIT_BRACKET; _ }; _ }) :: _ -> true
   | _ -> false
 
+(* `P { x = 0, y = 1 }` for `P { 0, 1 }`, if the program declares the fields of `P` on one line. *)
+let named_by_declaration found =
+  let open Basis.Let_syntax.Option in
+  let* brace =
+    match found.context with
+    | (Brace, { by; _ }) :: _ -> Some by.start.pos_cnum
+    | _ -> None
+  in
+  let constructor = word_before found brace in
+  let* inside, _ = Other_definition.in_braces found.text brace in
+  let values = List.map String.trim (String.split_on_char ',' inside) in
+  let declares line =
+    String.starts_with ~prefix:"data " line
+    && List.mem constructor (String.split_on_char ' ' line)
+    && String.contains line '{'
+  in
+  let* line = List.find_opt declares (String.split_on_char '\n' found.text) in
+  let* declared, _ = Other_definition.in_braces line (String.index line '{') in
+  let field text = List.hd (String.split_on_char ' ' (String.trim text)) in
+  let fields = List.map field (String.split_on_char ',' declared) in
+  if constructor = "" || List.compare_lengths fields values <> 0 then None
+  else
+    let pairs = List.map2 (fun f v -> Printf.sprintf "%s = %s" f v) fields values in
+    Some (Printf.sprintf "%s { %s }" constructor (String.concat ", " pairs))
+
 let without_names found =
   match (found.token.token, found.before) with
   | (NUMBER _ | MINUS | STRING _ | LPAREN), Some { token = LBRACE | COMMA; _ }
     when opens_with Layout.Brace found.context ->
-      Some "write the name of the field before each value: `Pose { heading = 0 }`"
+      Some
+        (Printf.sprintf "write the name of the field before each value: `%s`"
+           (Option.value (named_by_declaration found) ~default:"Pose { heading = 0 }"))
   | _ -> None
 
 (* `P { .a = x }`, as in C *)

@@ -112,6 +112,7 @@ let declarations =
       Choice_hint.after_value;
       Choice_hint.when_for_if;
       Choice_hint.double_arrow;
+      Choice_hint.if_in_a_guard;
       Choice_hint.membership;
       Equation_hint.split_by_value;
       Equation_hint.outside_do;

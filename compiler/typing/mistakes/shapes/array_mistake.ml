@@ -33,9 +33,35 @@ let with_each fact =
       Printf.sprintf "(\\x -> x %s %s) %s" operator b a)
     (arithmetic fact.expected)
 
+(* The type of the second operand, if it is a local name. *)
+let second_operand fact =
+  let type_of (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Local x -> (
+        match List.assoc_opt x.name (Show.inputs fact.words) with
+        | Some t -> Some t
+        | None -> Show.local fact.words x)
+    | _ -> None
+  in
+  match fact.expected.because with
+  | Parameter { given = [ _; b ]; position = 1; _ } -> type_of b
+  | _ -> None
+
+(* Is it the field of a robot's input, such as `i.sonar`? *)
+let is_a_reading fact =
+  match fact.subject with
+  | Some { desc = Field { record = { desc = Local x; _ }; field = { text = "sonar"; _ }; _ }; _ } ->
+      Show.is_input fact.words x.name
+  | Some _ | None -> false
+
 let computed fact =
+  let is_of_two = Option.fold (second_operand fact) ~none:false ~some:is_array in
   let of_both operator =
     let a, b = operands fact in
+    if is_of_two then
+      Printf.sprintf "to compute with the elements of two arrays, write `zipWith (%s) %s %s`"
+        operator a b
+    else
     let each =
       Printf.sprintf "use `map (\\x -> x %s %s) %s` to compute with each element" operator b a
     in
@@ -47,7 +73,21 @@ let computed fact =
   in
   match fact.wanted with
   | Number _ when is_array fact.found ->
-      Option.map (fun operator -> hinted fact (of_both operator)) (arithmetic fact.expected)
+      Option.map
+        (fun operator ->
+          let d = hinted fact (of_both operator) in
+          match fact.expected.because with
+          | Parameter { given = [ first; second ]; _ } when is_of_two ->
+              let a, b = operands fact in
+              let text = Printf.sprintf "(zipWith (%s) %s %s)" operator a b in
+              fix "use `zipWith`" [ (Span.merge first.span second.span, text) ] d
+          | _ -> d)
+        (arithmetic fact.expected)
+  | Number _ when is_array fact.found && is_a_reading fact ->
+      Some
+        (hinted fact
+           "this field has all readings: for the distance ahead, write `frontSonar i`; for one of \
+            the sonars, `sonars i ! 3`")
   | _ -> None
 
 (* The counterpart of `map` for this type, a description, and the place of `map`. *)
@@ -77,9 +117,18 @@ let mapped_over_a_value fact =
   | _ -> None
 
 let mapped fact =
+  let applied name =
+    match fact.expected.because with
+    | Parameter { given = [ f; x ]; _ } -> (
+        match (Show.quote fact.words f.span, Show.quote fact.words x.span) with
+        | Some f, Some x ->
+            Printf.sprintf "write `%s %s %s`" name (Source.grouped f) (Source.grouped x)
+        | _ -> Printf.sprintf "use `%s`" name)
+    | _ -> Printf.sprintf "use `%s`" name
+  in
   Option.map
     (fun (name, of_what, place) ->
-      hinted fact (Printf.sprintf "to apply a function %s, use `%s`" of_what name)
+      hinted fact (Printf.sprintf "to apply a function %s, %s" of_what (applied name))
       |> write place name)
     (counterpart fact)
 

@@ -69,6 +69,7 @@ let of_values =
     Array_mistake.mapped;
     Task_mistake.without_count;
     Task_mistake.only_returned;
+    Task_mistake.in_place_of_its_result;
     Conversion_mistake.by_a_constructor;
     Vector_mistake.of_a_number;
     Record_mistake.built;

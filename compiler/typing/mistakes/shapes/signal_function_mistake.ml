@@ -79,8 +79,26 @@ let as_a_proc fact =
       | Some _ | None -> None)
   | _ -> None
 
+(* `\\i -> e` in place of `proc i -> e` *)
+let lambda_for_proc fact =
+  match (fact.wanted, fact.given, Show.quote fact.words fact.at) with
+  | Signal_function _, Function _, Some text when text.[0] = '\\' -> (
+      match String.index_opt text '>' with
+      | Some arrow when arrow > 2 && text.[arrow - 1] = '-' ->
+          let x = String.trim (String.sub text 1 (arrow - 2)) in
+          let stop = Span.forward (arrow + 1) fact.at.start in
+          no_signal_function fact
+          |> hint (Printf.sprintf "write `proc %s -> …` in place of `\\%s -> …`" x x)
+          |> fix
+               (Printf.sprintf "write `proc %s -> …`" x)
+               [ ({ fact.at with stop }, Printf.sprintf "proc %s ->" x) ]
+          |> Option.some
+      | Some _ | None -> None)
+  | _ -> None
+
 let function_not_lifted fact =
   match (fact.wanted, fact.given, source fact) with
+  | Signal_function _, Function _, _ when lambda_for_proc fact <> None -> lambda_for_proc fact
   | Signal_function _, Function _, _ when as_a_proc fact <> None ->
       Some (hint (Option.get (as_a_proc fact)) (no_signal_function fact))
   | Signal_function _, Function _, Some text ->

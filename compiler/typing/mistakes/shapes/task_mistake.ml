@@ -32,11 +32,12 @@ let to_wait words (argument : Resolve.Ir.expr) =
        how_long)
 
 (* How to turn a signal function into a task: one that ends at an event, or one that never ends. *)
-let to_task words subject output =
-  let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
+let to_task words (subject : Resolve.Ir.expr option) output =
+  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  let name = Option.value text ~default:"sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
-      hint (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" name)
+      hint (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" (Source.grouped name))
   | _ -> (
       match Option.bind subject (parts words) with
       | Some (input, output) ->
@@ -48,15 +49,23 @@ let to_task words subject output =
       | None ->
           hint
             (Printf.sprintf
-               "use `mkTask (%s &&& event)`, which ends when the event occurs, or `mkTask (%s &&& \
-                never)`, which never ends"
+               "to run it for a time, write `mkTask (%s &&& after 5[s])`; to run it without end, \
+                `mkTask (%s &&& never)`"
                name name))
+
+(* Is it probably the output of a robot? *)
+let is_an_output words t =
+  Show.needs_class words t
+  ||
+  match Type.expand t with
+  | Data { tycon; _ } -> String.ends_with ~suffix:"Output" tycon.name
+  | _ -> false
 
 let in_place_of_a_task fact output =
   error ~code:"E0371" ~at:fact.at "expected a task, found a signal function"
   |> here (Printf.sprintf "this is %s" (found_text fact))
   |> (match (fact.expected.because, name fact) with
-     | Statement _, Some name -> hint (Printf.sprintf "to read it once, write `ask %s`" name)
+     | Statement _, Some name when not (is_an_output fact.words output) -> hint (Printf.sprintf "to read it once, write `ask %s`" name)
      | Parameter { callee = Some "reactimateTask"; _ }, _ ->
          hint "use `reactimateRobot` to turn a signal function into a program"
      | _ -> Fun.id)
@@ -173,12 +182,80 @@ let is_only_returned words t =
       | _ -> false)
   | None -> false
 
+(* `do`, `let` and `return` in the definition of a value *)
+let without_tasks fact =
+  match fact.subject with
+  | Some { desc = Sequence { statements; result }; _ } -> (
+      let equations : Resolve.Ir.statement -> Resolve.Ir.binding list option = function
+        | Values { groups; _ } ->
+            Some (List.concat_map (fun (g : Resolve.Ir.binding_group) -> g.bindings) groups)
+        | Task _ -> None
+      in
+      let all_equations = List.map equations statements in
+      match result.desc with
+      | Apply { head = { desc = Global { name = "return"; _ }; _ }; argument; _ }
+        when not (List.mem None all_equations) -> (
+          let bindings = List.concat (List.filter_map Fun.id all_equations) in
+          let texts =
+            List.map
+              (fun (b : Resolve.Ir.binding) -> Show.quote fact.words b.span)
+              bindings
+          in
+          match (Show.quote fact.words argument.span, Shape_fact.all texts) with
+          | Some value, Some (_ :: _ as texts) ->
+              Some
+                (Printf.sprintf
+                   "`do` and `return` are only for tasks: end the line with `= %s where`, and put \
+                    %s below it"
+                   value
+                   (Enumeration.all (List.map (Printf.sprintf "`%s`") texts)))
+          | _ -> None)
+      | _ -> None)
+  | Some _ | None -> None
+
 let only_returned fact =
   match fact.wanted with
+  | (Number _ | Bool | Data _ | Tuple (_ :: _))
+    when is_only_returned fact.words fact.given
+         && (not (Environment.is_task fact.wanted))
+         && without_tasks fact <> None ->
+      Some (hinted fact (Option.get (without_tasks fact)))
   | (Number _ | Bool | Data _ | Tuple (_ :: _))
     when is_only_returned fact.words fact.given && not (Environment.is_task fact.wanted) ->
       Some
         (hinted fact "`return` is only for tasks: write the value after the `=`, without `return`")
+  | _ -> None
+
+(* `let d = ask frontSonar`, or the task itself, where its result is meant *)
+let in_place_of_its_result fact =
+  match (fact.wanted, fact.subject) with
+  | (Number _ | Bool | Tuple (_ :: _) | Data _), Some e
+    when fact.expected.because <> Condition
+         && Environment.is_task fact.given
+         && (not (Environment.is_task fact.wanted))
+         && not (is_only_returned fact.words fact.given) -> (
+      let run name text = Printf.sprintf "%s <- %s" name text in
+      match e.desc with
+      | Local x -> (
+          match Show.definition fact.words x with
+          | Some value when Span.line value.span.start >= Span.line x.span.start ->
+              Option.map
+                (fun text ->
+                  hinted fact
+                    (Printf.sprintf "run the task: write `%s` in place of `let %s = %s`"
+                       (run x.name text) x.name text)
+                  |> label ~at:value.span "this task is named here, but not run")
+                (Show.quote fact.words value.span)
+          | Some _ | None -> None)
+      | Apply _ | Global _ ->
+          Option.map
+            (fun text ->
+              hinted fact
+                (Printf.sprintf
+                   "in a `do`, run the task on the line before, `%s`, and use `x` here"
+                   (run "x" text)))
+            (Show.quote fact.words e.span)
+      | _ -> None)
   | _ -> None
 
 (* `repeatT (do …)` without a count *)

@@ -68,6 +68,13 @@ let event_function fact =
         (Printf.sprintf
            "%s, or `gate %s %s` for an event that occurs only while the condition is True"
            (is_now fact "e") (grouped fact "e") b)
+  | Parameter { callee = Some "||"; given = [ a; b ]; _ } ->
+      let text (e : Resolve.Ir.expr) name =
+        Option.fold (Show.quote fact.words e.span) ~none:name ~some:Source.grouped
+      in
+      Some
+        (Printf.sprintf "use `mergeE %s %s`, which occurs when one of two events does" (text a "a")
+           (text b "b"))
   | Parameter { callee = Some "||"; _ } ->
       Some "use `mergeE a b`, which occurs when one of two events does"
   | Parameter { callee = Some "&&"; _ } ->

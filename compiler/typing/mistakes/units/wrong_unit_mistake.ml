@@ -224,39 +224,79 @@ let rec nth_parameter n (t : Resolve.Ir.ty) =
   | Function (_, result) -> nth_parameter (n - 1) result
   | _ -> None
 
+type declared = { type_ : Resolve.Ir.ty; with_type : string -> string }
+
+(* The declared type of a parameter of a top-level function, and the signature with another type in
+   its place. *)
+let declared_parameter words (x : Resolve.Ir.Local.t) =
+  match Show.parameter words x with
+  | Some ({ signature = Some signature; name; _ }, index) -> (
+      match (nth_parameter index signature.ty, Show.quote words signature.span) with
+      | Some ({ desc = Named _; span } as type_), Some whole
+        when Span.line span.start = Span.line signature.span.start ->
+          let from = Span.column span.start - Span.column signature.span.start in
+          let until = Span.column span.stop - Span.column signature.span.start in
+          let name =
+            match name with
+            | Top (g, _) -> g.name ^ " :: "
+            | Inner f -> f.name ^ " :: "
+            | Destructure _ -> ""
+          in
+          let with_type text =
+            name ^ String.sub whole 0 from ^ text
+            ^ String.sub whole until (String.length whole - until)
+          in
+          Some { type_; with_type }
+      | _ -> None)
+  | Some _ | None -> None
+
+(* `k * e`, where the signature declares `k` without a unit *)
+let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
+  let of_factor ((e : Resolve.Ir.expr), power) =
+    match e.desc with
+    | Local x when abs power = 1 -> (
+        match declared_parameter words x with
+        | Some ({ type_ = { desc = Named { tycon = { name = "Float"; _ }; units = []; _ }; _ }; _ } as d)
+          ->
+            Some (x, d, power)
+        | Some _ | None -> None)
+    | _ -> None
+  in
+  let of_side ((e : Resolve.Ir.expr), units) =
+    let factors = Formula.factors e in
+    match List.filter_map of_factor factors with
+    | [ (x, { type_; with_type }, power) ] when List.length factors > 1 ->
+        let unit_ = Show.measure words (Lacking_unit_mistake.needed units power) in
+        let text = Printf.sprintf "Float[%s]" unit_ in
+        Some
+          (fun d ->
+            label ~at:type_.span (Printf.sprintf "the signature gives `%s` no unit" x.name) d
+            |> hint
+                 (Printf.sprintf "if `%s` has a unit, write the signature as `%s`" x.name
+                    (with_type text))
+            |> write type_.span text)
+    | _ -> None
+  in
+  if is_open (wanted, given) || is_one wanted then None
+  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+
 let parameter words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) units =
   match (subject, expected.because) with
   | Some { desc = Local x; _ }, Parameter { callee = Some _; decided_by = []; _ }
     when not (is_open units) -> (
-      match Show.parameter words x with
-      | Some ({ signature = Some signature; name; _ }, index) -> (
-          match (nth_parameter index signature.ty, Show.quote words signature.span) with
-          | Some { desc = Named _; span }, Some whole
-            when Span.line span.start = Span.line signature.span.start ->
+      match declared_parameter words x with
+      | Some { type_ = { span; _ }; with_type } ->
               let type_ = Show.type_ words expected.ty in
-              let from = Span.column span.start - Span.column signature.span.start in
-              let until = Span.column span.stop - Span.column signature.span.start in
-              let text =
-                String.sub whole 0 from ^ type_
-                ^ String.sub whole until (String.length whole - until)
-              in
-              let name =
-                match name with
-                | Top (g, _) -> g.name ^ " :: "
-                | Inner f -> f.name ^ " :: "
-                | Destructure _ -> ""
-              in
               Some
                 (fun d ->
                   let others = (Unit_conversion.suggest words ~subject ~expected units d).hints in
                   let d =
                     label ~at:span (Printf.sprintf "the signature gives `%s` this type" x.name) d
                     |> hint
-                         (Printf.sprintf "if `%s` is of type `%s`, write the signature as `%s%s`"
-                            x.name type_ name text)
+                         (Printf.sprintf "if `%s` is of type `%s`, write the signature as `%s`"
+                            x.name type_ (with_type type_))
                     |> write span type_
                   in
                   { d with hints = d.hints @ others })
-          | _ -> None)
-      | Some _ | None -> None)
+      | None -> None)
   | _ -> None

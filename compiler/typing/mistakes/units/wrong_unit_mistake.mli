@@ -36,6 +36,14 @@ val constant :
   (Diagnostic.t -> Diagnostic.t) option
 (** A name that is defined as a number with the wrong unit. *)
 
+val bare_parameter :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A factor that is a parameter, whose type in the signature has no unit. *)
+
 val parameter :
   Show.words ->
   subject:Resolve.Ir.expr option ->

@@ -128,7 +128,7 @@ Functions of Arduino, and a comment of MATLAB:
   $ printf 'import Control\nmain :: SF Float Float\nmain = proc x -> clamp (-1) 5 x\n' > pasted.frob && frobc check pasted.frob
   $ printf 'import Control\nmain :: SF Float Float\nmain = proc x -> constrain x 0 1\n' > imported.frob
   $ frobc check imported.frob 2>&1 | grep hint
-    = hint: use `clamp low high x`
+    = hint: write `clamp 0 1 x`
 
 A loop without an end, and the result of a task:
 

@@ -172,7 +172,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc (a, b) -> a + b
     |                       ^ - argument 1 of `+` is a number
     |
-    = hint: use `map (\x -> x + b) a` to compute with each element, or `zipWith (+) a b` to compute with the elements of two arrays
+    = hint: to compute with the elements of two arrays, write `zipWith (+) a b`
   
   1 error
   [1]

@@ -234,7 +234,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | xs = [1..4]
     |        ^^
     |
-    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3, 4]`
   
   1 error
   [1]
@@ -292,7 +292,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                  ^^^^^^^^^^^^
     |
-    = hint: use `toFloat n` to convert an Int to a Float
+    = hint: write `toFloat n`
   
   error[E0205]: unknown name `product`
    --> names.frob:2:35
@@ -324,7 +324,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   3 |     a = iPre 0 n
     |         ^^^^
     |
-    = hint: use `delay x0`, where `x0` is the first value
+    = hint: write `delay 0 n`, where 0 is the value at the first instant
   
   error[E0205]: unknown name `lMerge`
    --> names.frob:4:9

@@ -377,7 +377,7 @@ Functions of arrays that have another name in the library:
   2 | main = proc xs -> sorted xs ! 0
     |                   ^^^^^^
     |
-    = hint: use `sort xs`, with `import Arrays`
+    = hint: write `sort xs`, with `import Arrays`
   
   1 error
   [1]

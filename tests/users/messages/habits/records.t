@@ -50,7 +50,7 @@ Records in the syntax of other languages.
   3 | c = Config { 0.1[m/s], 2 }
     |              ^^^
     |
-    = hint: write the name of the field before each value: `Pose { heading = 0 }`
+    = hint: write the name of the field before each value: `Config { speed = 0.1[m/s], gain = 2 }`
   
   1 error
   [1]

@@ -119,7 +119,7 @@ An equation among the statements of a task:
   3 |     y = 0.9 * prev y + 0.1 * x
     |               ^^^^
     |
-    = hint: for the value one instant ago write `delay 0 x`, where 0 is the value at the first instant
+    = hint: write `delay 0 y`, where 0 is the value at the first instant
   
   1 error
   [1]

@@ -693,7 +693,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc x -> foldl (+) x [1 .. 10]
     |                                 ^^
     |
-    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3, 4, 5, 6, 7, 8, 9, 10]`
   
   1 error
   # 060_where_after_do.frob
@@ -834,7 +834,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> fromIntegral n / 2
     |                  ^^^^^^^^^^^^
     |
-    = hint: use `toFloat n` to convert an Int to a Float
+    = hint: write `toFloat n`
   
   1 error
   # 073_int_times_float.frob

@@ -15,11 +15,11 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   rint: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
   int: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
   toInt: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
-  float: use `toFloat n` to convert an Int to a Float
+  float: write `toFloat x`
   $ hint pow powf sq exp2 ln log10 tanh fabs fmin fmaxf sgn sign copysign
   pow: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
   powf: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
-  sq: use `x ^ 2`
+  sq: write `x ^ 2`
   exp2: use `2 ** x`
   ln: write `log`
   log10: `log` is the natural logarithm; for base 10 write `log x / log 10`
@@ -52,24 +52,24 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   M_PI: write `pi`
   TWO_PI: use `2 * pi`
   HALF_PI: use `pi / 2`
-  deg2rad: write an angle with its unit, such as `90[deg]`; for x degrees write `x * 1[deg]`
-  radians: write an angle with its unit, such as `90[deg]`; for x degrees write `x * 1[deg]`
-  rad2deg: to get the number of degrees, divide by the unit: `a / 1[deg]`
-  degrees: to get the number of degrees, divide by the unit: `a / 1[deg]`
+  deg2rad: write `x * 1[deg]`
+  radians: write `x * 1[deg]`
+  rad2deg: write `x / 1[deg]`
+  degrees: write `x / 1[deg]`
   $ hint wrapToPi normalize_angle shortest_angular_distance math.sqrt Math.sqrt np.abs random
-  wrapToPi: use `wrapAngle a`, with `import Geometry`
-  normalize_angle: use `wrapAngle a`, with `import Geometry`
+  wrapToPi: write `wrapAngle x`, with `import Geometry`
+  normalize_angle: write `wrapAngle x`, with `import Geometry`
   shortest_angular_distance: use `angleDiff a b`, with `import Geometry`
   math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
   Math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
   np.abs: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
   random: use `whiteNoise 1 ()`, where 1 is the seed, with `import Sources`: each run has the same noise
   $ hint minimum maximum average len enumerate zeros append null TRUE
-  minimum: use `minimumBy id xs` for the least element of an array
-  maximum: use `maximumBy id xs` for the greatest element of an array
-  average: use `mean xs`
+  minimum: write `minimumBy id x`
+  maximum: write `maximumBy id x`
+  average: write `mean x`
   len: write `length x`
-  enumerate: use `imap (\i x -> (i, x)) xs` to pair each element with its index
+  enumerate: write `imap (\i x -> (i, x)) x`
   zeros: use `generate (const 0)`: its type gives the number of elements
   append: the size of an array is fixed; to change the element at i, write `replace i x xs`
   null: write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`

@@ -88,7 +88,7 @@ A function instead of a signal function:
     |        |
     |        argument 1 of `reactimateRobot` is `SF a b`
     |
-    = hint: use `proc x -> …`, with `proc` instead of `\`, or use `arr` to turn a function into a signal function
+    = hint: write `proc _ -> …` in place of `\_ -> …`
   
   1 error
   [1]

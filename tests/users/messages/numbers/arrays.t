@@ -14,7 +14,7 @@ Arrays of a different size, ranges, patterns of a different length.
   3 | ns = [1..5]
     |        ^^
     |
-    = hint: Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, `generate (\i -> i + 1)`; the type gives their number
+    = hint: Frob has no ranges: write the elements, `[1, 2, 3, 4, 5]`
   
   1 error
   [1]

@@ -94,7 +94,7 @@ hint replaces it.
   [1]
   $ try 'SF Float Float' 'f = proc x -> lowPassFilter 0.5[s] x' 'f = proc x -> lowPass 0.5[s] x'
   error[E0205]: unknown name `lowPassFilter`
-    = hint: use `lowPass tau x`, where `tau` is a time constant: `0.5[s]`
+    = hint: write `lowPass 0.5[s] x`
   [1]
   $ try 'SF Boolean Float' 'f = proc b -> if b then 1 else 0' 'f = proc b -> if b then 1 else 0' 'SF Bool Float'
   error[E0207]: unknown type `Boolean`

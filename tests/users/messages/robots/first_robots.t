@@ -206,9 +206,9 @@ The same if the output is that of a task, or of a signature.
   4 | ahead :: DiffDrive o => SF i o
     |          --------------------- the signature of `ahead` requires the output `o`
   5 | ahead = proc i -> setVelTR 0.1[m/s] 0
-    |                   ^^^^^^^^^^^^^^^^^^^
+    |                   ^^^^^^^^^^^^^^^^^^^ this is a function
     |
-    = hint: use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`
+    = hint: this only changes an output: for the robot's output itself, write `roMake (setVelTR 0.1[m/s] 0)`
   
   error[E0301]: expected `PioneerOutput`, found `a -> a`
    --> no_make.frob:8:18

@@ -40,7 +40,7 @@ A component of the expected type: the message shows how to construct the whole.
     |          ^^^^^^^^^^ this is `SF d Distance`
     |
     = hint: to read it once, write `ask frontSonar`
-    = hint: use `mkTask (frontSonar &&& event)`, which ends when the event occurs, or `mkTask (frontSonar &&& never)`, which never ends
+    = hint: to run it for a time, write `mkTask (frontSonar &&& after 5[s])`; to run it without end, `mkTask (frontSonar &&& never)`
   
   1 error
   [1]

@@ -43,7 +43,7 @@ A function or signal function that does not begin like one.
   2 | main = proc a b -> a
     |               ^
     |
-    = hint: as in `proc x -> x + 1`; combine several inputs in a tuple, as in `proc (x, y) -> x + y`
+    = hint: a `proc` has one input: use a tuple, `proc (a, b) -> …`
   
   1 error
   [1]

@@ -145,7 +145,7 @@ Switches whose event is an argument, and events used as values.
     |                  |
     |                  argument 2 of `map` is `Array m n[u]`
     |
-    = hint: to apply a function to an event's value, use `mapE`
+    = hint: to apply a function to an event's value, write `mapE (\x -> x * 2) e`
   
   1 error
   [1]
