@@ -1,14 +1,15 @@
 """usage: speed.py FROBC
 
 Measures a simulated run that a page shows: how often the page shows a new instant, at 1 and at 10
-times real time; and the speed of the run at full speed, relative to a run without a page."""
+times real time; the speed of the run at full speed, relative to a run without a page; and the
+processor time that it takes, which does not depend on the machine's other work."""
 
 import re
 import subprocess
 import sys
 import time
 
-from figures import example, figure
+from figures import example, figure, processor_time
 from selenium.webdriver.support.ui import Select
 
 import viewer
@@ -56,9 +57,23 @@ def main():
             Select(page.all("#run-speed")[0]).select_by_visible_text("full")
             time.sleep(1)
             before, at = time.monotonic(), simulated(page)
+            spent = [processor_time(pid) for pid in (run.viewer, run.host_process)]
             time.sleep(SECONDS)
-            shown = (simulated(page) - at) / (time.monotonic() - before)
-            figure(name, "full speed with a page", shown, speed, "s/s")
+            passed = simulated(page) - at
+            figure(
+                name, "full speed with a page", passed / (time.monotonic() - before), speed, "s/s"
+            )
+            viewer_took, host_took = (
+                1e6 * (processor_time(pid) - first) / passed
+                for pid, first in zip((run.viewer, run.host_process), spent)
+            )
+            figure(
+                name,
+                "processor time of the viewer per simulated second; of the simulator",
+                viewer_took,
+                host_took,
+                "us",
+            )
             driver.get("about:blank")
             run.kill()
     finally:
