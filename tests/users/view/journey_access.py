@@ -99,6 +99,15 @@ def barriers(page, searcher, name):
                     print(each)
 
 
+# Returns whether the buttons of the map cover a part of the list of the program's numbers.
+covered = """
+const [list, buttons] = ["#readings", ".view-buttons"].map((selector) =>
+  document.querySelector(selector).getBoundingClientRect());
+return list.width > 0 && list.left < buttons.right && buttons.left < list.right &&
+  list.top < buttons.bottom && buttons.top < list.bottom;
+"""
+
+
 def targets(page, name):
     show(page.driver, "phone", "light")
     for panel in "map", "plots", "source", "signals":
@@ -106,6 +115,8 @@ def targets(page, name):
         found = page.driver.execute_script(small)
         check(f"{name}: on a phone, the targets of the {panel} are large", found == [])
         print(*found, sep="\n", end="")
+    choose(page, "map")
+    check(f"{name}: the map's buttons cover no numbers", not page.driver.execute_script(covered))
 
 
 def keys(page):

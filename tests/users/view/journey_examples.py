@@ -4,6 +4,7 @@ Opens the page of every example, for a live run and for its recording, and check
 no errors; also checks that it would detect an error."""
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -126,6 +127,10 @@ def visit(driver, name, run, view):
     page.wait(lambda: page.text("#now").startswith("instant 0 ") or faults(page))
     page.wait(lambda: is_whole(page) or faults(page))
     told(name, "its recording is shown", faults(page))
+    modes = [mode.get_attribute("textContent") for mode in page.all(".modes button")]
+    told(
+        name, "no mode has a name such as timeOut.2", [m for m in modes if re.search(r"\.\d+$", m)]
+    )
     driver.get("about:blank")
     v.end()
 

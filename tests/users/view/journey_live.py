@@ -112,6 +112,23 @@ for (let i = 0; i < data.length; i += 4)
 return count > 20 ? sum / count : null;
 """
 
+# Returns how far the curves of the timeline reach, as a part of its width. Its cursor has another
+# colour.
+reach = """
+const canvas = document.querySelector("#timeline canvas");
+const { width, height } = canvas;
+const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+const probe = document.createElement("canvas").getContext("2d");
+probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--accent");
+probe.fillRect(0, 0, 1, 1);
+const line = probe.getImageData(0, 0, 1, 1).data;
+let most = 0;
+for (let i = 0; i < data.length; i += 4)
+  if ([0, 1, 2].every((c) => Math.abs(data[i + c] - line[c]) < 40))
+    most = Math.max(most, (i / 4) % width);
+return most / width;
+"""
+
 
 def visit_box(page):
     """The robot pushes a box."""
@@ -121,6 +138,8 @@ def visit_box(page):
     page.all("#hold")[0].click()
     page.wait(lambda: page.text("#hold") == "Continue")
     page.wait(lambda: stands(page))
+    page.wait(lambda: page.driver.execute_script(reach) > 0.97)
+    check("the timeline shows the last instants before a pause", True)
     pushed = page.driver.execute_script(column)
     page.press(Keys.HOME)
     page.at(0)

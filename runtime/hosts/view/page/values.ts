@@ -63,11 +63,18 @@ function steady(signal: Signal, x: number): string {
 
 const numbers = /-?\d+(\.\d+)?(e[-+]?\d+)?/g;
 
+/** Formats the name of a mode or constructor. The compiler numbers modes with the same name: the
+ * second mode `timeOut` is `timeOut.2`. */
+export function formatName(name: string): string {
+  return name.replace(/\.(\d+)$/, " ($1)");
+}
+
 /** Formats the cell of a trace in Frob's syntax. */
 export function formatCell(signal: Signal, cell: string): string {
   if (cell === "") return signal.kind === "event" ? "NoEvent" : "";
   if (cell === "true") return "True";
   if (cell === "false") return "False";
+  if (signal.names.includes(cell)) return formatName(cell);
   // A digit within a name is not part of a number.
   return withUnit(
     signal,
@@ -91,7 +98,8 @@ export function withoutUnit(signal: Signal, text: string): string {
 export function formatPoint(signal: Signal, x: number | null): string {
   if (x === null) return signal.kind === "event" ? "NoEvent" : "";
   if (signal.kind === "bool") return x === 0 ? "False" : "True";
-  return signal.names[x] ?? withUnit(signal, steady(signal, x));
+  const name = signal.names[x];
+  return name === undefined ? withUnit(signal, steady(signal, x)) : formatName(name);
 }
 
 export function isNothing(signal: Signal, cell: string): boolean {

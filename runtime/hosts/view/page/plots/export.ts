@@ -92,7 +92,7 @@ export function saveTable(store: Store, name: string, signals: readonly number[]
     const signal = store.program.signals[number];
     if (value === null || value === undefined || !signal) return "";
     const isNamed = signal.kind === "bool" || signal.names.length > 0;
-    return isNamed ? quoted(formatPoint(signal, value)) : String(value);
+    return isNamed ? quoted(signal.names[value] ?? formatPoint(signal, value)) : String(value);
   };
   const write = () => {
     const times = found.get(signals[0] ?? 0)?.times ?? [];

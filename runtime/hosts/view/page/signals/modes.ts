@@ -3,6 +3,7 @@
 import type { Program, Signal, Transition } from "../protocol";
 import type { Store } from "../store";
 import { modeColour, onTheme } from "../theme";
+import { formatName } from "../values";
 
 const any = -1;
 const before = -2;
@@ -127,7 +128,7 @@ class Diagram {
     const name = this.signal.names[mode] ?? "";
     const row = document.createElement("div");
     const pill = document.createElement("button");
-    pill.textContent = name;
+    pill.textContent = formatName(name);
     pill.onclick = () =>
       this.store.find(`${this.signal.name} == ${name}`, (found) => {
         const to = found.after ?? found.first;
@@ -142,7 +143,8 @@ class Diagram {
       ),
     ];
     const ends = waits.length > 0 ? `; it ends with ${waits.join(" or ")}` : "";
-    pill.title = `Go to the next start of ${name}${ends}`;
+    const numbered = formatName(name) === name ? "" : ` (in a condition: ${name})`;
+    pill.title = `Go to the next start of ${formatName(name)}${numbered}${ends}`;
     const note = document.createElement("small");
     note.textContent = waits.join(", ");
     note.title = waits.length > 0 ? `Events that end this mode: ${waits.join(", ")}` : "";

@@ -6,7 +6,7 @@ import type { Claim, Series } from "../protocol";
 import type { Store } from "../store";
 import { colour, isDark, modeColour, onTheme } from "../theme";
 import { timeTicks } from "../ticks";
-import { formatNumber, formatTime } from "../values";
+import { formatName, formatNumber, formatTime } from "../values";
 import { rowsOf } from "./rows";
 
 const bandHeight = 16;
@@ -47,8 +47,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       if (mode !== null) {
         context.fillStyle = `${modeColour(mode)}${isDark() ? "77" : "aa"}`;
         context.fillRect(from, y, Math.max(1, to - from - 0.5), bandHeight - 2);
-        const text = `${title}: ${names[mode] ?? ""}`;
-        const short = names[mode] ?? "";
+        const short = formatName(names[mode] ?? "");
+        const text = `${title}: ${short}`;
         const fitting = [text, short].find((t) => context.measureText(t).width < to - from - 8);
         context.fillStyle = colour("text");
         if (fitting) context.fillText(fitting, from + 4, y + bandHeight / 2 - 1);
@@ -260,8 +260,11 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     else canvas.classList.toggle("on-end", endAt(event) >= 0);
   };
   let asked = 0;
+  let timer = 0;
   const askForBands = () => {
     asked = performance.now();
+    clearTimeout(timer);
+    timer = 0;
     rows.forEach(({ number }) =>
       store.series.request(
         "band",
@@ -279,7 +282,10 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     draw();
   }).observe(host);
   store.on("extent", () => {
-    if (performance.now() > asked + bandsEvery || !program.live) askForBands();
+    const wait = program.live ? asked + bandsEvery - performance.now() : 0;
+    if (wait <= 0) askForBands();
+    // Later, so that the last instants before a pause are shown too.
+    else if (timer === 0) timer = window.setTimeout(askForBands, wait);
     if (!store.following) draw();
   });
   store.on("what-if", askForBands);
