@@ -358,7 +358,9 @@ struct ring_pace ring_pace(const struct ring *ring)
     pace.beats = load(&shared->beats);
     pace.paused = load(&shared->paused) != 0;
     pace.steps = load(&shared->steps);
-    pace.speed = (double)(speed < 100 ? 100 : speed > 4000000 ? 4000000 : speed) / 1000.0;
+    pace.speed = (double)(speed < 100 ? 100 : speed) / 1000.0;
+    if (pace.speed > RING_MOST_SPEED)
+        pace.speed = RING_MOST_SPEED;
     return pace;
 }
 

@@ -91,12 +91,16 @@ void ring_show_alive(struct ring *ring);
 /* Returns whether a viewer has asked the run to stop. */
 bool ring_is_stopped(const struct ring *ring);
 
+/* The maximum speed relative to real time. It is so high that a host at this speed never waits for
+ * the clock. */
+#define RING_MOST_SPEED 1000000.0
+
 /* The pace of the run that a viewer has requested. */
 struct ring_pace {
     uint32_t beats; /* changes as long as the reader is alive */
     bool paused;
     uint32_t steps; /* total number of instants to take while paused */
-    double speed;   /* relative to real time, 0.1 to 4000 */
+    double speed;   /* relative to real time, 0.1 to RING_MOST_SPEED */
 };
 struct ring_pace ring_pace(const struct ring *ring);
 
@@ -138,7 +142,7 @@ void ring_saw(struct ring *ring, uint64_t count);
 void ring_stop(struct ring *ring);
 void ring_pause(struct ring *ring, bool paused);
 void ring_step(struct ring *ring);
-void ring_set_speed(struct ring *ring, double speed); /* 0.1 to 4000 */
+void ring_set_speed(struct ring *ring, double speed); /* 0.1 to RING_MOST_SPEED */
 
 /* Reports that the host has dropped an event that it had taken before a freeze. */
 void ring_drop_late(struct ring *ring);

@@ -227,10 +227,11 @@ function extend(extent: Program | Live): void {
   contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
 }
 
-/** Speed of a run, relative to real time, above which the page pauses between frames; and this
- * pause, in ms. */
-const fast = 20,
-  fastPause = 100;
+/** Returns how long the page pauses between frames of a run at a speed relative to real time, in ms:
+ * drawing takes processor time from a fast run. */
+function pauseAt(speed: number): number {
+  return speed > 100 ? 200 : speed > 20 ? 100 : 0;
+}
 
 function more(): void {
   connection.more();
@@ -261,9 +262,8 @@ function answered(answer: Answer, question: string): void {
       store.askClaims();
       break;
     case "live":
-      // Request the next instant after drawing this one. In a fast run, request it less often,
-      // because drawing takes processor time from the run.
-      requestAnimationFrame(() => setTimeout(more, (run?.speed ?? 1) > fast ? fastPause : 0));
+      // Request the next instant after drawing this one.
+      requestAnimationFrame(() => setTimeout(more, pauseAt(run?.speed ?? 1)));
       if (!store) break;
       store.grew(answer);
       extend(answer);

@@ -109,8 +109,8 @@ static const char *pace(struct control *control, const char *request)
         ring_step(control->ring);
     } else if (begins_with(request, "speed")) {
         const double speed = number_after(request);
-        if (!(speed >= 0.1 && speed <= 4000.0))
-            return "the speed must be from 0.1 to 4000";
+        if (!(speed >= 0.1 && speed <= RING_MOST_SPEED))
+            return "the speed must be from 0.1 to 1000000";
         control->speed = speed;
         ring_set_speed(control->ring, speed);
     } else {

@@ -4,7 +4,7 @@
  *   take       makes this page the one that operates
  *   pause, go, step
  *              pause a simulated run, resume it, or run one instant
- *   speed X    sets the speed of a simulated run, 0.1 to 4000
+ *   speed X    sets the speed of a simulated run, 0.1 to 1000000
  *   key CODE   a key was pressed: an event of the program's input at the next instant
  *   touch N X Y
  *              operates control number N on the program's console; see

@@ -4,7 +4,7 @@ import type { Store } from "../store";
 
 const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 /** Practically unlimited: the simulator runs as fast as it can. */
-const fullSpeed = 4000;
+const fullSpeed = 1_000_000;
 
 /** The codes that a terminal sends for keys that are not characters. */
 const codes: Readonly<Record<string, number>> = {
