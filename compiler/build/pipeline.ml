@@ -88,6 +88,13 @@ let with_marks r sink ~written ~specialized (plain : Flow.Ir.program) =
     if not (Drawing.is_shown r) then Some { plain with marks }
     else match marks with 0 -> Some plain | 1 -> Some counted | _ -> specialized (Some marks)
 
+let node sink front ~written (flow : Flow.Ir.program) =
+  match flow.rate with
+  | None -> Some None
+  | Some rate ->
+      let* node = Topics.of_program sink ~resolved:front.resolved front.typed written ~rate in
+      Some (Some node)
+
 let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition) (core, entry) =
   match Typing.Entry.refusal front.typed ~closed:(entry <> written.name) written with
   | Some refusal ->
@@ -103,6 +110,7 @@ let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition)
       let* flow = specialized None in
       let* flow = with_marks r sink ~written ~specialized flow in
       let* flow = stage r sink Specialize ~lint ~print:Flow.Print.program flow in
+      let* _ = node sink front ~written flow in
       Some ((core, entry), flow)
 
 (* {1 From Flow to C} *)
@@ -118,8 +126,8 @@ let lower r sink flow =
   let step = Step.Passes.program ~after:(Request.each_pass r print) (Step.Of_flow.program flow) in
   stage r sink Step ~lint:Step.Lint.program ~print step
 
-let emit (r : Request.t) sink sources ~units ~named step =
+let emit (r : Request.t) sink sources ~units ~named ?node step =
   let banner = if r.banner then Banner.lines r sources else [] in
   let own = Request.own_robot r in
-  let files = Cgen.Emit.program ?own ~units ~named ~batch:r.batch ~banner step in
+  let files = Cgen.Emit.program ?own ~units ~named ~batch:r.batch ~banner ?node step in
   stage r sink C ~lint:ignore ~print:Cgen.Emit.print files

@@ -57,6 +57,8 @@ val emit :
   Source.t ->
   units:Cgen.Units.t ->
   named:Cgen.Named_constants.t ->
+  ?node:Cgen.Node_table.t ->
   Step.Ir.program ->
   Cgen.Emit.t option
-(** [units]: for the comments of members; [named]: the constants that keep their names. *)
+(** [units]: for the comments of members; [named]: the constants that keep their names; [node]: the
+    topics of a node. *)

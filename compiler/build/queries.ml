@@ -143,7 +143,11 @@ let step sink = of_checked (fun r sink _ p -> lowered r sink p.flow) sink
 let emitted r sink sources p step =
   let units = Member_units.of_program ~resolved:p.resolved p.typed p.written in
   let named = Constant_names.of_program ~resolved:p.resolved p.typed in
-  Pipeline.emit r sink sources ~units ~named step
+  let node =
+    Option.bind p.flow.rate (fun rate ->
+        Topics.of_program sink ~resolved:p.resolved p.typed p.written ~rate)
+  in
+  Pipeline.emit r sink sources ~units ~named ?node step
 
 let compile sink =
   of_checked

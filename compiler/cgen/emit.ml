@@ -3,6 +3,7 @@ type t = {
   source : string;
   host_table : string option;
   robot : string option;
+  node : Node_table.t option;
   robot_header : (string * string) option;
   cameras : string list;
   simulated : string list;
@@ -11,16 +12,17 @@ type t = {
 
 and foreign = { calls : string list; headers : Flow.Ir.header list }
 
-let program ?own ?units ?named ?batch ?banner (program : Step.Ir.program) =
+let program ?own ?units ?named ?batch ?banner ?node (program : Step.Ir.program) =
   let files = Of_step.program ?own ?units ?named ?batch ?banner program in
   {
     header = Print.file files.header;
     source = Print.file files.source;
     host_table =
       (if List.for_all (Flow.Shape.for_hosts program.sums) [ program.input; program.output ] then
-         Some (Host_table.text ?own program files)
+         Some (Host_table.text ?own ?node program files)
        else None);
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
+    node;
     robot_header = None;
     cameras = List.sort_uniq String.compare (List.filter_map Core.Console.camera program.console);
     simulated = List.filter_map Core.Console.simulated program.console;

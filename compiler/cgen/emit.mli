@@ -7,6 +7,7 @@ type t = {
       (** NAME_host.c, which only hosts need; [None] if the program's input or output contains a
           foreign type, which hosts do not support *)
   robot : string option;  (** the name of the program's robot, if it has one *)
+  node : Node_table.t option;  (** the topics, if the program is a ROS 2 node with its own *)
   robot_header : (string * string) option;
       (** name and text of the header of the user's own robot, which [header] includes. It is
           generated from the robot's module ({!Interface_header}), not here *)
@@ -27,12 +28,13 @@ val program :
   ?named:Named_constants.t ->
   ?batch:bool ->
   ?banner:string list ->
+  ?node:Node_table.t ->
   Step.Ir.program ->
   t
 (** [own]: the user's own robot, if the program is for one. [units]: for the comments of members;
     {!Units.none} by default. [named]: the constants that keep their names; {!Named_constants.none}
     by default. [batch]: adds the function that runs many steps ({!Batch}). [banner]: lines for the
-    comment at the top of the header and the source. *)
+    comment at the top of the header and the source. [node]: the topics of a node. *)
 
 val print : Format.formatter -> t -> unit
 (** Prints the header, then the source. *)

@@ -57,6 +57,7 @@ type t =
   | Sequence
   | Run_task
   | Reactimate
+  | Node
   | Ending
   | Console of console
   | Text_of
@@ -172,6 +173,7 @@ let table =
     ("mapSF", Map_sf, 1);
     ("parZ", Parallel, 1);
     ("reactimateRobot", Reactimate, 1);
+    ("node", Node, 2);
     ("ending", Ending, 1);
     ("consoleButton", Console Button, 2);
     ("consoleHold", Console Hold, 2);

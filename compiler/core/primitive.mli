@@ -73,6 +73,7 @@ type t =
   | Run_task
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
+  | Node  (** [Float -> SF i o -> Program i o]: a ROS 2 node with topics, and its rate *)
   | Ending  (** reports to the program's host whether it has ended, and with which result *)
   (* controls of the operator's console, by label; see {!Console} *)
   | Console of console

@@ -76,6 +76,8 @@ let of_primitive (p : Primitive.t) types =
       let all : Ir.ty = Array (n, Signal_function (a, b)) in
       Some (Function (all, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] -> Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
+  | Node, [ i; o ] ->
+      Some (function_ [ Float; Signal_function (i, o) ] (prelude "Program" [ i; o ]))
   | Console Button, [] -> Some (function_ [ String; console ] (event (Tuple [])))
   | Console Hold, [] -> Some (function_ [ String; console ] Bool)
   | Console Knob, [] -> Some (function_ [ String; Float; Float; Float; console ] Float)
@@ -96,8 +98,8 @@ let of_primitive (p : Primitive.t) types =
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And | Or
       | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
       | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially | On_event
-      | Reactimate | Ending | Console _ | Make_task | Until_right | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf | Parallel
-      | Text_of | Blank | Drawn | Together | Foreign _ ),
+      | Reactimate | Node | Ending | Console _ | Make_task | Until_right | Return | Sequence
+      | Run_task | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf
+      | Parallel | Text_of | Blank | Drawn | Together | Foreign _ ),
       _ ) ->
       None

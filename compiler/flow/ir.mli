@@ -301,6 +301,8 @@ type program = {
   ends : bool;
       (** if true, the last part of the output is an event with the program's result, which occurs
           when the program ends and in all later instants *)
+  rate : float option;
+      (** the steps per second of a ROS 2 node with topics of its own; [None] for other programs *)
   probes : (string * shape) list;
       (** inner signals to show, with their names: the root returns their leaves after the leaves of
           [output] *)

@@ -180,7 +180,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       let size = size env types in
       Signal_function (fun () -> Arrays.map_sf ~size signal_function)
   | Parallel, [ all ] -> Signal_function (fun () -> Arrays.parallel all)
-  | Reactimate, [ signal_function ] -> Thunk.force signal_function
+  | Reactimate, [ signal_function ] | Node, [ _; signal_function ] -> Thunk.force signal_function
   | Ending, [ signal_function ] -> (
       match List.map (closed env.types) types with
       | [ _; _; result ] -> Ending { signal_function; result }

@@ -248,9 +248,12 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       let missing = Core.Primitive.arity primitive - List.length all in
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
+      | Node, [ _; _ ] ->
+          Program (Primitive { primitive; types; arguments = all; owner = s.owner; at = span })
       | ( ( Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
           | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially | On_event
           | Map_sf | Parallel | Make_task | Until_right | Return | Sequence | Run_task | Ending
+          | Node
           | Foreign { kind = Stateful; _ } ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }

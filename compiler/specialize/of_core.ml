@@ -64,19 +64,58 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 
 exception Unlike_ends
 
-(* The signal function of a program, and the type of the program's result, if the program ends. If
-   the program chooses between several programs at the start, the type of the result must be the
+(* A program: its signal function, the type of its result, if the program ends, and the rate of
+   a node, with its place. *)
+type in_program = {
+  signal_function : Value.t;
+  ended : Ir.ty option;
+  rate : (Value.t * Span.t) option;
+}
+
+(* If the program chooses between several programs at the start, the type of the result must be the
    same for all of them. *)
-let rec in_program (value : Value.t) : Value.t * Ir.ty option =
+let rec in_program (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } ->
-      let then_, ended = in_program then_ and else_, ended' = in_program else_ in
-      if ended <> ended' then raise_notrace Unlike_ends;
-      (Choice { condition; then_; else_ }, ended)
+      let then_ = in_program then_ and else_ = in_program else_ in
+      if then_.ended <> else_.ended then raise_notrace Unlike_ends;
+      let signal_function : Value.t =
+        Choice { condition; then_ = then_.signal_function; else_ = else_.signal_function }
+      in
+      let rate =
+        match (then_.rate, else_.rate) with
+        | Some (Atom a, _), Some (Atom b, _) when a = b -> then_.rate
+        | None, None -> None
+        | Some (_, at), _ | None, Some (_, at) -> Some (Unspecified, at)
+      in
+      { signal_function; ended = then_.ended; rate }
   | Program (Primitive { primitive = Ending; types = [ _; _; ended ]; arguments = [ inner ]; _ }) ->
-      (inner.value, Some ended)
-  | Program signal_function -> (signal_function, None)
-  | signal_function -> (signal_function, None)
+      { signal_function = inner.value; ended = Some ended; rate = None }
+  | Program (Primitive { primitive = Node; arguments = [ inner; rate ]; at; _ }) ->
+      { signal_function = inner.value; ended = None; rate = Some (rate.value, at) }
+  | Program signal_function -> { signal_function; ended = None; rate = None }
+  | signal_function -> { signal_function; ended = None; rate = None }
+
+(* The limits of the option [--rate]. *)
+let slowest = 0.1
+and fastest = 1000.
+
+let rate (c : Context.t) ((rate : Value.t), at) =
+  let refuse format =
+    Printf.ksprintf
+      (fun text ->
+        Diagnostic.(
+          error ~code:"E0508" ~at "%s" text |> hint "write a rate such as `50[Hz]`" |> emit c.sink))
+      format
+  in
+  match rate with
+  | Atom (Float rate) when rate >= slowest && rate <= fastest -> Some rate
+  | Atom (Float rate) ->
+      refuse "the rate of a node is between %g and %g Hz, not %g Hz" slowest fastest rate;
+      None
+  | _ ->
+      refuse "the rate of a node must be known at compile time";
+      None
 
 let output_names (c : Context.t) ~output ~ended =
   let names ty root =
@@ -101,8 +140,8 @@ let drawings = function
   | [ only ] -> [ ("draw", only) ]
   | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
 
-(* Builds the root node. Returns the type of the program's result, if the program ends, and the
-   names of its drawings. *)
+(* Builds the root node. Returns the type of the program's result, if the program ends, the names of
+   its drawings, and the rate of a node. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =
@@ -114,7 +153,10 @@ let root c ~unique (core : Ir.definition) ~input ~output =
       trail = Context.start;
     }
   in
-  let signal_function, ended = in_program (Expression.expr c s (Named core.name.name) core.body) in
+  let { signal_function; ended; rate = given } =
+    in_program (Expression.expr c s (Named core.name.name) core.body)
+  in
+  let rate = Option.bind given (rate c) in
   let whole_output : Ir.ty =
     match ended with None -> output | Some ended -> Tuple [ output; Core.Signature.event ended ]
   in
@@ -152,10 +194,10 @@ let root c ~unique (core : Ir.definition) ~input ~output =
     ignore
       (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
          ~statics:[] ~inputs ~outputs ~transitions:[]);
-    (ended, List.map fst (drawings drawn)))
+    (ended, List.map fst (drawings drawn), rate))
   else (
     refuse_interface c core "result" (Option.get ended);
-    (ended, []))
+    (ended, [], rate))
 
 let param ~default (p : Ir.param) : Flow.Ir.param =
   {
@@ -177,7 +219,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   let is_first_order ty = (Types.layout c.types ty).first_order in
   if not (is_first_order input) then refuse_interface c core "input" input;
   if not (is_first_order output) then refuse_interface c core "output" output;
-  let ended = ref None and drawings = ref [] in
+  let ended = ref None and drawings = ref [] and rate = ref None in
   (if not (Diagnostic.has_errors c.sink) then
      (* the root gets the first choice of names, however often its evaluation is restarted *)
      let chosen = ref None in
@@ -186,9 +228,10 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
        Option.value !chosen ~default:name
      in
      let root () =
-       let found, drawn = root c ~unique core ~input ~output in
+       let found, drawn, given = root c ~unique core ~input ~output in
        ended := found;
-       drawings := drawn
+       drawings := drawn;
+       rate := given
      in
      try Context.settle root with
      | Context.Stopped -> ()
@@ -221,6 +264,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
         console = (match c.console with Declared controls -> controls | Sought _ -> []);
         output;
         ends = Option.is_some !ended;
+        rate = !rate;
         probes = List.map (fun name -> (name, Types.shape_of_marks c.types)) !drawings;
         claims = [];
         marks = (if c.draws then Option.value (Types.marks c.types) ~default:1 else 0);

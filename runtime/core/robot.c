@@ -161,7 +161,7 @@ void frob_robot_sense(struct frob_robot *robot, void *input)
 
 enum frob_status frob_robot_command(struct frob_robot *robot, const void *output)
 {
-    void *limited = robot->limited.bytes;
+    const void *commanded = output;
     const int64_t given_ns = robot->given_ns;
     robot->given_ns = INT64_MAX;
     if (robot->state != FROB_ROBOT_READY)
@@ -170,11 +170,15 @@ enum frob_status frob_robot_command(struct frob_robot *robot, const void *output
         become_stale(robot);
         return frob_robot_halt(robot);
     }
-    memcpy(limited, output, robot->driver->output_size);
-    frob_robot_limit(robot->driver, robot->device, limited);
-    if (robot->rests_first)
-        rest(robot->driver, limited);
-    robot->status = robot->driver->command(robot->device, limited);
+    if (robot->driver->drive_count > 0) {
+        void *limited = robot->limited.bytes;
+        memcpy(limited, output, robot->driver->output_size);
+        frob_robot_limit(robot->driver, robot->device, limited);
+        if (robot->rests_first)
+            rest(robot->driver, limited);
+        commanded = limited;
+    }
+    robot->status = robot->driver->command(robot->device, commanded);
     if (robot->status == FROB_OK)
         robot->at_rest = robot->rests_first = false;
     else

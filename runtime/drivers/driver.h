@@ -52,7 +52,8 @@ struct frob_driver {
     size_t setting_count;
 
     /* Offsets, in the output struct, of the doubles that move the robot. They are listed here so
-     * that one function can limit them all. */
+     * that one function can limit them all. A driver without them limits its commands itself, and
+     * makes the first one after each start and stop zero. */
     const size_t *drives;
     size_t drive_count;
 

@@ -13,6 +13,19 @@ let host_table ~entry (files : Cgen.Emit.t) =
 
 let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
   match (files.robot, files.cameras, files.simulated) with
+  | None, _, _ when Option.is_some files.node && ros2 -> Ok ()
+  | None, _, _ when Option.is_some files.node ->
+      Error
+        (Printf.sprintf
+           "%s is a ROS 2 node with topics of its own, not a program for a robot: use `frobc run \
+            --ros2`; `frobc trace` runs it on recorded input"
+           name)
+  | None, _, _ when ros2 ->
+      Error
+        (Printf.sprintf
+           "%s is neither a robot program nor a node: use `reactimateRobot` for the robot `ros`, \
+            or `node 50[Hz]` if its input and output are records of topics"
+           name)
   | None, _, _ ->
       Error (Printf.sprintf "%s is not a robot program; use `reactimateRobot` to make one" name)
   | Some "ros", _, _ when not ros2 ->

@@ -32,6 +32,7 @@ let included =
   [
     "builtin_interfaces";
     "rosidl_dynamic_typesupport";
+    "rosidl_typesupport_introspection_c";
     "rosidl_typesupport_interface";
     "service_msgs";
     "tracetools";

@@ -305,7 +305,7 @@ let params out (program : Step.Ir.program) params =
       sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
         (List.length program.params)
 
-let text ?own (program : Step.Ir.program) (files : Of_step.t) =
+let text ?own ?node (program : Step.Ir.program) (files : Of_step.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
   let input_side = Border.input ?own_robot:own program files.input in
@@ -329,6 +329,7 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let unread, passed = Border.passed files.params in
   let params = params out program files.params in
+  let node = Node_table.write out node in
   let robot = Option.fold (robot ?own program) ~none:"" ~some:(fun (r : Robot.t) -> r.name) in
   bprintf out
     {|
@@ -358,6 +359,7 @@ const struct frob_program frob_program = {
     %d,
     %s,
     %s,
+    %s,
 };
 |}
     unread name name passed
@@ -365,5 +367,5 @@ const struct frob_program frob_program = {
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
     (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
-    result machines machine_count probes controls control_count params claims;
+    result machines machine_count probes controls control_count params claims node;
   Buffer.contents out

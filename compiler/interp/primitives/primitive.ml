@@ -53,8 +53,8 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
       | Make_task | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate
-      | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending | Console _ | Text_of | Blank
-      | Drawn | Together ),
+      | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Node | Ending | Console _ | Text_of
+      | Blank | Drawn | Together ),
       _ ) ->
       bug p
   | Foreign f, _ -> raise_notrace (Foreign_code f.foreign_name)

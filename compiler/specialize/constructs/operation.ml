@@ -99,5 +99,5 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
   | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
   | Make_task | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate | Map
-  | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending | Console _ | Foreign _ ->
+  | Imap | Zip_with | Foldl | Scanl | Reactimate | Node | Ending | Console _ | Foreign _ ->
       bug ()

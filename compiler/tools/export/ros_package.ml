@@ -19,6 +19,7 @@ let dependencies =
     "rmw";
     "rosgraph_msgs";
     "rosidl_runtime_c";
+    "rosidl_typesupport_introspection_c";
     "sensor_msgs";
     "std_msgs";
   ]
@@ -28,7 +29,23 @@ let is_of_messages package =
 
 let lines one = String.concat "\n" (List.map one dependencies)
 
-let description name =
+(* The packages of the messages on topics of the program's own, whose libraries the node loads when it
+   starts, and the names of all topics. *)
+let own_packages (node : Cgen.Node_table.t option) =
+  let package (t : Cgen.Node_table.topic) = List.hd (String.split_on_char '/' t.type_) in
+  match node with
+  | None -> []
+  | Some { inputs; outputs; rate = _ } ->
+      List.sort_uniq compare (List.map package (inputs @ outputs))
+      |> List.filter (fun package -> not (List.mem package dependencies))
+
+let topics (node : Cgen.Node_table.t option) =
+  let name (t : Cgen.Node_table.topic) = t.name in
+  match node with
+  | None -> [ "odom"; "scan"; "cmd_vel" ]
+  | Some { inputs; outputs; rate = _ } -> List.sort_uniq compare (List.map name (inputs @ outputs))
+
+let description name node =
   Printf.sprintf
     {|<?xml version="1.0"?>
 <package format="3">
@@ -41,7 +58,7 @@ let description name =
 
   <buildtool_depend>ament_cmake</buildtool_depend>
 %s
-  <exec_depend>ros2launch</exec_depend>
+%s  <exec_depend>ros2launch</exec_depend>
 
   <export>
     <build_type>ament_cmake</build_type>
@@ -50,6 +67,8 @@ let description name =
 |}
     (package_of name) name
     (lines (Printf.sprintf "  <depend>%s</depend>"))
+    (String.concat ""
+       (List.map (Printf.sprintf "  <exec_depend>%s</exec_depend>\n") (own_packages node)))
 
 (* The targets of a package with messages contain libraries for C++ and Python too. *)
 let libraries package =
@@ -88,7 +107,7 @@ ament_package()
     (lines (Printf.sprintf "find_package(%s REQUIRED)"))
     (lines libraries)
 
-let launch_file name =
+let launch_file name node =
   Printf.sprintf
     {|from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -100,11 +119,13 @@ def generate_launch_description():
             package="%s",
             executable="%s",
             parameters=[{"use_sim_time": False}],
-            remappings=[("odom", "odom"), ("scan", "scan"), ("cmd_vel", "cmd_vel")],
+            remappings=[%s],
         )
     ])
 |}
     (package_of name) (package_of name)
+    (String.concat ", "
+       (List.map (fun topic -> Printf.sprintf "(\"%s\", \"%s\")" topic topic) (topics node)))
 
 (* The parts of the runtime that a node needs. A node needs only the headers of the drivers, because
    the driver of the robot `ros` is in hosts/ros. *)
@@ -149,7 +170,7 @@ let is_ours ~folder ~name =
   || Sys.is_directory folder
      && (Sys.readdir folder = [||] || Sys.file_exists (folder / "src" / (name ^ "_host.c")))
 
-let write (resources : Resources.t) ~folder ~name ~sources ~folders generated =
+let write (resources : Resources.t) ~folder ~name ~node ~sources ~folders generated =
   let source = folder / "src" in
   let* () =
     if is_ours ~folder ~name then Ok ()
@@ -166,9 +187,9 @@ let write (resources : Resources.t) ~folder ~name ~sources ~folders generated =
     List.filter
       (fun (path, _) -> not (Sys.file_exists path))
       [
-        (folder / "package.xml", description name);
+        (folder / "package.xml", description name node);
         (folder / "CMakeLists.txt", build_file name);
-        (folder / "launch" / (package_of name ^ ".launch.py"), launch_file name);
+        (folder / "launch" / (package_of name ^ ".launch.py"), launch_file name node);
       ]
   in
   let files = edited @ generated @ own @ runtime in
@@ -206,5 +227,5 @@ let export general ~entry ~sources ~folder file =
       let { Toolchain.sources; folders; allowed = _ } =
         Option.value foreign ~default:{ Toolchain.sources = []; folders = []; allowed = [] }
       in
-      let* () = write resources ~folder ~name ~sources ~folders generated in
+      let* () = write resources ~folder ~name ~node:files.node ~sources ~folders generated in
       Exit_status.ok)

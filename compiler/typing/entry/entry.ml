@@ -107,7 +107,10 @@ let refusal program ~closed (d : Ir.definition) =
       refuse
         (Printf.sprintf "its type `%s` has variables, so the input or the output is not determined"
            ty)
-        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
+        (Printf.sprintf "give it a signature without variables, such as `%s :: %s`" name
+           (match kind d.scheme.ty with
+           | Program _ -> "Program In Out"
+           | Signal_function _ | Task | Function _ | Value -> "SF Float Float"))
   | Function { result = Signal_function _ | Program _; _ } ->
       refuse
         (Printf.sprintf "it still needs an argument, as its type `%s` shows" ty)

@@ -14,7 +14,7 @@ static const char device_usage[] =
 
 static const char usage[] =
     "  --for SECONDS      how long to run (until interrupted)\n"
-    "  --rate HZ          how often the controller runs (50)\n"
+    "  --rate HZ          how often the controller runs (50, or the rate of `node`)\n"
     "  --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)\n"
     "  --patience SECONDS maximum age of a reading, and maximum duration of a step,\n"
     "                     before the robot is stopped (0.2)\n"
@@ -280,7 +280,7 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
 {
     memset(o, 0, sizeof *o);
     o->opening = opening;
-    o->rate_hz = 50.0;
+    o->rate_hz = program->node != NULL ? program->node->rate_hz : 50.0;
     o->patience_s = 0.2;
     o->reconnect_s = 30.0;
     o->params = (const char **)calloc((size_t)argc, sizeof *o->params);

@@ -20,16 +20,16 @@
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
-    { "fastest", 1.0, 0.01, 10.0, "maximum speed that is published, m/s" },
-    { "fastest_turn", 3.0, 0.01, 20.0, "maximum turn rate that is published, rad/s" },
     { "late", 0.2, 0.01, 10.0, "maximum delay of a message that counts, s" },
-    { "stamped", 0.0, 0.0, 1.0, "1: publish TwistStamped instead of Twist" },
     { "lidar_x", 0.0, -10.0, 10.0, "position of the lidar ahead of the robot's centre, m" },
     { "lidar_y", 0.0, -10.0, 10.0, "position of the lidar to the left, m" },
     { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
     { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
     { "lifecycle", 0.0, 0.0, 1.0, "1: be a managed node, as with --lifecycle" },
+    { "fastest", 1.0, 0.01, 10.0, "maximum speed that is published, m/s" },
+    { "fastest_turn", 3.0, 0.01, 20.0, "maximum turn rate that is published, rad/s" },
+    { "stamped", 0.0, 0.0, 1.0, "1: publish TwistStamped instead of Twist" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),
@@ -98,8 +98,8 @@ static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int
     }
 }
 
-/* Reports once that messages no longer arrive, until the next one does. */
-static void tell_silence(const struct ros_device *d, struct ros_topic *topic, const char *effect)
+void ros_device_tell_silence(const struct ros_device *d, struct ros_topic *topic,
+                             const char *effect)
 {
     const int64_t now = frob_now_ns(&d->clock);
     if (topic->received_ns == INT64_MIN || topic->told_silence ||
@@ -114,10 +114,8 @@ static bool has_sim_time(const struct ros_device *d)
     return d->settings[ROS_SIM_TIME] > 0.0;
 }
 
-/* Decides whether a message is accepted. `bad`: the reason why its content is invalid, or NULL.
- * `taken_ns` receives the time at which it was sent, on our clock. */
-static bool counts(struct ros_device *d, struct ros_topic *topic, const char *bad, int64_t stamp_ns,
-                   int64_t arrived_ns, int64_t *taken_ns)
+bool ros_device_accepts(struct ros_device *d, struct ros_topic *topic, const char *bad,
+                        int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns)
 {
     const int64_t late_ns = (int64_t)(d->settings[ROS_LATE] * 1e9);
     enum stamps_verdict verdict;
@@ -147,7 +145,8 @@ static void take_odometry(struct ros_device *d, const struct ros_odometry *odome
 {
     struct ros_motion motion;
     const char *bad = ros_motion_of(odometry, &motion);
-    if (counts(d, &d->odometry, bad, odometry->stamp_ns, odometry->arrived_ns, &d->sensed_ns))
+    if (ros_device_accepts(d, &d->odometry, bad, odometry->stamp_ns, odometry->arrived_ns,
+                           &d->sensed_ns))
         d->motion = motion;
 }
 
@@ -185,8 +184,8 @@ static void take_scan(struct ros_device *d, const struct ros_scan *message)
     bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
     if (bad == NULL)
         sensor->number++;
-    sensor->fresh = counts(d, &sensor->topic, bad, message->origin.stamp_ns,
-                           message->origin.arrived_ns, &sensor->taken_ns);
+    sensor->fresh = ros_device_accepts(d, &sensor->topic, bad, message->origin.stamp_ns,
+                                       message->origin.arrived_ns, &sensor->taken_ns);
 }
 
 static void take_imu(struct ros_device *d, const struct ros_imu *message)
@@ -196,8 +195,8 @@ static void take_imu(struct ros_device *d, const struct ros_imu *message)
     if (sensor == NULL)
         return;
     bad = ros_imu_check(message);
-    if (!counts(d, &sensor->topic, bad, message->origin.stamp_ns, message->origin.arrived_ns,
-                &sensor->taken_ns))
+    if (!ros_device_accepts(d, &sensor->topic, bad, message->origin.stamp_ns,
+                            message->origin.arrived_ns, &sensor->taken_ns))
         return;
     ros_imu_add(&sensor->sums, message);
     sensor->fresh = true;
@@ -365,7 +364,10 @@ static void take(struct ros_device *d)
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
     case ROS_TOUCH: take_touch(d, &d->message.touch); break;
     case ROS_STATE: take_state(d, &d->message.state); break;
-    default: break;
+    default:
+        if (d->take_other != NULL)
+            d->take_other(d, &d->message.head);
+        break;
     }
 }
 
@@ -444,10 +446,10 @@ static void close_session(void *device)
 
 static void tell_silences(struct ros_device *d)
 {
-    tell_silence(d, &d->odometry, "; the robot stands until one arrives");
+    ros_device_tell_silence(d, &d->odometry, "; the robot stands until one arrives");
     for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
         if (d->sensors[i].used)
-            tell_silence(d, &d->sensors[i].topic, "");
+            ros_device_tell_silence(d, &d->sensors[i].topic, "");
 }
 
 static enum frob_status poll_device(void *device)

@@ -17,16 +17,17 @@ struct line_orders;
 
 /* The driver's settings, in the order of its table. */
 enum ros_setting {
-    ROS_FASTEST,
-    ROS_FASTEST_TURN,
     ROS_LATE,
-    ROS_STAMPED,
     ROS_LIDAR_X,
     ROS_LIDAR_Y,
     ROS_LIDAR_HEADING,
     ROS_SIM_TIME,
     ROS_INSTANTS,
     ROS_LIFECYCLE,
+    ROS_OWN_SETTINGS, /* nodes with topics of their own have only those before */
+    ROS_FASTEST = ROS_OWN_SETTINGS,
+    ROS_FASTEST_TURN,
+    ROS_STAMPED,
     ROS_SETTINGS
 };
 
@@ -97,8 +98,9 @@ struct ros_device {
     struct sim_clock sim_clock;
     struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
-    bool gave;                                /* the program has had an instant in this or an
-                                               * earlier session */
+    /* Takes the messages that this driver does not know; NULL: there are none. */
+    void (*take_other)(struct ros_device *device, const struct ros_head *message);
+    bool gave;      /* the program has had an instant in this or an earlier session */
     bool commanded; /* a velocity was commanded, which the driver repeats */
     bool drove;     /* a velocity was commanded since the first session */
     struct ros_velocity velocity;
@@ -106,6 +108,16 @@ struct ros_device {
 };
 
 extern const struct frob_driver frob_ros_driver;
+
+/* Decides whether a message is accepted. Reports rejected messages, each reason once. `bad`: the
+ * reason why its content is invalid, or NULL. `taken_ns` receives the time at which it was sent, on
+ * our clock. */
+bool ros_device_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
+                        int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
+
+/* Reports once that messages no longer arrive, until the next one does. */
+void ros_device_tell_silence(const struct ros_device *device, struct ros_topic *topic,
+                             const char *effect);
 
 /* Sets the events of the program's lidars and inertial measurement units for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);

@@ -27,8 +27,8 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
             "warning: %s has two types, so no message gets through: the node %s %s %s, and this "
             "program needs %s%s\n",
             topic->name, other->node_name, their, other->topic_type, topic->type,
-            strcmp(other->topic_type, "geometry_msgs/msg/TwistStamped") == 0
-                ? "; add `--set stamped=1`"
+            topic->cure != NULL && strcmp(other->topic_type, "geometry_msgs/msg/TwistStamped") == 0
+                ? topic->cure
                 : "");
     }
 }
@@ -45,9 +45,9 @@ static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_a
         fprintf(
             stderr,
             "warning: the node %s subscribes to %s with the durability `transient local`, so no "
-            "message gets through: old velocities are not kept. Let it subscribe with the "
-            "durability `volatile`\n",
-            other->node_name, topic->name);
+            "message gets through: %s are not kept. Let it subscribe with the durability "
+            "`volatile`\n",
+            other->node_name, topic->name, topic->kept);
     }
 }
 
@@ -62,7 +62,7 @@ static void look_at_input(const struct graph *g, struct input *input, const rcl_
         return;
     }
     tell_type(topic, &nodes, "publishes");
-    if (nodes.size == 0 && !input->heard && !topic->told_silence &&
+    if (nodes.size == 0 && inputs_is_needed(input) && !input->heard && !topic->told_silence &&
         node_now_ns() - g->started_ns > SILENCE_NS) {
         topic->told_silence = true;
         fprintf(stderr,
@@ -74,17 +74,17 @@ static void look_at_input(const struct graph *g, struct input *input, const rcl_
         rcl_reset_error();
 }
 
-static void look_at_velocity(struct graph *g, const rcl_node_t *node)
+static void look_at_output(struct topic *topic, const rcl_node_t *node)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();
     rcl_topic_endpoint_info_array_t nodes = rcl_get_zero_initialized_topic_endpoint_info_array();
-    if (rcl_get_subscriptions_info_by_topic(node, &allocator, g->velocity.name, false, &nodes) !=
+    if (rcl_get_subscriptions_info_by_topic(node, &allocator, topic->name, false, &nodes) !=
         RCL_RET_OK) {
         rcl_reset_error();
         return;
     }
-    tell_type(&g->velocity, &nodes, "subscribes to");
-    tell_durability(&g->velocity, &nodes);
+    tell_type(topic, &nodes, "subscribes to");
+    tell_durability(topic, &nodes);
     if (rcl_topic_endpoint_info_array_fini(&nodes, &allocator) != RCL_RET_OK)
         rcl_reset_error();
 }
@@ -124,6 +124,7 @@ void graph_look(struct graph *g, const rcl_node_t *node)
     g->checked_ns = now;
     for (size_t i = 0; i < g->inputs->count; i++)
         look_at_input(g, &g->inputs->each[i], node);
-    look_at_velocity(g, node);
+    for (size_t i = 0; i < g->published_count; i++)
+        look_at_output(&g->published[i], node);
     look_at_names(g, node);
 }

@@ -1,6 +1,7 @@
 #include "inputs.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 
@@ -21,10 +22,53 @@ bool inputs_is_sensor(const struct input *input)
     return input->kind == ROS_SCAN || input->kind == ROS_IMU;
 }
 
-bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time)
+bool inputs_is_needed(const struct input *input)
 {
+    return input->kind != ROS_TOPIC || input->own.parts.event == NULL;
+}
+
+/* Adds a topic of the program's own. */
+static bool add_own(struct inputs *inputs, const struct frob_program *program, size_t number,
+                    char *why, size_t room)
+{
+    const struct frob_topic *topic = &program->node->inputs[number];
+    struct own_topic *own = &inputs->each[inputs->count].own;
+    add(inputs, ROS_TOPIC, topic->name);
+    own->number = (uint32_t)number;
+    own->parts = topic_parts_of(program->input, topic);
+    own->span = topic_span_of(own->parts.whole);
+    if (!message_type_find(&own->type, topic->type, why, room) ||
+        !mapping_of(&own->mapping, &own->type, own->parts.message, why, room))
+        return false;
+    own->message = message_create(&own->type);
+    if (own->message == NULL)
+        snprintf(why, room, "not enough memory");
+    else if (own->span.end - own->span.first > ROS_VALUE_MOST)
+        snprintf(why, room, "a value of `%s` has %zu bytes, more than the maximum of %d",
+                 topic->field, own->span.end - own->span.first, ROS_VALUE_MOST);
+    else
+        return true;
+    return false;
+}
+
+bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
+               char *why, size_t room)
+{
+    const size_t own = program->node != NULL ? program->node->input_count : 0;
+    size_t sensors = 0;
     memset(inputs, 0, sizeof *inputs);
-    add(inputs, ROS_ODOMETRY, "odom");
+    inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + 2, sizeof *inputs->each);
+    inputs->values = (char *)calloc(1, program->input_size + 1);
+    inputs->value = (struct ros_topic_message *)calloc(1, ROS_MESSAGE_MOST);
+    if (inputs->each == NULL || inputs->values == NULL || inputs->value == NULL) {
+        snprintf(why, room, "not enough memory");
+        return false;
+    }
+    for (size_t i = 0; i < own; i++)
+        if (!add_own(inputs, program, i, why, room))
+            return false;
+    if (program->node == NULL)
+        add(inputs, ROS_ODOMETRY, "odom");
     if (use_sim_time)
         add(inputs, ROS_CLOCK, "/clock");
     for (size_t i = 0; i < program->control_count; i++) {
@@ -32,8 +76,10 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
         if (!ros_topic_of(&program->console[i], name, sizeof name) ||
             ros_first_user(program, i) < i)
             continue;
-        if (inputs->count == INPUTS_MOST)
+        if (sensors++ == ROS_SENSORS_MOST) {
+            snprintf(why, room, "the program uses more than eight sensors");
             return false;
+        }
         inputs->each[inputs->count].control = (uint32_t)i;
         add(inputs, program->console[i].kind == FROB_IMU ? ROS_IMU : ROS_SCAN, name);
     }
@@ -43,6 +89,7 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
 static const rosidl_message_type_support_t *type_of(struct input *input)
 {
     switch (input->kind) {
+    case ROS_TOPIC: input->topic.type = input->own.type.name; return input->own.type.support;
     case ROS_SCAN:
         input->topic.type = "sensor_msgs/msg/LaserScan";
         return sensor_msgs__msg__LaserScan__init(&input->message.scan)
@@ -184,11 +231,43 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
+/* Sends a message on a topic of the program's own. */
+static void send_value(struct inputs *inputs, struct input *input, int socket)
+{
+    struct own_topic *own = &input->own;
+    struct ros_topic_message *value = inputs->value;
+    const size_t size = own->span.end - own->span.first;
+    const std_msgs__msg__Header *its_header =
+        (const std_msgs__msg__Header *)message_header(&own->type, own->message);
+    own->count++;
+    memset(inputs->values + own->span.first, 0, size);
+    if (own->parts.event != NULL)
+        inputs->values[own->parts.event->offset] = 1;
+    if (!mapping_read(&own->mapping, own->message, inputs->values)) {
+        if (!own->told)
+            fprintf(stderr,
+                    "warning: a message on %s is ignored: an array has another length than in the "
+                    "program\n",
+                    input->topic.name);
+        own->told = true;
+        return;
+    }
+    value->head = head(ROS_TOPIC, sizeof *value + size);
+    value->topic = own->number;
+    value->number = own->count;
+    value->stamp_ns = its_header == NULL ? 0 : stamp_of(its_header);
+    value->arrived_ns = node_now_ns();
+    memcpy(value + 1, inputs->values + own->span.first, size);
+    send_message(socket, &value->head);
+}
+
 void inputs_take(struct inputs *inputs, struct input *input, int socket)
 {
-    while (rcl_take(&input->subscription, &input->message, NULL, NULL) == RCL_RET_OK) {
+    void *message = input->kind == ROS_TOPIC ? input->own.message : &input->message;
+    while (rcl_take(&input->subscription, message, NULL, NULL) == RCL_RET_OK) {
         input->heard = true;
         switch (input->kind) {
+        case ROS_TOPIC: send_value(inputs, input, socket); break;
         case ROS_SCAN: send_scan(inputs, input, socket); break;
         case ROS_IMU: send_imu(input, socket); break;
         case ROS_CLOCK: send_clock(inputs, input, socket); break;

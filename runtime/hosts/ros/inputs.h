@@ -10,15 +10,27 @@
 #include <sensor_msgs/msg/imu.h>
 #include <sensor_msgs/msg/laser_scan.h>
 
+#include "conversion.h"
 #include "messages.h"
 #include "parts.h"
+#include "topics.h"
 
-/* The odometry, the clock, and as many sensors as a program may use. */
-enum { INPUTS_MOST = 2 + ROS_SENSORS_MOST };
+/* A topic of the program's own. */
+struct own_topic {
+    uint32_t number; /* index in the program's table */
+    struct message_type type;
+    struct mapping mapping;
+    struct topic_parts parts;
+    struct topic_span span;
+    void *message;
+    uint32_t count; /* of messages received */
+    bool told;      /* a message with a wrong length was reported */
+};
 
 struct input {
     enum ros_kind kind;
     uint32_t control; /* index in the program's console, for a sensor */
+    struct own_topic own;
     char name[ROS_NAME];
     rcl_subscription_t subscription;
     struct topic topic;
@@ -32,14 +44,21 @@ struct input {
 };
 
 struct inputs {
-    struct input each[INPUTS_MOST];
+    struct input *each;
     size_t count;
-    struct ros_scan scan; /* the message that is sent next */
-    int64_t clock_ns;     /* newest time of /clock; accessed atomically */
+    struct ros_scan scan;            /* the message that is sent next */
+    struct ros_topic_message *value; /* the same for topics of the program's own */
+    char *values;                    /* a struct of the program's input, for conversions */
+    int64_t clock_ns;                /* newest time of /clock; accessed atomically */
 };
 
-/* Determines the inputs of a program. Returns false if it has too many sensors. */
-bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time);
+/* Determines the inputs of a program. Returns false if that is impossible; then `why` explains it.
+ */
+bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
+               char *why, size_t room);
+
+/* Returns whether the program cannot run before a message arrives. */
+bool inputs_is_needed(const struct input *input);
 
 /* Returns whether the input is a sensor of the program. */
 bool inputs_is_sensor(const struct input *input);

@@ -7,6 +7,7 @@
 #include "device.h"
 #include "opening.h"
 #include "overrides.h"
+#include "own.h"
 
 enum { WRONG_USE = 2 };
 
@@ -22,5 +23,7 @@ int main(int argc, char **argv)
     overrides = overrides_of(argc, argv, &frob_program);
     if (overrides.argv == NULL)
         return WRONG_USE;
-    return host_run(overrides.argc, overrides.argv, &frob_program, &frob_ros_driver, &ros_opening);
+    return host_run(overrides.argc, overrides.argv, &frob_program,
+                    frob_program.node != NULL ? ros_own_driver(&frob_program) : &frob_ros_driver,
+                    &ros_opening);
 }

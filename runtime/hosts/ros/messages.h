@@ -18,11 +18,15 @@ enum ros_kind {
     ROS_IMU,
     ROS_CLOCK, /* the simulator's time; the rest is a struct ros_clock */
     ROS_STATE, /* a managed node has changed its state; the rest is a struct ros_state */
+    ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
+    ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, and then the value */
     /* To the node. */
     ROS_VELOCITY,
     /* An instant of the run, or its columns: a struct ros_text and then the text. */
     ROS_TEXT,
-    ROS_CLAIM, /* the verdict on an assertion; the rest is a struct ros_claim */
+    ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, and then the output */
+    ROS_REST,   /* publish zeros on those that are commands */
+    ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
     /* In both directions: a control of the console has a new value; a struct ros_touch. */
     ROS_TOUCH
 };
@@ -105,6 +109,33 @@ struct ros_state {
     bool resets;    /* the program begins again at its initial state */
 };
 
+/* Topics of the program's own, by their index in its table. */
+
+/* Sent after a struct ros_started, for each topic. */
+struct ros_named {
+    struct ros_head head;
+    uint32_t topic;
+    bool is_output;
+    char name[ROS_NAME]; /* after remapping */
+};
+
+/* The value of a topic follows: the bytes of its span (topics.h) in the program's input. */
+struct ros_topic_message {
+    struct ros_head head;
+    uint32_t topic;
+    uint32_t number;  /* counts the messages on this topic, from 1 */
+    int64_t stamp_ns; /* 0: the message has no header; otherwise as in struct ros_odometry */
+    int64_t arrived_ns;
+};
+
+struct ros_output {
+    struct ros_head head;
+    bool rests; /* publish zeros as commands */
+};
+
+/* Maximum size of a value in these messages: it must be much less than the socket's buffer. */
+enum { ROS_VALUE_MOST = 60000 };
+
 /* A knob or toggle of the program's console, which is a parameter of the node. */
 struct ros_touch {
     struct ros_head head;
@@ -140,6 +171,6 @@ struct ros_velocity {
 };
 
 /* Size of the largest message, in bytes. */
-enum { ROS_MESSAGE_MOST = sizeof(struct ros_scan) };
+enum { ROS_MESSAGE_MOST = ROS_VALUE_MOST + sizeof(struct ros_topic_message) };
 
 #endif

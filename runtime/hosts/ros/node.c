@@ -10,8 +10,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <geometry_msgs/msg/twist.h>
-#include <geometry_msgs/msg/twist_stamped.h>
 #include <rcl/error_handling.h>
 #include <rcl/rcl.h>
 #include <rmw/qos_profiles.h>
@@ -22,6 +20,7 @@
 #include "lifecycle.h"
 #include "diagnostics.h"
 #include "messages.h"
+#include "outputs.h"
 #include "overrides.h"
 #include "parts.h"
 #include "services.h"
@@ -42,14 +41,13 @@ struct node {
     rcl_node_t node;
     struct inputs inputs;
     struct services services;
-    rcl_publisher_t velocity, columns, instants;
+    struct outputs outputs;
+    rcl_publisher_t columns, instants;
     std_msgs__msg__String text;
     struct diagnostics diagnostics;
     struct lifecycle lifecycle;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
-    geometry_msgs__msg__Twist twist;
-    geometry_msgs__msg__TwistStamped stamped;
     struct graph graph;
 };
 
@@ -124,8 +122,9 @@ static bool join(struct node *n)
 static bool subscribe(struct node *n)
 {
     const char *failed;
-    if (!inputs_of(&n->inputs, n->options->program, n->options->use_sim_time)) {
-        refuse_because(n, "cannot subscribe", "the program uses more than eight sensors");
+    char why[ROS_REASON];
+    if (!inputs_of(&n->inputs, n->options->program, n->options->use_sim_time, why, sizeof why)) {
+        refuse_because(n, "cannot subscribe", why);
         return false;
     }
     failed = inputs_subscribe(&n->inputs, &n->node);
@@ -156,17 +155,16 @@ static bool serve(struct node *n)
 
 static bool advertise(struct node *n)
 {
-    rcl_publisher_options_t options = rcl_publisher_get_default_options();
-    const rosidl_message_type_support_t *type =
-        n->options->stamped ? ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, TwistStamped)
-                            : ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, Twist);
-    options.qos.depth = 1; /* an old velocity is useless */
-    n->velocity = rcl_get_zero_initialized_publisher();
-    if (!geometry_msgs__msg__Twist__init(&n->twist) ||
-        !geometry_msgs__msg__TwistStamped__init(&n->stamped) ||
-        !rosidl_runtime_c__String__assign(&n->stamped.header.frame_id, "base_link") ||
-        rcl_publisher_init(&n->velocity, &n->node, type, "cmd_vel", &options) != RCL_RET_OK) {
-        refuse(n, "cannot publish cmd_vel");
+    char why[ROS_REASON];
+    if (!outputs_start(&n->outputs, n->options->program, n->options->stamped, &n->node, why,
+                       sizeof why)) {
+        const size_t length = strlen(why);
+        if (length > 0 && why[length - 1] == ':') {
+            why[length - 1] = '\0';
+            refuse(n, why);
+        } else {
+            refuse_because(n, "cannot publish", why);
+        }
         return false;
     }
     n->over = rcl_get_zero_initialized_guard_condition();
@@ -208,11 +206,9 @@ static bool diagnose(struct node *n)
     return false;
 }
 
-static void publish(struct node *n, double speed_m_s, double turn_rad_s);
-
 static void rest(void *of)
 {
-    publish((struct node *)of, 0.0, 0.0);
+    outputs_rest(&((struct node *)of)->outputs);
 }
 
 static bool manage(struct node *n)
@@ -224,6 +220,33 @@ static bool manage(struct node *n)
     return false;
 }
 
+/* Tells the supervisor the name of a topic of the program's own. */
+static bool report_name(const struct node *n, uint32_t topic, bool is_output, const char *name)
+{
+    struct ros_named named;
+    memset(&named, 0, sizeof named);
+    named.head.size = (uint32_t)sizeof named;
+    named.head.kind = ROS_NAMED;
+    named.topic = topic;
+    named.is_output = is_output;
+    snprintf(named.name, sizeof named.name, "%s", name);
+    return send(n->options->socket, &named, sizeof named, MSG_NOSIGNAL) >= 0;
+}
+
+static bool report_names(const struct node *n)
+{
+    bool ok = true;
+    if (n->options->program->node == NULL)
+        return true;
+    for (size_t i = 0; i < n->inputs.count; i++)
+        if (n->inputs.each[i].kind == ROS_TOPIC)
+            ok = ok &&
+                 report_name(n, n->inputs.each[i].own.number, false, n->inputs.each[i].topic.name);
+    for (size_t i = 0; i < n->outputs.count; i++)
+        ok = ok && report_name(n, (uint32_t)i, true, n->outputs.topics[i].name);
+    return ok;
+}
+
 /* Tells the supervisor the names after remapping. */
 static bool report(struct node *n)
 {
@@ -233,12 +256,13 @@ static bool report(struct node *n)
     started.head.kind = ROS_STARTED;
     n->graph.started_ns = node_now_ns();
     n->graph.inputs = &n->inputs;
-    n->graph.velocity.name = rcl_publisher_get_topic_name(&n->velocity);
-    n->graph.velocity.type =
-        n->options->stamped ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist";
+    n->graph.published = n->outputs.topics;
+    n->graph.published_count = n->outputs.count;
     snprintf(started.node, sizeof started.node, "%s", rcl_node_get_fully_qualified_name(&n->node));
-    snprintf(started.odometry, sizeof started.odometry, "%s", n->inputs.each[0].topic.name);
-    snprintf(started.velocity, sizeof started.velocity, "%s", n->graph.velocity.name);
+    if (n->options->program->node == NULL) {
+        snprintf(started.odometry, sizeof started.odometry, "%s", n->inputs.each[0].topic.name);
+        snprintf(started.velocity, sizeof started.velocity, "%s", n->outputs.topics[0].name);
+    }
     for (size_t i = 0; i < n->inputs.count; i++) {
         const struct input *input = &n->inputs.each[i];
         const size_t k = started.sensor_count;
@@ -249,39 +273,26 @@ static bool report(struct node *n)
                  input->topic.name);
         started.sensor_count++;
     }
-    if (send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) < 0)
+    if (send(n->options->socket, &started, sizeof started, MSG_NOSIGNAL) < 0 || !report_names(n))
         return false;
     overrides_of_controls(n->options->argc, n->options->argv, n->options->program->name,
                           &n->services.parameters, services_set_initial, &n->services);
     return true;
 }
 
-/* ---- Velocities */
+/* ---- Publishing */
 
-static void publish(struct node *n, double speed_m_s, double turn_rad_s)
-{
-    const void *message = &n->twist;
-    n->twist.linear.x = speed_m_s;
-    n->twist.angular.z = turn_rad_s;
-    if (n->options->stamped) {
-        const int64_t now_ns = node_stamp_ns();
-        n->stamped.header.stamp.sec = (int32_t)(now_ns / 1000000000);
-        n->stamped.header.stamp.nanosec = (uint32_t)(now_ns % 1000000000);
-        n->stamped.twist = n->twist;
-        message = &n->stamped;
-    }
-    if (rcl_publish(&n->velocity, message, NULL) != RCL_RET_OK) {
-        fprintf(stderr, "error: cannot publish a velocity: %s\n", rcl_get_error_string().str);
-        rcl_reset_error();
-    }
-}
-
-/* Drops the velocities of a node that is not active. */
-static void publish_if_active(struct node *n, double speed_m_s, double turn_rad_s)
+/* Publishes a velocity, or the program's own topics, or zeros; nothing if the node is not active. */
+static void publish_if_active(struct node *n, const struct ros_velocity *velocity,
+                              const struct ros_output *output)
 {
     pthread_mutex_lock(&n->lifecycle.lock);
-    if (n->lifecycle.is_active)
-        publish(n, speed_m_s, turn_rad_s);
+    if (n->lifecycle.is_active && velocity != NULL)
+        outputs_drive(&n->outputs, velocity->speed_m_s, velocity->turn_rad_s);
+    else if (n->lifecycle.is_active && output != NULL)
+        outputs_publish(&n->outputs, output + 1, output->rests);
+    else if (n->lifecycle.is_active)
+        outputs_rest(&n->outputs);
     pthread_mutex_unlock(&n->lifecycle.lock);
 }
 
@@ -309,10 +320,11 @@ static void *publish_all(void *of)
         static union {
             struct ros_head head;
             struct ros_velocity velocity;
+            struct ros_output output;
             struct ros_touch touch;
             struct ros_text text;
             struct ros_claim claim;
-            char bytes[sizeof(struct ros_text) + ROS_TEXT_MOST];
+            char bytes[ROS_MESSAGE_MOST];
         } message;
         ssize_t got = recv(n->options->socket, &message, sizeof message, 0);
         if (got < 0 && errno == EINTR)
@@ -320,7 +332,11 @@ static void *publish_all(void *of)
         if (got < (ssize_t)sizeof message.head || got != (ssize_t)message.head.size)
             break;
         if (message.head.kind == ROS_VELOCITY)
-            publish_if_active(n, message.velocity.speed_m_s, message.velocity.turn_rad_s);
+            publish_if_active(n, &message.velocity, NULL);
+        else if (message.head.kind == ROS_OUTPUT)
+            publish_if_active(n, NULL, &message.output);
+        else if (message.head.kind == ROS_REST)
+            publish_if_active(n, NULL, NULL);
         else if (message.head.kind == ROS_TEXT)
             publish_text(n, &message.text);
         else if (message.head.kind == ROS_CLAIM)
@@ -328,9 +344,8 @@ static void *publish_all(void *of)
         else if (message.head.kind == ROS_TOUCH)
             services_note(&n->services, message.touch.control, message.touch.value);
     }
-    publish_if_active(n, 0.0, 0.0);
-    if (rcl_publisher_wait_for_all_acked(&n->velocity, ACKNOWLEDGED_NS) != RCL_RET_OK)
-        rcl_reset_error();
+    publish_if_active(n, NULL, NULL);
+    outputs_wait(&n->outputs, ACKNOWLEDGED_NS);
     __atomic_store_n(&n->is_over, true, __ATOMIC_SEQ_CST);
     if (rcl_trigger_guard_condition(&n->over) != RCL_RET_OK)
         rcl_reset_error();
@@ -409,7 +424,7 @@ static void leave(struct node *n)
     bool ok = true;
     for (size_t i = 0; i < n->inputs.count; i++)
         ok = rcl_subscription_fini(&n->inputs.each[i].subscription, &n->node) == RCL_RET_OK && ok;
-    ok = rcl_publisher_fini(&n->velocity, &n->node) == RCL_RET_OK && ok;
+    ok = outputs_end(&n->outputs, &n->node) && ok;
     ok = rcl_publisher_fini(&n->columns, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->instants, &n->node) == RCL_RET_OK && ok;
     ok = diagnostics_end(&n->diagnostics, &n->node) && ok;

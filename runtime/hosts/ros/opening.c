@@ -58,7 +58,7 @@ static void become_node(const struct line *line, const double *settings, int own
     argv[count++] = program_invocation_name;
     argv[count++] = (char *)(uintptr_t)ROS_NODE_OPTION;
     argv[count++] = number;
-    if (settings[ROS_STAMPED] > 0.0)
+    if (program->node == NULL && settings[ROS_STAMPED] > 0.0)
         argv[count++] = (char *)(uintptr_t)stamped_option;
     if (settings[ROS_SIM_TIME] > 0.0)
         argv[count++] = (char *)(uintptr_t)sim_time_option;

@@ -14,6 +14,8 @@ struct topic {
     bool told;        /* whether a node with a different type was reported */
     bool told_silence;
     bool told_durability; /* whether a node with an incompatible durability was reported */
+    const char *kept;     /* what a late subscriber misses: "old velocities" */
+    const char *cure;     /* for a subscriber of TwistStamped; "" if there is none */
 };
 
 struct inputs;
@@ -21,7 +23,8 @@ struct inputs;
 /* The state of the reports about other nodes. */
 struct graph {
     struct inputs *inputs;
-    struct topic velocity;
+    struct topic *published;
+    size_t published_count;
     int64_t started_ns, checked_ns;
     bool told_name;
 };

@@ -85,6 +85,13 @@ static const struct frob_program *load(const char *path)
     const struct frob_program *program = frob_load(path);
     if (program == NULL)
         return NULL;
+    if (program->node != NULL) {
+        fprintf(stderr,
+                "error: %s is a ROS 2 node with topics of its own, not a program for a robot: use "
+                "`frobc run --ros2`; `frobc trace` runs it on recorded input\n",
+                program->name);
+        return NULL;
+    }
     if (program->robot[0] == '\0') {
         fprintf(stderr, "error: %s is not a robot program; use `reactimateRobot` to make one\n",
                 program->name);

@@ -114,6 +114,24 @@ struct frob_claim {
     const struct frob_value *value;
 };
 
+/* A topic of a ROS 2 node. */
+struct frob_topic {
+    const char *field; /* of the program's input or output, which are records */
+    const char *name;  /* before remapping: "cmd_vel" */
+    const char *type;  /* "geometry_msgs/msg/Twist" */
+    int is_counted;    /* the value is an event of a Counted */
+    int is_command;    /* a message of zeros stops what it controls */
+};
+
+/* A program that is a ROS 2 node with topics of its own. */
+struct frob_node {
+    double rate_hz;
+    const struct frob_topic *inputs;
+    size_t input_count;
+    const struct frob_topic *outputs;
+    size_t output_count;
+};
+
 struct frob_program {
     unsigned abi;      /* FROB_PROGRAM_ABI */
     const char *name;  /* name of the program */
@@ -150,9 +168,10 @@ struct frob_program {
     /* Assertions that the program was compiled to check; none otherwise. */
     const struct frob_claim *claims;
     size_t claim_count;
+    const struct frob_node *node; /* NULL for a program without topics of its own */
 };
 
-#define FROB_PROGRAM_ABI 10u
+#define FROB_PROGRAM_ABI 11u
 
 /* Symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes as c
 
-ABI = 10
+ABI = 11
 SYMBOL = "frob_program"
 
 BOOL, INT, FLOAT, SINGLE, ROUNDED, PRODUCT, SUM, ARRAY, IMAGE = range(9)
@@ -91,4 +91,5 @@ class Program(c.Structure):
         ("param_count", c.c_size_t),
         ("claims", c.POINTER(Claim)),
         ("claim_count", c.c_size_t),
+        ("node", c.c_void_p),
     ]

@@ -328,7 +328,7 @@ Mistakes on the command line:
                        arguments for ROS 2, up to `--`, such as `-r odom:=NAME` to remap
                        a topic, or `-r __node:=NAME` to rename the node
     --for SECONDS      how long to run (until interrupted)
-    --rate HZ          how often the controller runs (50)
+    --rate HZ          how often the controller runs (50, or the rate of `node`)
     --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)
     --patience SECONDS maximum age of a reading, and maximum duration of a step,
                        before the robot is stopped (0.2)

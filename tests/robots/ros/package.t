@@ -51,6 +51,7 @@
     <depend>rmw</depend>
     <depend>rosgraph_msgs</depend>
     <depend>rosidl_runtime_c</depend>
+    <depend>rosidl_typesupport_introspection_c</depend>
     <depend>sensor_msgs</depend>
     <depend>std_msgs</depend>
     <exec_depend>ros2launch</exec_depend>
@@ -93,5 +94,5 @@ Mistakes:
   error: say what to export: use either --platformio DIR or --ros2 DIR
   [2]
   $ printf 'main :: SF Float Float\nmain = arr id\n' >function.frob; frobc export function.frob --ros2 three
-  error: function is not a robot program; use `reactimateRobot` to make one
+  error: function is neither a robot program nor a node: use `reactimateRobot` for the robot `ros`, or `node 50[Hz]` if its input and output are records of topics
   [2]

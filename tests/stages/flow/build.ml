@@ -132,6 +132,7 @@ let program ?(sums = [||]) ?(params = []) t =
     ends = false;
     probes = [];
     claims = [];
+    rate = None;
     marks = 0;
     params;
     real = Double;

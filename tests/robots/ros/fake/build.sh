@@ -23,6 +23,8 @@ header rcutils rcutils/allocator.h
 header rcutils rcutils/error_handling.h
 header rmw rmw/qos_profiles.h
 header rosidl_runtime_c rosidl_runtime_c/string_functions.h
+header rosidl_typesupport_introspection_c rosidl_typesupport_introspection_c/message_introspection.h
+header rosidl_typesupport_introspection_c rosidl_typesupport_introspection_c/field_types.h
 header geometry_msgs geometry_msgs/msg/twist.h
 header geometry_msgs geometry_msgs/msg/twist_stamped.h
 header geometry_msgs geometry_msgs/msg/transform_stamped.h
@@ -54,11 +56,25 @@ for library in rcl_lifecycle lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs
     std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
+# The types of messages that programs use for topics of their own.
+for type in std_msgs/Bool geometry_msgs/Twist; do
+    package=${type%/*} name=${type#*/}
+    gcc -shared -fPIC -I"$sources" -x c - -o "$prefix/lib/lib${package}__rosidl_typesupport_c.so" <<END
+#include "fake_ros.h"
+const rosidl_message_type_support_t *
+rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name(void);
+const rosidl_message_type_support_t *
+rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name(void)
+{
+    return &fake_${package}_$name;
+}
+END
+done
 # The only library that the host opens at run time; the program opens it in the same folder.
 echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage(void)
 { static const char *const type = "tf2_msgs/msg/TFMessage"; return &type; }' |
     gcc -shared -fPIC -x c - -o "$prefix/lib/libtf2_msgs__rosidl_typesupport_c.so"
-for package in rcl rcl_lifecycle lifecycle_msgs rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
+for package in rcl rosidl_typesupport_introspection_c rcl_lifecycle lifecycle_msgs rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
     rcl_interfaces std_msgs diagnostic_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

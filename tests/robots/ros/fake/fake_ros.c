@@ -144,6 +144,8 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
         write_bag(publisher->topic, ((const std_msgs__msg__String *)message)->data.data);
         return RCL_RET_OK;
     }
+    if (strcmp(publisher->topic, "/blocked") == 0)
+        write_log(((const std_msgs__msg__Bool *)message)->data ? "blocked" : "not blocked");
     if (strcmp(publisher->topic, "/cmd_vel") != 0 && strcmp(publisher->topic, "/base/cmd_vel") != 0)
         return RCL_RET_OK;
     drive(twist->linear.x, twist->angular.z);
@@ -228,10 +230,19 @@ static bool velocity(geometry_msgs__msg__Twist *m)
     return has("drive") && !has("silent");
 }
 
+/* Another node enables the program during the fault "enable", until the fault "disable". */
+static bool enable(std_msgs__msg__Bool *m)
+{
+    m->data = !has("disable");
+    return has("enable");
+}
+
 /* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
-    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0;
+    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, enable_ns = 0;
+    if (subscription->type == &fake_std_msgs_Bool)
+        return &enable_ns;
     if (subscription->type == &fake_geometry_msgs_Twist)
         return &velocity_ns;
     if (subscription->type == &fake_rosgraph_msgs_Clock)
@@ -255,6 +266,8 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return odometry((nav_msgs__msg__Odometry *)into, stamp_ns) ? RCL_RET_OK : RCL_RET_ERROR;
     }
     *next_ns = now_ns() + 5 * PERIOD_NS;
+    if (subscription->type == &fake_std_msgs_Bool)
+        return enable((std_msgs__msg__Bool *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_geometry_msgs_Twist)
         return velocity((geometry_msgs__msg__Twist *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_rosgraph_msgs_Clock) {
@@ -308,6 +321,8 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
     if (strcmp(topic, "/cmd_vel") == 0)
         return one(array,
                    has("stamps") ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist");
+    if (strcmp(topic, "/enable") == 0)
+        return one(array, "std_msgs/msg/Bool");
     if (strcmp(topic, "/clock") == 0)
         return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "imu") != NULL)
@@ -325,6 +340,8 @@ rcl_ret_t rcl_get_subscriptions_info_by_topic(const rcl_node_t *node,
     (void)allocator;
     (void)topic;
     (void)no_mangle;
+    if (strcmp(topic, "/blocked") == 0)
+        return one(array, "std_msgs/msg/Bool");
     one(array, has("wants_stamped") || robot.stamped ? "geometry_msgs/msg/TwistStamped"
                                                      : "geometry_msgs/msg/Twist");
     if (has("wants_old"))
@@ -634,7 +651,7 @@ bool diagnostic_msgs__msg__DiagnosticArray__init(diagnostic_msgs__msg__Diagnosti
 }
 
 const rosidl_message_type_support_t fake_diagnostic_msgs_DiagnosticArray = {
-    "diagnostic_msgs/msg/DiagnosticArray"
+    "diagnostic_msgs/msg/DiagnosticArray", NULL, NULL
 };
 
 #define SERVICE_FUNCTIONS(Name)                                      \
@@ -767,15 +784,69 @@ bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *m)
     return true;
 }
 
-const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/msg/Twist" };
-const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped = {
-    "geometry_msgs/msg/TwistStamped"
+/* ---- Types of messages, and the introspection of some of them */
+
+static const rosidl_message_type_support_t *itself(const rosidl_message_type_support_t *support,
+                                                   const char *identifier)
+{
+    return strcmp(identifier, "rosidl_typesupport_introspection_c") == 0 ? support : NULL;
+}
+
+static void zero_bool(void *message, enum rosidl_runtime_c__message_initialization how)
+{
+    (void)how;
+    memset(message, 0, sizeof(std_msgs__msg__Bool));
+}
+
+static void zero_twist(void *message, enum rosidl_runtime_c__message_initialization how)
+{
+    (void)how;
+    memset(message, 0, sizeof(geometry_msgs__msg__Twist));
+}
+
+#define MEMBER(name, type, of, owner)                                  \
+    { .name_ = #name,                                                  \
+      .type_id_ = rosidl_typesupport_introspection_c__ROS_TYPE_##type, \
+      .members_ = of,                                                  \
+      .offset_ = (uint32_t)offsetof(owner, name) }
+
+static const rosidl_typesupport_introspection_c__MessageMember members_of_bool[] = { MEMBER(
+    data, BOOLEAN, NULL, std_msgs__msg__Bool) };
+static const rosidl_typesupport_introspection_c__MessageMembers bool_type = {
+    "std_msgs__msg", "Bool", 1, sizeof(std_msgs__msg__Bool), members_of_bool, zero_bool
 };
-const rosidl_message_type_support_t fake_nav_msgs_Odometry = { "nav_msgs/msg/Odometry" };
-const rosidl_message_type_support_t fake_sensor_msgs_LaserScan = { "sensor_msgs/msg/LaserScan" };
-const rosidl_message_type_support_t fake_sensor_msgs_Imu = { "sensor_msgs/msg/Imu" };
-const rosidl_message_type_support_t fake_std_msgs_String = { "std_msgs/msg/String" };
-const rosidl_message_type_support_t fake_rosgraph_msgs_Clock = { "rosgraph_msgs/msg/Clock" };
-const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent = {
-    "rcl_interfaces/msg/ParameterEvent"
+
+static const rosidl_typesupport_introspection_c__MessageMember members_of_vector[] = {
+    MEMBER(x, DOUBLE, NULL, geometry_msgs__msg__Vector3),
+    MEMBER(y, DOUBLE, NULL, geometry_msgs__msg__Vector3),
+    MEMBER(z, DOUBLE, NULL, geometry_msgs__msg__Vector3),
 };
+static const rosidl_typesupport_introspection_c__MessageMembers vector_type = {
+    "geometry_msgs__msg", "Vector3", 3, sizeof(geometry_msgs__msg__Vector3), members_of_vector, NULL
+};
+static const rosidl_message_type_support_t vector = { "geometry_msgs/msg/Vector3", &vector_type,
+                                                      itself };
+
+static const rosidl_typesupport_introspection_c__MessageMember members_of_twist[] = {
+    MEMBER(linear, MESSAGE, &vector, geometry_msgs__msg__Twist),
+    MEMBER(angular, MESSAGE, &vector, geometry_msgs__msg__Twist),
+};
+static const rosidl_typesupport_introspection_c__MessageMembers twist_type = {
+    "geometry_msgs__msg", "Twist",   2, sizeof(geometry_msgs__msg__Twist),
+    members_of_twist,     zero_twist
+};
+
+const rosidl_message_type_support_t fake_std_msgs_Bool = { "std_msgs/msg/Bool", &bool_type,
+                                                           itself };
+const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/msg/Twist",
+                                                                 &twist_type, itself };
+
+#define OPAQUE(variable, name) const rosidl_message_type_support_t variable = { name, NULL, NULL };
+
+OPAQUE(fake_geometry_msgs_TwistStamped, "geometry_msgs/msg/TwistStamped")
+OPAQUE(fake_nav_msgs_Odometry, "nav_msgs/msg/Odometry")
+OPAQUE(fake_sensor_msgs_LaserScan, "sensor_msgs/msg/LaserScan")
+OPAQUE(fake_sensor_msgs_Imu, "sensor_msgs/msg/Imu")
+OPAQUE(fake_std_msgs_String, "std_msgs/msg/String")
+OPAQUE(fake_rosgraph_msgs_Clock, "rosgraph_msgs/msg/Clock")
+OPAQUE(fake_rcl_interfaces_ParameterEvent, "rcl_interfaces/msg/ParameterEvent")

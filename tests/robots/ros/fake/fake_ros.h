@@ -12,9 +12,60 @@
 
 /* ---- rcl */
 
-typedef struct {
+typedef struct rosidl_message_type_support_t rosidl_message_type_support_t;
+struct rosidl_message_type_support_t {
     const char *name;
-} rosidl_message_type_support_t;
+    const void *data; /* its introspection; NULL for types that no test uses in this way */
+    const rosidl_message_type_support_t *(*func)(const rosidl_message_type_support_t *support,
+                                                 const char *identifier);
+};
+
+/* ---- Introspection */
+
+enum {
+    rosidl_typesupport_introspection_c__ROS_TYPE_FLOAT = 1,
+    rosidl_typesupport_introspection_c__ROS_TYPE_DOUBLE,
+    rosidl_typesupport_introspection_c__ROS_TYPE_LONG_DOUBLE,
+    rosidl_typesupport_introspection_c__ROS_TYPE_CHAR,
+    rosidl_typesupport_introspection_c__ROS_TYPE_WCHAR,
+    rosidl_typesupport_introspection_c__ROS_TYPE_BOOLEAN,
+    rosidl_typesupport_introspection_c__ROS_TYPE_OCTET,
+    rosidl_typesupport_introspection_c__ROS_TYPE_UINT8,
+    rosidl_typesupport_introspection_c__ROS_TYPE_INT8,
+    rosidl_typesupport_introspection_c__ROS_TYPE_UINT16,
+    rosidl_typesupport_introspection_c__ROS_TYPE_INT16,
+    rosidl_typesupport_introspection_c__ROS_TYPE_UINT32,
+    rosidl_typesupport_introspection_c__ROS_TYPE_INT32,
+    rosidl_typesupport_introspection_c__ROS_TYPE_UINT64,
+    rosidl_typesupport_introspection_c__ROS_TYPE_INT64,
+    rosidl_typesupport_introspection_c__ROS_TYPE_STRING,
+    rosidl_typesupport_introspection_c__ROS_TYPE_WSTRING,
+    rosidl_typesupport_introspection_c__ROS_TYPE_MESSAGE
+};
+enum rosidl_runtime_c__message_initialization { ROSIDL_RUNTIME_C_MSG_INIT_ALL };
+
+typedef struct {
+    const char *name_;
+    uint8_t type_id_;
+    const rosidl_message_type_support_t *members_;
+    bool is_array_;
+    size_t array_size_;
+    bool is_upper_bound_;
+    uint32_t offset_;
+    size_t (*size_function)(const void *array);
+    const void *(*get_const_function)(const void *array, size_t index);
+    void *(*get_function)(void *array, size_t index);
+    bool (*resize_function)(void *array, size_t size);
+} rosidl_typesupport_introspection_c__MessageMember;
+
+typedef struct {
+    const char *message_namespace_;
+    const char *message_name_;
+    uint32_t member_count_;
+    size_t size_of_;
+    const rosidl_typesupport_introspection_c__MessageMember *members_;
+    void (*init_function)(void *message, enum rosidl_runtime_c__message_initialization how);
+} rosidl_typesupport_introspection_c__MessageMembers;
 
 typedef int rcl_ret_t;
 #define RCL_RET_OK 0
@@ -228,6 +279,11 @@ typedef struct {
 } std_msgs__msg__String;
 bool std_msgs__msg__String__init(std_msgs__msg__String *message);
 extern const rosidl_message_type_support_t fake_std_msgs_String;
+
+typedef struct {
+    bool data;
+} std_msgs__msg__Bool;
+extern const rosidl_message_type_support_t fake_std_msgs_Bool;
 
 typedef struct {
     double x, y, z;

@@ -192,4 +192,5 @@ const struct frob_program frob_program = {
     0,
     NULL, 0, NULL, 0,
     NULL, 0,
+    NULL,
 };

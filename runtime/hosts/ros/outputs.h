@@ -1,0 +1,62 @@
+/* outputs.h -- what the node publishes for the program: the velocity of a robot, or the topics of the
+ * program's own. */
+#ifndef FROB_HOST_ROS_OUTPUTS_H
+#define FROB_HOST_ROS_OUTPUTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <frob/program.h>
+
+#include <geometry_msgs/msg/twist.h>
+#include <geometry_msgs/msg/twist_stamped.h>
+#include <rcl/rcl.h>
+
+#include "conversion.h"
+#include "messages.h"
+#include "parts.h"
+#include "topics.h"
+
+/* A topic of the program's own. */
+struct own_output {
+    const struct frob_topic *topic;
+    struct message_type type;
+    struct mapping mapping;
+    struct topic_parts parts;
+    void *message, *zero;
+    bool told; /* a command with a number that is not finite was reported */
+};
+
+struct outputs {
+    const struct frob_program *program;
+    bool stamped; /* the velocity is a TwistStamped */
+    rcl_publisher_t *publishers;
+    struct topic *topics; /* with their names after remapping */
+    size_t count;
+    /* The velocity, for a program without topics of its own. */
+    geometry_msgs__msg__Twist twist;
+    geometry_msgs__msg__TwistStamped stamped_twist;
+    struct own_output *own;
+};
+
+/* Creates the publishers. Returns false if that is impossible; then `why` explains it. If rcl refused
+ * a publisher, `why` ends with a colon, and the reason is rcl's. */
+bool outputs_start(struct outputs *outputs, const struct frob_program *program, bool stamped,
+                   const rcl_node_t *node, char *why, size_t room);
+
+/* Publishes a velocity. */
+void outputs_drive(struct outputs *outputs, double speed_m_s, double turn_rad_s);
+
+/* Publishes the program's own topics. `values`: the program's output. `rests`: commands are zero. */
+void outputs_publish(struct outputs *outputs, const void *values, bool rests);
+
+/* Publishes zero as the velocity, or on the program's topics that are commands. */
+void outputs_rest(struct outputs *outputs);
+
+/* Waits until the newest commands have arrived, at most this time for each. */
+void outputs_wait(const struct outputs *outputs, int64_t most_ns);
+
+/* Returns false if rcl reports an error. */
+bool outputs_end(struct outputs *outputs, rcl_node_t *node);
+
+#endif

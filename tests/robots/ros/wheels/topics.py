@@ -1,0 +1,386 @@
+"""Tests nodes with topics of their own against rclpy. usage: topics.py FROBC FOLDER"""
+
+import csv
+import math
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import rclpy
+from geometry_msgs.msg import Twist, TwistStamped
+from nav_msgs.msg import Odometry
+from nodes import FOLDER, FROBC, OPEN, Run, run_tests, write
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
+from sensor_msgs.msg import Joy, LaserScan
+from std_msgs.msg import Bool, Empty, Float32, Int16, String, UInt8
+
+
+class Peer:
+    """A node that publishes and subscribes to any topics, in a thread of its own."""
+
+    def __init__(self, name="peer"):
+        OPEN.append(self.close)
+        self.context = rclpy.Context()
+        rclpy.init(context=self.context)
+        self.node = rclpy.create_node(name, context=self.context)
+        self.received = {}
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self.closed = False
+        self.thread = threading.Thread(target=self.spin, daemon=True)
+        self.thread.start()
+
+    def spin(self):
+        while not self.closed:
+            self.executor.spin_once(timeout_sec=0.02)
+
+    def close(self):
+        if self.closed:
+            return
+        self.closed = True
+        self.thread.join()
+        self.executor.shutdown()
+        self.node.destroy_node()
+        rclpy.shutdown(context=self.context)
+
+    def hear(self, kind, topic):
+        """Collects the messages of a topic."""
+        messages = self.received.setdefault(topic, [])
+        self.node.create_subscription(kind, topic, messages.append, 100)
+        return messages
+
+    def publisher(self, kind, topic):
+        return self.node.create_publisher(kind, topic, 10)
+
+    def repeat(self, seconds, publisher, make):
+        """Publishes make() periodically."""
+        return self.node.create_timer(seconds, lambda: publisher.publish(make()))
+
+
+def until(holds, what, seconds=15.0):
+    """Waits until a condition holds."""
+    end = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > end:
+            raise AssertionError(f"never: {what}")
+        time.sleep(0.005)
+
+
+def matched(publisher):
+    until(lambda: publisher.get_subscription_count() > 0, "the node subscribes")
+
+
+def rows_of(text):
+    """A recording or trace as a list of dictionaries."""
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+ENABLED = """import Robot
+import Ros
+
+data In = In { enable :: Event Bool, console :: Console }
+data Out = Out { cmdVel :: Twist, blocked :: Event Bool }
+
+instance HasConsole In where
+    keyPressed _ = NoEvent
+    console i = i.console
+
+-- Drives while it is enabled.
+main :: Program In Out
+main = node 50[Hz] (proc i -> Out
+    { cmdVel = twist (if hold False i.enable then knob "pace" 0 1[m/s] 0.2[m/s] i else 0) 0
+    , blocked = i.enable
+    })
+"""
+
+
+def enabled(*options):
+    """Starts that program, and returns the peer, the run, the velocities and a publisher."""
+    write("enabled.frob", ENABLED)
+    peer = Peer()
+    velocities = peer.hear(Twist, "cmd_vel")
+    enable = peer.publisher(Bool, "enable")
+    return peer, Run(*options, program="enabled.frob"), velocities, enable
+
+
+def test_topics():
+    """An event of a Bool switches the velocity; the run is replayed bit for bit."""
+    record = os.path.join(FOLDER, "log.csv")
+    peer, run, velocities, enable = enabled("--record", record)
+    blocked = peer.hear(Bool, "blocked")
+    matched(enable)
+    until(lambda: len(velocities) > 10, "it publishes")
+    assert all(v.linear.x == 0 for v in velocities)
+    enable.publish(Bool(data=True))
+    until(lambda: velocities[-1].linear.x == 0.2, "it drives")
+    enable.publish(Bool(data=False))
+    until(lambda: velocities[-1].linear.x == 0, "it stops")
+    enable.publish(Bool(data=True))
+    until(lambda: velocities[-1].linear.x == 0.2, "it drives again")
+    output, errors = run.end()
+    until(lambda: velocities[-1].linear.x == 0, "the end of the run stops it")
+    assert [b.data for b in blocked] == [True, False, True], blocked
+    expected = "node /enabled, subscribes to /enable, publishes /cmd_vel, /blocked"
+    assert expected in output, (output, errors)
+    with open(record, encoding="utf-8") as file:
+        recorded = rows_of(file.read())
+    steps = [float(b["time"]) - float(a["time"]) for a, b in zip(recorded, recorded[1:])]
+    assert abs(sorted(steps)[len(steps) // 2] - 0.02) < 0.003, steps[:10]
+    replayed = subprocess.run(
+        [FROBC, "trace", os.path.join(FOLDER, "enabled.frob"), "--input", record],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
+    for a, b in zip(recorded, rows_of(replayed), strict=True):
+        assert all(a[column] == value for column, value in b.items() if column != "time"), (a, b)
+
+
+def test_remapped():
+    """Topics of a node's own are remapped; its knobs are parameters."""
+    write("enabled.frob", ENABLED)
+    peer = Peer()
+    velocities = peer.hear(Twist, "base/cmd_vel")
+    enable = peer.publisher(Bool, "go")
+    run = Run(
+        *["--ros-args", "-r", "enable:=go", "-r", "cmd_vel:=base/cmd_vel", "-r", "__node:=mover"],
+        program="enabled.frob",
+    )
+    matched(enable)
+    until(lambda: len(velocities) > 10, "it publishes")
+    enable.publish(Bool(data=True))
+    until(lambda: velocities[-1].linear.x == 0.2, "it drives")
+    client = AsyncParameterClient(peer.node, "mover")
+    until(client.services_are_ready, "the node has parameters")
+    client.set_parameters([Parameter("pace", value=0.5)])
+    until(lambda: velocities[-1].linear.x == 0.5, "it drives faster")
+    run.end()
+
+
+WIDE = """import Ros
+
+data In = In
+    { scan :: Event (Counted (LaserScan 8))
+    , odom :: Odometry
+    , joy :: Event (Joy 2 4)
+    , level :: Event Int16
+    , go :: Event ()
+    }
+
+data Out = Out
+    { cmdVel :: TwistStamped
+    , nearest :: Event (Float32[m])
+    , missed :: Event UInt8
+    , went :: Event ()
+    , copy :: Odometry
+    , sticks :: Event (Joy 3 1)
+    , levelOut :: Event UInt8
+    }
+
+main :: Program In Out
+main = node 10[Hz] (proc i -> Out
+    { cmdVel = TwistStamped { twist = twist i.odom.twist.twist.linear.x ((robotIn i.odom).heading / 1[s]) }
+    , nearest = mapE (\\c -> Float32 { data_ = nearestRay (-20[deg]) 20[deg] c.message }) i.scan
+    , missed = mapE (\\c -> UInt8 { data_ = c.missed }) i.scan
+    , went = i.go
+    , copy = i.odom
+    , sticks = mapE sticks i.joy
+    , levelOut = mapE (\\l -> UInt8 { data_ = l.data_ }) i.level
+    }) where
+    sticks joy = Joy
+        { axes = Upto { count = joy.axes.count, items = [at 0 0 joy.axes.items, 0.5, 0.75] }
+        , buttons = Upto { count = 9, items = [joy.buttons.count] }
+        }
+"""
+
+
+def odometry(x=0.0, heading=0.0, speed=0.0):
+    message = Odometry()
+    message.pose.pose.position.x = x
+    message.pose.pose.orientation.z = math.sin(heading / 2)
+    message.pose.pose.orientation.w = math.cos(heading / 2)
+    message.twist.twist.linear.x = speed
+    return message
+
+
+def test_messages():
+    """Records, sequences, headers, counts and numbers of all sizes are converted."""
+    write("wide.frob", WIDE)
+    peer = Peer()
+    velocities = peer.hear(TwistStamped, "cmd_vel")
+    nearest = peer.hear(Float32, "nearest")
+    missed = peer.hear(UInt8, "missed")
+    went = peer.hear(Empty, "went")
+    copies = peer.hear(Odometry, "copy")
+    sticks = peer.hear(Joy, "sticks")
+    levels = peer.hear(UInt8, "level_out")
+    odom = peer.publisher(Odometry, "odom")
+    scan = peer.publisher(LaserScan, "scan")
+    joy = peer.publisher(Joy, "joy")
+    level = peer.publisher(Int16, "level")
+    go = peer.publisher(Empty, "go")
+    run = Run("--rate", "2", program="wide.frob")
+    for publisher in [odom, scan, joy, level, go]:
+        matched(publisher)
+    time.sleep(0.5)
+    assert not velocities, "it runs without odometry"
+    peer.repeat(0.05, odom, lambda: odometry(3.0, 0.5, 0.25))
+    until(lambda: velocities and velocities[-1].twist.linear.x == 0.25, "it reads the odometry")
+    assert abs(velocities[-1].twist.angular.z - 0.5) < 1e-9
+    assert abs(velocities[-1].header.stamp.sec - time.time()) < 5
+    assert velocities[-1].header.frame_id == "base_link"
+    until(lambda: copies and copies[-1].pose.pose.position.x == 3.0, "it copies the odometry")
+    assert copies[-1].header.frame_id == "odom"
+    assert copies[-1].pose.covariance[0] == 0
+    # Several messages arrive before an instant: it reads the newest one.
+    ranges = [0.5, 4.0, 2.0, math.nan, math.inf, 1.0, 9.0, 9.0, 0.125, 0.125]
+    for offset in [3.0, 2.0, 0.0]:
+        message = LaserScan(angle_min=-0.2, angle_max=0.25, angle_increment=0.05)
+        message.range_min, message.range_max = 0.1, 8.0
+        message.ranges = [r + offset for r in ranges]
+        scan.publish(message)
+    until(lambda: nearest and missed, "it reads the scan")
+    time.sleep(0.7)
+    assert sum(m.data + 1 for m in missed) == 3, missed
+    # The last two of ten ranges are cut off.
+    assert nearest[-1].data == 0.5, nearest
+    go.publish(Empty())
+    until(lambda: len(went) == 1, "it goes")
+    joy.publish(Joy(axes=[0.25, 1.0, 1.0], buttons=[1, 0, 1]))
+    until(lambda: sticks, "it reads the joystick")
+    assert list(sticks[0].axes) == [0.25, 0.5] and list(sticks[0].buttons) == [3], sticks
+    for value, expected in [(-5, 0), (300, 255), (7, 7)]:
+        level.publish(Int16(data=value))
+        until(lambda: levels and levels[-1].data == expected, f"{value} becomes {expected}")
+    _, errors = run.end()
+    assert "warning" not in errors, errors
+
+
+GUARDED = """import Ros
+
+data In = In { odom :: Odometry }
+data Out = Out { cmdVel :: Twist }
+
+main :: Program In Out
+main = node 50[Hz] (proc i -> Out
+    { cmdVel = twist (if (robotIn i.odom).position.x > 5[m] then 0/0 else 0.3[m/s]) 0
+    })
+"""
+
+
+def guarded():
+    write("guarded.frob", GUARDED)
+    peer = Peer()
+    velocities = peer.hear(Twist, "cmd_vel")
+    place = [1.0]
+    odom = peer.publisher(Odometry, "odom")
+    timer = peer.repeat(0.02, odom, lambda: odometry(place[0]))
+    return velocities, place, timer
+
+
+def test_silence():
+    """Without messages on a plain topic, commands are zero; numbers that are not finite, too."""
+    velocities, place, timer = guarded()
+    run = Run(program="guarded.frob")
+    until(lambda: velocities and velocities[-1].linear.x == 0.3, "it drives")
+    timer.cancel()
+    until(lambda: velocities[-1].linear.x == 0, "it stops")
+    time.sleep(0.5)
+    assert velocities[-1].linear.x == 0
+    timer.reset()
+    until(lambda: velocities[-1].linear.x == 0.3, "it drives again")
+    place[0] = 6.0
+    until(lambda: velocities[-1].linear.x == 0, "it replaces NaN")
+    _, errors = run.end()
+    assert "`cmdVel` has a number that is not finite; zero is published instead" in errors, errors
+
+
+def test_killed():
+    """Commands are zero after a process of the node was killed."""
+    velocities, _, _ = guarded()
+    for kill in [
+        lambda run: os.kill(run.children()[0], signal.SIGKILL),
+        lambda run: os.kill(run.process.pid, signal.SIGKILL),
+        lambda run: os.killpg(run.process.pid, signal.SIGKILL),
+    ]:
+        run = Run(program="guarded.frob")
+        until(lambda: velocities and velocities[-1].linear.x == 0.3, "it drives")
+        kill(run)
+        until(lambda: velocities[-1].linear.x == 0, "it stops")
+        run.end()
+        time.sleep(0.5)
+
+
+REFUSED = """import Ros
+
+data Odd = Odd { FIELDS }
+
+instance Message Odd where
+    rosType _ = "TYPE"
+
+data In = In { odd :: Event Odd }
+data Out = Out { heard :: Event () }
+
+main :: Program In Out
+main = node 50[Hz] (proc i -> Out { heard = mapE (\\_ -> ()) i.odd })
+"""
+
+
+def refusal(type_, fields):
+    """The message about a node that cannot start."""
+    write("odd.frob", REFUSED.replace("TYPE", type_).replace("FIELDS", fields))
+    run = Run("--for", "1s", program="odd.frob")
+    run.process.wait(timeout=60)
+    _, errors = run.end()
+    assert run.process.returncode != 0, errors
+    return errors
+
+
+def test_refused():
+    """Types of messages that do not exist or do not match the record are named."""
+    for type_, fields, expected in [
+        ("no_msgs/msg/Odd", "x :: Int", "this ROS 2 has no messages of the package no_msgs"),
+        ("std_msgs/msg/Odd", "x :: Int", "the package std_msgs of this ROS 2 has no message Odd"),
+        (
+            "geometry_msgs/msg/Point",
+            "x, q :: Float",
+            "geometry_msgs/msg/Point has no field for `q` of the record `Odd`",
+        ),
+        (
+            "geometry_msgs/msg/Point",
+            "x :: Int",
+            "in geometry_msgs/msg/Point, `x` is float64, but in the program it is an Int",
+        ),
+        (
+            "sensor_msgs/msg/Imu",
+            "orientationCovariance :: Array 3 Float",
+            "in sensor_msgs/msg/Imu, `orientation_covariance` has 9 elements, but in the program 3",
+        ),
+        (
+            "std_msgs/msg/String",
+            "data_ :: Float",
+            "in std_msgs/msg/String, `data` is a text, but in the program it is a Float",
+        ),
+    ]:
+        errors = refusal(type_, fields)
+        assert expected in errors, errors
+
+
+def test_other_type():
+    """A topic with messages of another type is named."""
+    peer = Peer()
+    enable = peer.publisher(String, "enable")
+    peer.repeat(0.1, enable, lambda: String(data="True"))
+    write("enabled.frob", ENABLED)
+    run = Run("--for", "3s", program="enabled.frob")
+    run.process.wait(timeout=60)
+    _, errors = run.end()
+    assert "/enable has two types" in errors and "std_msgs/msg/String" in errors, errors
+
+
+if __name__ == "__main__":
+    run_tests(globals())
