@@ -43,6 +43,7 @@ ros-figures
 wheel
 python
 install-check BARE_SUITES=bookworm
+wheel-aarch64
 release SHORT=1 BARE_SUITES=bookworm
 photographs
 END

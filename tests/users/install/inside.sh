@@ -13,7 +13,7 @@ seconds=$(($(date +%s) - began))
 grep -q '^collisions: 0$' demo.txt
 grep '^distance driven' demo.txt
 echo "from nothing to a driven robot: $seconds s, with Python $(python3 -c 'import platform; print(platform.python_version())')"
-[ "$seconds" -lt 60 ]
+[ "$seconds" -lt "$LIMIT" ]
 
 PATH=$HOME/frob/bin:$PATH
 frobc selftest >selftest.txt
