@@ -24,7 +24,11 @@ cp -RL "$build/install/default" "$source/frob/tools"
 chmod -R u+w "$source/frob/tools"
 rm -rf "$source/frob/tools/man" "$source/frob/tools/doc"
 (cd "$source/frob/tools/lib/frobc" && rm -f META dune-package opam)
-cp "$source/frob/tools/share/frobc/tcc/copyright" "$source/LICENSE.tcc"
+if [ "$(uname -m)" = x86_64 ]; then
+    cp "$source/frob/tools/share/frobc/tcc/copyright" "$source/LICENSE.tcc"
+else # frob-tcc does not work on other processors.
+    (cd "$source/frob/tools" && rm -r lib/frobc/frob-tcc lib/frobc/libfrob-tcc.a lib/frobc/libtcc1.a share/frobc/tcc)
+fi
 # The licences of the libraries.
 ldd "$source"/frob/tools/lib/frobc/frob-* | sed -n 's|.*=> .*/\([^/ ]*\) (.*|\1|p' | sort -u |
     while read -r library; do

@@ -27,7 +27,6 @@ enum { LONGEST_PATH = 4096 };
 /* The code that a linker takes from crt1.o. glibc before 2.34 expects functions for initialization
  * and termination here, but accepts null pointers. */
 static const char start[] =
-#ifdef __x86_64__
     "int main(int, char **, char **);\n"
     "int __libc_start_main(int (*)(int, char **, char **), int, char **, void (*)(void),\n"
     "                      void (*)(void), void (*)(void), void *);\n"
@@ -41,8 +40,13 @@ static const char start[] =
     "        \"movq %rsp, %rdi\\n\"\n"
     "        \"andq $-16, %rsp\\n\"\n"
     "        \"call frob_tcc_start\\n\");\n";
+
+/* On other processors, code that tcc 0.9.27 compiles is wrong: on 64-bit ARM, it passes structs
+ * wrongly, and shared objects contain addresses that nothing adjusts when they are loaded. */
+#ifdef __x86_64__
+static const bool is_supported = true;
 #else
-    "#error \"on this processor, frob-tcc only links shared objects: install gcc\"\n";
+static const bool is_supported = false;
 #endif
 
 static void print_message(void *unused, const char *message)
@@ -180,6 +184,8 @@ int main(int argc, char **argv)
     int type = TCC_OUTPUT_EXE;
     int files = 0;
     char own[LONGEST_PATH];
+    if (!is_supported)
+        fail("does not work on this processor: install another C compiler, such as gcc");
     if (compiler == NULL)
         fail("out of memory");
     tcc_set_error_func(compiler, NULL, print_message);

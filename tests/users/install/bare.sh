@@ -2,7 +2,7 @@
 # usage: bare.sh BUILD SUITE... : installs the wheel in BUILD/wheel, as a user would, in a bare
 # Debian of each suite, which has Python with pip but no compiler; and drives a simulated robot with
 # it. ARCHITECTURE=arm64 does so for another architecture, if qemu-user is installed, without a limit
-# on the time. Must run as root, because it creates the systems with debootstrap, in BUILD/bare. Their
+# on the time; these systems also have gcc, because the wheel contains a compiler only for x86-64. Must run as root, because it creates the systems with debootstrap, in BUILD/bare. Their
 # network has no interface, so pip can only use the packages in BUILD/bare/index.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -12,6 +12,8 @@ shift
 bare=$build/bare
 architecture=${ARCHITECTURE:-$(dpkg --print-architecture)}
 [ "$architecture" = "$(dpkg --print-architecture)" ] && limit=60 || limit=100000
+packages=python3,python3-pip,python3-venv
+[ "$architecture" = amd64 ] || packages=$packages,gcc,libc6-dev
 mkdir -p "$bare/index"
 rm -f "$bare/index"/frobc-*.whl
 cp "$build"/wheel/frobc-*.whl "$bare/index"
@@ -21,10 +23,11 @@ create() { # SUITE
     [ ! -e "$bare/$1.complete" ] || return 0
     rm -rf "${bare:?}/$1"
     echo "Creating a bare $1 in $bare/$1"
-    debootstrap --arch="$architecture" --variant=minbase --include=python3,python3-pip,python3-venv "$1" "$bare/$1" \
+    debootstrap --arch="$architecture" --variant=minbase --include="$packages" "$1" "$bare/$1" \
         >"$bare/$1.log" 2>&1 || { tail "$bare/$1.log" >&2; exit 1; }
     # python3-pip recommends a compiler, but debootstrap installs no recommended packages.
     for program in cc gcc clang tcc as ld; do
+        [ "$architecture" = amd64 ] || break
         ! chroot "$bare/$1" sh -c "command -v $program" || { echo "$1 has $program" >&2; exit 1; }
     done
     chroot "$bare/$1" useradd --create-home user
