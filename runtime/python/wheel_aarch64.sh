@@ -3,7 +3,7 @@
 # Run it in the top folder of the project, as root. Debian has no OCaml compiler that runs on one
 # architecture and produces code for another. So the script builds everything, with the Debian
 # packages in its arguments, in a Debian 12 for 64-bit ARM, which qemu-user emulates. The first build
-# takes about an hour.
+# takes about an hour. If SHORT is not empty, the script only checks that the system can build a host.
 set -eu
 build=$1/aarch64
 shift
@@ -43,6 +43,10 @@ cp -L /etc/ssl/certs/ca-certificates.crt "$system/etc/ssl/certs/"
 # Unchanged sources keep their times, so that dune builds only what has changed.
 mkdir -p "$system/src"
 git ls-files -z | tar --null --files-from=- --create --file=- | tar -x -C "$system/src" --file=-
+if [ -n "${SHORT:-}" ]; then
+    inside sh -c 'cd /src && dune build runtime/frob-trace && _build/default/runtime/frob-trace --help 2>&1 | grep usage'
+    exit 0
+fi
 inside sh -c 'cd /src && dune build @install && sh runtime/python/wheel.sh /src/_build'
 rm -rf "$build/wheel"
 cp -R "$system/src/_build/wheel" "$build/wheel"
