@@ -47,7 +47,7 @@ WHEEL_PACKAGES = python3 python3-venv
 # Packages that only `make install-check` needs.
 BARE_PACKAGES = debootstrap
 
-# Packages that only `make wheel-aarch64` needs.
+# Packages that only `make wheel-arm` needs.
 EMULATION_PACKAGES = qemu-user-static binfmt-support
 
 # Packages that only `make slurm` needs.
@@ -117,7 +117,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: number of bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb release clean rtamt falsify mcap ros ros-figures wheel python install-check wheel-aarch64 slurm
+.PHONY: all setup run test fmt targets test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants faults fuzz-drivers soak elementary matrix prove bench photographs install kills deb release clean rtamt falsify mcap ros ros-figures wheel python install-check wheel-arm slurm
 
 all: setup
 	dune build @install
@@ -276,7 +276,7 @@ install-check: wheel
 # Builds the wheel for 64-bit ARM in an emulated Debian 12, in _build/aarch64, and installs it in
 # another one that has only Python with pip and gcc. Must run as root. Takes more than an hour; with
 # `SHORT=1`, it only builds one host, which takes ten minutes the first time.
-wheel-aarch64:
+wheel-arm:
 	@sh tests/setup.sh $(BARE_PACKAGES) $(EMULATION_PACKAGES)
 	@sh runtime/python/wheel_aarch64.sh $(CURDIR)/_build $(filter-out clang libclang-rt-dev,$(PACKAGES)) $(WHEEL_PACKAGES)
 	@test -n "$(SHORT)" || ARCHITECTURE=arm64 sh tests/users/install/bare.sh $(CURDIR)/_build/aarch64 bookworm

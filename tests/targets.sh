@@ -43,7 +43,7 @@ ros-figures
 wheel
 python
 install-check BARE_SUITES=bookworm
-wheel-aarch64 SHORT=1
+wheel-arm SHORT=1
 release SHORT=1 BARE_SUITES=bookworm
 photographs
 END

@@ -245,13 +245,14 @@ let boot_loaders () =
   | drives -> Fine (String.concat ", " drives)
 
 let ros () =
-  match variable "ROS_DISTRO" with
-  | Some name -> Fine (Basis.Printable.name name)
-  | None -> (
+  match (variable "ROS_DISTRO", variable "AMENT_PREFIX_PATH") with
+  | Some name, _ -> Fine (Basis.Printable.name name)
+  | None, Some _ -> Fine "a distribution without a name (AMENT_PREFIX_PATH)"
+  | None, None -> (
       match entries "/opt/ros" with
       | setup :: _ ->
           Missing (Printf.sprintf "ROS is not set up in this terminal: `. %s/setup.sh`" setup)
-      | [] -> Missing "ROS is not installed; no command needs it")
+      | [] -> Missing "ROS 2 is not installed; only `--ros2` and `frobc serve --robot ros` need it")
 
 (* {1 The command} *)
 

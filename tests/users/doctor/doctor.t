@@ -100,3 +100,6 @@ ROS in this terminal:
   $ look 'ROS' env ROS_DISTRO=jazzy "$frobc" doctor
   status 0
   ok    ROS              jazzy
+  $ look 'ROS' env -u ROS_DISTRO AMENT_PREFIX_PATH=/opt/mine "$frobc" doctor
+  status 0
+  ok    ROS              a distribution without a name (AMENT_PREFIX_PATH)
