@@ -158,7 +158,14 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
             (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
                name)
      else if is_builtin tycon then diagnostic
-     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
+     else
+       Diagnostic.label ~at:tycon.span "declared here" diagnostic
+       |>
+       if found < expected && String.equal noun "type argument" then
+         Diagnostic.hint
+           (Printf.sprintf "give it %s, as in `%s`" (counted expected noun)
+              (String.concat " " (tycon.global.name :: List.init expected (fun _ -> "Float"))))
+       else Fun.id)
     |> Context.emit scope.context
   in
   let units_right = units = tycon.unit_arity || (units = 0 && tycon.units_optional) in

@@ -28,7 +28,7 @@ let applied name arguments =
       Some (Printf.sprintf "lowPass %s %s" tau x, Some "Control")
   | ("highPassFilter" | "highpassFilter" | "highpass_filter" | "hpf"), [ tau; x ] ->
       Some (Printf.sprintf "highPass %s %s" tau x, Some "Filters")
-  | ("zip", [ xs; ys ]) -> Some (Printf.sprintf "zipWith (\\x y -> (x, y)) %s %s" xs ys, None)
+  | "zip", [ xs; ys ] -> Some (Printf.sprintf "zipWith (\\x y -> (x, y)) %s %s" xs ys, None)
   | "enumerate", [ xs ] -> Some (Printf.sprintf "imap (\\i x -> (i, x)) %s" xs, None)
   | ("average" | "avg"), [ xs ] -> Some ("mean " ^ xs, None)
   | "sorted", [ xs ] -> Some ("sort " ^ xs, Some "Arrays")

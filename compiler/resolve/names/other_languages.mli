@@ -11,8 +11,8 @@ val of_each : string -> (string * string) list option
 (** The functions in place of one for several types of containers, each with its container. *)
 
 val applied : string -> string list -> (string * string option) option
-(** The application of such a name to these arguments in Frob, and the module of the library that
-    it needs. *)
+(** The application of such a name to these arguments in Frob, and the module of the library that it
+    needs. *)
 
 val is_an_object : string -> bool
 (** Does the name mean the object of a method, such as [self]? *)

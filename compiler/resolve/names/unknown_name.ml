@@ -212,9 +212,7 @@ let counted_in_text t (name : Syntax.Ir.name) =
 (* `constrain x 0 255`, with the arguments in the order of Frob *)
 let applied_in_text t (name : Syntax.Ir.name) =
   Option.bind (Name_in_text.application ~text:t.text name.span) (fun (whole, arguments) ->
-      Option.map
-        (fun (text, _) -> (whole, text))
-        (Other_languages.applied name.text arguments))
+      Option.map (fun (text, _) -> (whole, text)) (Other_languages.applied name.text arguments))
 
 (* `self.k` *)
 let of_an_object t (name : Syntax.Ir.name) =
@@ -465,7 +463,7 @@ let with_suggestion t space ~locals (name : Syntax.Ir.name) diagnostic =
   | Some _ | None -> suggested
 
 (* Explains a signal whose `proc` is in this definition, but ends before the name. *)
-let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where diagnostic =
+let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where ~has_where diagnostic =
   Diagnostic.label ~at:signal.name.span
     (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)
     diagnostic
@@ -481,6 +479,9 @@ let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where diagnostic =
         (if signal.of_do then
            "a `where` after `do` belongs to the whole definition and cannot use signals: write a \
             `let` in the `do`"
+         else if has_where then
+           "the `proc` ends at the bracket before this `where`, which therefore cannot use its \
+            signals: move that bracket to the end of the last equation"
          else
            "a `proc` ends at the bracket or comma that follows it; its signals cannot be used \
             after that, nor in a `where` after that")
@@ -537,7 +538,15 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
         |> Diagnostic.write name.span text
     | _, _, Some signal ->
         let second_where = Ended_proc.is_in_second_where t.syntax name in
-        of_this_proc signal ~of_proc ~second_where diagnostic
+        let has_where =
+          match
+            ( Name_in_text.assigned ~text:t.text name.span,
+              Name_in_text.definition ~text:t.text name.span )
+          with
+          | Some (x, _, _), Some (whole, has_where) -> has_where && not (String.equal x whole)
+          | _ -> false
+        in
+        of_this_proc signal ~of_proc ~second_where ~has_where diagnostic
     | _ :: _, _, None -> diagnostic
     | [], None, None when Lazy.force of_proc <> None ->
         of_ended_proc (Option.get (Lazy.force of_proc)) diagnostic

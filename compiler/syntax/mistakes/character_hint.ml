@@ -286,8 +286,7 @@ let of_colon text at =
          && Beginnings.rounds (String.concat " " words) <> None ->
       hint (Beginnings.repeated (Option.get (Beginnings.rounds (String.concat " " words))))
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
-  | _ when is_a_range text at ->
-      hint (Beginnings.no_ranges "")
+  | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
       hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
   | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }

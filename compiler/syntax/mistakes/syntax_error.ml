@@ -90,10 +90,16 @@ let awaits_arrow expected =
 let inputs_of_proc found =
   match (found.token.token, found.before) with
   | LOWER _, Some ({ token = LOWER x; _ } as input) when stands_after found "proc" input ->
-      let line = between found found.token.start.pos_cnum (end_of_line found found.token.start.pos_cnum) in
+      let line =
+        between found found.token.start.pos_cnum (end_of_line found found.token.start.pos_cnum)
+      in
       let rec inputs taken = function
         | "->" :: _ -> Some (List.rev taken)
-        | word :: rest when word <> "" && Basis.Character.is_lower word.[0] && String.for_all Basis.Character.is_name word -> inputs (word :: taken) rest
+        | word :: rest
+          when word <> ""
+               && Basis.Character.is_lower word.[0]
+               && String.for_all Basis.Character.is_name word ->
+            inputs (word :: taken) rest
         | _ -> None
       in
       Some

@@ -266,7 +266,9 @@ let command_line fact =
     (Source.line fact.ctx.sources at.file (Span.line at.start))
     (fun line ->
       let text = String.trim line in
-      let is_alone = String.starts_with ~prefix:"roMake (" text && String.ends_with ~suffix:")" text in
+      let is_alone =
+        String.starts_with ~prefix:"roMake (" text && String.ends_with ~suffix:")" text
+      in
       let count c = List.length (String.split_on_char c text) in
       if is_alone && count '(' = count ')' && String.length text < 60 then
         let stop = Span.forward (String.length text) at.start in

@@ -57,7 +57,7 @@ as signal functions.
     |          ^^^^^^^^^^ this is `SF Float[u] Float[u/s]`
     |
     = hint: to read it once, write `ask derivative`
-    = hint: use `mkTask (derivative &&& event)`, which ends when the event occurs, or `mkTask (derivative &&& never)`, which never ends
+    = hint: to run it for a time, write `mkTask (derivative &&& after 5[s])`; to run it without end, `mkTask (derivative &&& never)`
   
   error[E0301]: `sleepT` lacks its last argument, the output during that time
     --> mistakes.frob:10:5
@@ -145,7 +145,7 @@ as signal functions.
      |        |
      |        argument 1 of `timeOut` is `Task a b c`
      |
-     = hint: use `mkTask (sf &&& event)`, which ends when the event occurs, or `mkTask (sf &&& never)`, which never ends
+     = hint: to run it for a time, write `mkTask (sf &&& after 5[s])`; to run it without end, `mkTask (sf &&& never)`
   
   11 errors
   [1]

@@ -177,10 +177,11 @@ let in_braces found =
 (* `| if x > 0 = 1` *)
 let if_in_a_guard found =
   let bol = found.token.start.pos_bol in
-  match (found.token.token, String.split_on_char ' ' (between found bol found.token.start.pos_cnum)) with
+  match
+    (found.token.token, String.split_on_char ' ' (between found bol found.token.start.pos_cnum))
+  with
   | EQUAL, "|" :: "if" :: (_ :: _ as condition) ->
-      Some
-        (Printf.sprintf "a guard needs no `if`: use `| %s = …`" (String.concat " " condition))
+      Some (Printf.sprintf "a guard needs no `if`: use `| %s = …`" (String.concat " " condition))
   | _ -> None
 
 let otherwise found =

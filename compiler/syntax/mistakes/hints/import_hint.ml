@@ -57,6 +57,10 @@ let capital found =
         (Printf.sprintf
            "start the name of the module and of its file with a capital letter: `%s`, in `%s.frob`"
            name name)
+  | LOWER name, Some { token = AS; _ } ->
+      Some
+        (Printf.sprintf "start the new name of the module with a capital letter: `%s`"
+           (String.capitalize_ascii name))
   | _ -> None
 
 let of_haskell found =

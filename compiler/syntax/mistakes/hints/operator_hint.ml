@@ -132,7 +132,10 @@ let foreign_operator found (before : Layout.token) =
     | ".." when names_before found "seeds" -> Some (seeds found before)
     | ".." ->
         let inside =
-          match (String.rindex_from_opt found.text before.start.pos_cnum '[', String.index_from_opt found.text before.stop.pos_cnum ']') with
+          match
+            ( String.rindex_from_opt found.text before.start.pos_cnum '[',
+              String.index_from_opt found.text before.stop.pos_cnum ']' )
+          with
           | Some first, Some last when last <= end_of_line found before.stop.pos_cnum ->
               let text = between found (first + 1) last in
               String.concat "" (String.split_on_char ' ' text)

@@ -14,9 +14,7 @@ let is_a_unit : Layout.context -> bool = function
 let named_by_declaration found =
   let open Basis.Let_syntax.Option in
   let* brace =
-    match found.context with
-    | (Brace, { by; _ }) :: _ -> Some by.start.pos_cnum
-    | _ -> None
+    match found.context with (Brace, { by; _ }) :: _ -> Some by.start.pos_cnum | _ -> None
   in
   let constructor = word_before found brace in
   let* inside, _ = Other_definition.in_braces found.text brace in
@@ -55,6 +53,13 @@ let in_a_unit found =
   match (found.token.token, found.before) with
   | FIELD _, Some _ when is_a_unit found.context ->
       Some "multiply units with a space or `*`, as in `kg m^2`"
+  | MINUS, Some { token = LOWER unit_ | UPPER unit_; _ } when is_a_unit found.context ->
+      let last = unit_.[String.length unit_ - 1] in
+      Some
+        (if last = '1' || Basis.Character.is_digit (after found) then
+           Printf.sprintf "write a `^` before an exponent: `%s^-%c`" unit_
+             (if Basis.Character.is_digit (after found) then after found else last)
+         else "multiply units with a space or `*`, as in `kg m^2`, and divide with `/`")
   | _ -> None
 
 let without_comma found =

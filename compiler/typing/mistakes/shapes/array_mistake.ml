@@ -62,14 +62,14 @@ let computed fact =
       Printf.sprintf "to compute with the elements of two arrays, write `zipWith (%s) %s %s`"
         operator a b
     else
-    let each =
-      Printf.sprintf "use `map (\\x -> x %s %s) %s` to compute with each element" operator b a
-    in
-    match b.[0] with
-    | '0' .. '9' -> each
-    | _ ->
-        Printf.sprintf "%s, or `zipWith (%s) %s %s` to compute with the elements of two arrays" each
-          operator a b
+      let each =
+        Printf.sprintf "use `map (\\x -> x %s %s) %s` to compute with each element" operator b a
+      in
+      match b.[0] with
+      | '0' .. '9' -> each
+      | _ ->
+          Printf.sprintf "%s, or `zipWith (%s) %s %s` to compute with the elements of two arrays"
+            each operator a b
   in
   match fact.wanted with
   | Number _ when is_array fact.found ->

@@ -324,10 +324,19 @@ let without_value fact =
 (* `if after 5[s] () then …`, where the condition was meant to stay True. *)
 let time_as_condition fact =
   match (fact.expected.because, after fact.words fact.subject) with
-  | Condition, Some time when is_an_event fact ->
+  | (Condition | Output _ | Signature _ | Operand _), Some time
+    when is_an_event fact && fact.wanted = Bool ->
       Some
         (Printf.sprintf
            "this occurs at one instant only: write `elapsed %s ()`, which is True from then on" time)
+  | _ -> None
+
+(* An event as the output of a signal function, or in a field, where a truth value is expected. *)
+let event_in_place_of_a_truth fact =
+  match fact.expected.because with
+  | (Output _ | Field _ | Branch _) when is_an_event fact && fact.wanted = Bool ->
+      Some
+        (Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact "e"))
   | _ -> None
 
 (* `()` or a `Maybe` as a condition. *)
@@ -408,6 +417,7 @@ let hints =
     value_in_place_of_event;
     without_value;
     time_as_condition;
+    event_in_place_of_a_truth;
     content_as_condition;
     made_twice;
     in_place_of_a_truth;

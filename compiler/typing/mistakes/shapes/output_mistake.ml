@@ -59,8 +59,7 @@ let rec output_of (e : Resolve.Ir.expr) =
 let to_make (fact : Shape_fact.t) =
   Option.bind fact.subject (fun (e : Resolve.Ir.expr) ->
       let e = Option.value (output_of e) ~default:e in
-      if is_of_a_capability e then
-        Option.map (fun text -> (e, text)) (Show.quote fact.words e.span)
+      if is_of_a_capability e then Option.map (fun text -> (e, text)) (Show.quote fact.words e.span)
       else None)
 
 let not_made (fact : Shape_fact.t) =
@@ -146,9 +145,7 @@ let of_sleeping words ~(subject : Resolve.Ir.expr option) other =
           |> Diagnostic.fix (Printf.sprintf "write `%s`" made) [ (output.span, made) ]
           |> Option.some
       | Number _, Some first, Some second when is_number other ->
-          let text =
-            Printf.sprintf "sleepT %s %s" (Source.grouped second) (Source.grouped first)
-          in
+          let text = Printf.sprintf "sleepT %s %s" (Source.grouped second) (Source.grouped first) in
           Diagnostic.error ~code:"E0301" ~at:span "the arguments of `sleepT` are in the wrong order"
           |> Diagnostic.hint (Printf.sprintf "write `%s`" text)
           |> Diagnostic.write span text |> Option.some

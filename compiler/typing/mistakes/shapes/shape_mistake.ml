@@ -85,7 +85,13 @@ let of_values =
   ]
 
 let pattern_of_another_type (fact : Shape_fact.t) =
-  match fact.expected.because with Value _ -> Some (Shape_fact.not_matched fact) | _ -> None
+  match (fact.expected.because, fact.wanted, fact.given) with
+  | Value _, Bool, Number _ ->
+      Some
+        (Shape_fact.not_matched fact
+        |> Basis.Diagnostic.hint "match a `Bool` with `True` and `False`, or choose with `if`")
+  | Value _, _, _ -> Some (Shape_fact.not_matched fact)
+  | _ -> None
 
 (* Rules that depend on the reason for the expected type. A rule for events or enumerations comes
    before the general one for a condition or a truth value. *)

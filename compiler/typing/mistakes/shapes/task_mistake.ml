@@ -37,7 +37,8 @@ let to_task words (subject : Resolve.Ir.expr option) output =
   let name = Option.value text ~default:"sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
-      hint (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" (Source.grouped name))
+      hint
+        (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" (Source.grouped name))
   | _ -> (
       match Option.bind subject (parts words) with
       | Some (input, output) ->
@@ -65,7 +66,8 @@ let in_place_of_a_task fact output =
   error ~code:"E0371" ~at:fact.at "expected a task, found a signal function"
   |> here (Printf.sprintf "this is %s" (found_text fact))
   |> (match (fact.expected.because, name fact) with
-     | Statement _, Some name when not (is_an_output fact.words output) -> hint (Printf.sprintf "to read it once, write `ask %s`" name)
+     | Statement _, Some name when not (is_an_output fact.words output) ->
+         hint (Printf.sprintf "to read it once, write `ask %s`" name)
      | Parameter { callee = Some "reactimateTask"; _ }, _ ->
          hint "use `reactimateRobot` to turn a signal function into a program"
      | _ -> Fun.id)
@@ -197,9 +199,7 @@ let without_tasks fact =
         when not (List.mem None all_equations) -> (
           let bindings = List.concat (List.filter_map Fun.id all_equations) in
           let texts =
-            List.map
-              (fun (b : Resolve.Ir.binding) -> Show.quote fact.words b.span)
-              bindings
+            List.map (fun (b : Resolve.Ir.binding) -> Show.quote fact.words b.span) bindings
           in
           match (Show.quote fact.words argument.span, Shape_fact.all texts) with
           | Some value, Some (_ :: _ as texts) ->
@@ -226,11 +226,23 @@ let only_returned fact =
         (hinted fact "`return` is only for tasks: write the value after the `=`, without `return`")
   | _ -> None
 
+(* Is it an argument of a function that also takes a task, such as `timeOut`? *)
+let is_beside_a_task fact =
+  let rec takes_a_task t =
+    match Type.expand t with
+    | Type.Function (parameter, result) -> Environment.is_task parameter || takes_a_task result
+    | _ -> false
+  in
+  match fact.expected.because with
+  | Parameter { head = Some { desc = Global g; _ }; _ } ->
+      Option.fold (Show.declared_type fact.words g) ~none:false ~some:takes_a_task
+  | _ -> false
+
 (* `let d = ask frontSonar`, or the task itself, where its result is meant *)
 let in_place_of_its_result fact =
   match (fact.wanted, fact.subject) with
   | (Number _ | Bool | Tuple (_ :: _) | Data _), Some e
-    when fact.expected.because <> Condition
+    when (match fact.expected.because with Condition -> false | _ -> not (is_beside_a_task fact))
          && Environment.is_task fact.given
          && (not (Environment.is_task fact.wanted))
          && not (is_only_returned fact.words fact.given) -> (
@@ -251,8 +263,7 @@ let in_place_of_its_result fact =
           Option.map
             (fun text ->
               hinted fact
-                (Printf.sprintf
-                   "in a `do`, run the task on the line before, `%s`, and use `x` here"
+                (Printf.sprintf "in a `do`, run the task on the line before, `%s`, and use `x` here"
                    (run "x" text)))
             (Show.quote fact.words e.span)
       | _ -> None)

@@ -256,8 +256,9 @@ let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
     match e.desc with
     | Local x when abs power = 1 -> (
         match declared_parameter words x with
-        | Some ({ type_ = { desc = Named { tycon = { name = "Float"; _ }; units = []; _ }; _ }; _ } as d)
-          ->
+        | Some
+            ({ type_ = { desc = Named { tycon = { name = "Float"; _ }; units = []; _ }; _ }; _ } as
+             d) ->
             Some (x, d, power)
         | Some _ | None -> None)
     | _ -> None
@@ -265,7 +266,7 @@ let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
   let of_side ((e : Resolve.Ir.expr), units) =
     let factors = Formula.factors e in
     match List.filter_map of_factor factors with
-    | [ (x, { type_; with_type }, power) ] when List.length factors > 1 ->
+    | (x, { type_; with_type }, power) :: _ when List.length factors > 1 ->
         let unit_ = Show.measure words (Lacking_unit_mistake.needed units power) in
         let text = Printf.sprintf "Float[%s]" unit_ in
         Some
@@ -286,17 +287,17 @@ let parameter words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
     when not (is_open units) -> (
       match declared_parameter words x with
       | Some { type_ = { span; _ }; with_type } ->
-              let type_ = Show.type_ words expected.ty in
-              Some
-                (fun d ->
-                  let others = (Unit_conversion.suggest words ~subject ~expected units d).hints in
-                  let d =
-                    label ~at:span (Printf.sprintf "the signature gives `%s` this type" x.name) d
-                    |> hint
-                         (Printf.sprintf "if `%s` is of type `%s`, write the signature as `%s`"
-                            x.name type_ (with_type type_))
-                    |> write span type_
-                  in
-                  { d with hints = d.hints @ others })
+          let type_ = Show.type_ words expected.ty in
+          Some
+            (fun d ->
+              let others = (Unit_conversion.suggest words ~subject ~expected units d).hints in
+              let d =
+                label ~at:span (Printf.sprintf "the signature gives `%s` this type" x.name) d
+                |> hint
+                     (Printf.sprintf "if `%s` is of type `%s`, write the signature as `%s`" x.name
+                        type_ (with_type type_))
+                |> write span type_
+              in
+              { d with hints = d.hints @ others })
       | None -> None)
   | _ -> None

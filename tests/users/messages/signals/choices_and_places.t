@@ -19,7 +19,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
   5 |     way = integral (velocity i)
     |                              ^
     |
-    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
+    = hint: the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: move that bracket to the end of the last equation
   
   1 error
   [1]
