@@ -495,6 +495,14 @@ let qualified_name t space (name : Syntax.Ir.name) =
   | Some { qualifiers = q :: _; _ } -> Some (q ^ "." ^ name.text)
   | Some _ | None -> None
 
+(* Is it in an equation of the `where` of the definition? *)
+let is_in_a_where t (name : Syntax.Ir.name) =
+  match
+    (Name_in_text.assigned ~text:t.text name.span, Name_in_text.definition ~text:t.text name.span)
+  with
+  | Some (x, _, _), Some (whole, has_where) -> has_where && not (String.equal x whole)
+  | _ -> false
+
 let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -538,14 +546,7 @@ let report_unknown_name t space ~locals ~signals (name : Syntax.Ir.name) =
         |> Diagnostic.write name.span text
     | _, _, Some signal ->
         let second_where = Ended_proc.is_in_second_where t.syntax name in
-        let has_where =
-          match
-            ( Name_in_text.assigned ~text:t.text name.span,
-              Name_in_text.definition ~text:t.text name.span )
-          with
-          | Some (x, _, _), Some (whole, has_where) -> has_where && not (String.equal x whole)
-          | _ -> false
-        in
+        let has_where = is_in_a_where t name in
         of_this_proc signal ~of_proc ~second_where ~has_where diagnostic
     | _ :: _, _, None -> diagnostic
     | [], None, None when Lazy.force of_proc <> None ->
