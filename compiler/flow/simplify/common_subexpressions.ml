@@ -5,6 +5,9 @@ let is_commutative : Ir.operator -> bool = function
       true
   | _ -> false
 
+(* Whether changing the sign of a Float operand leaves the result the same, bit for bit. *)
+let is_even : Ir.operator -> bool = function Absolute | Elementary Hypot -> true | _ -> false
+
 (* A right-hand side or an instance, without its operands. *)
 type work = Equation of Ir.ty * Ir.rhs | Instance of int * Ir.loop option
 
@@ -17,8 +20,12 @@ end)
 
 let without_operand _ : Ir.atom = Bool false
 
-let key_of_equation (e : Ir.equation) rhs =
-  let operands = Basis.Long_list.map Operands.key (Operands.all rhs) in
+(* [unsigned] returns the key of a number that is equal except for its sign. *)
+let key_of_equation ~unsigned (e : Ir.equation) rhs =
+  let key =
+    match rhs with Ir.Op (operator, _) when is_even operator -> unsigned | _ -> Operands.key
+  in
+  let operands = Basis.Long_list.map key (Operands.all rhs) in
   let operands =
     match rhs with
     | Op (operator, _) when is_commutative operator -> List.sort compare operands
@@ -31,6 +38,8 @@ let key_of_equation (e : Ir.equation) rhs =
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
   let duplicates = Hashtbl.create 4 in
+  (* Differences by their operands, and the numbers of which signals are the negation. *)
+  let differences = Hashtbl.create 16 and negated = Hashtbl.create 4 in
   let atom = Substitution.atom substitution in
   let meet key defined =
     match Table.find_opt first key with
@@ -43,8 +52,27 @@ let round (node : Ir.node) =
           defined before;
         false
   in
+  let unsigned a =
+    let key = Operands.key a in
+    Option.value (Hashtbl.find_opt negated key) ~default:key
+  in
+  let note_sign (e : Ir.equation) rhs =
+    let own = Operands.key (Signal e.defines) in
+    let negates key = Hashtbl.replace negated own key in
+    match (rhs : Ir.rhs) with
+    | Op (Negate, [ a ]) when e.defines.ty = Float -> negates (unsigned a)
+    | Op (Subtract, [ a; b ]) when e.defines.ty = Float -> (
+        let a = Operands.key a and b = Operands.key b in
+        match Hashtbl.find_opt differences (b, a) with
+        | Some key -> negates key
+        | None -> Hashtbl.replace differences (a, b) own)
+    | _ -> ()
+  in
   let visit : Schedule.item -> unit = function
-    | Equation e -> ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
+    | Equation e ->
+        let rhs = Operands.map atom e.rhs in
+        note_sign e rhs;
+        ignore (meet (key_of_equation ~unsigned e rhs) [ e.defines ] : bool)
     | Instance i ->
         let key a = Operands.key (atom a) in
         let operands = Basis.Long_list.map key (i.statics @ i.inputs) in

@@ -313,7 +313,10 @@ and float s fuel =
   | 15 | 18 -> nearly_nothing s fuel Float
   | 16 | 17 ->
       let one, other = both_ways s Float [ "+"; "-"; "*"; "/" ] in
-      f "(%s %s %s)" one (one_of s.random [ "+"; "-"; "*"; "/" ]) other
+      (* The compiler computes even functions of x - y and y - x once. *)
+      let outer = one_of s.random [ ""; ""; "abs "; "hypot 2 "; "sin " ] in
+      let operator = one_of s.random [ "+"; "-"; "*"; "/" ] in
+      f "((%s%s) %s (%s%s))" outer one operator outer other
   | 12 ->
       let u = Type.any_measure s.random in
       f "(%s / 1[%s])" (expression s fuel (Measure u)) (Type.unit_text u)
