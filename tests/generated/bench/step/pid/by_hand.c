@@ -10,8 +10,10 @@ void by_hand_reset(struct by_hand *self)
     self->total = 0.0;
     self->growth = 0.0;
     self->before = 0.0;
+    self->since = 0.0;
     self->usual = 0.0;
     self->slope = 0.0;
+    self->known = false;
     self->started = false;
 }
 
@@ -19,7 +21,7 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct p
                   struct pid_output *out)
 {
     const double error = in->value;
-    double wanted;
+    double slope = self->slope, wanted;
     (void)dt_ns;
     if (!self->started) {
         self->started = true;
@@ -29,10 +31,22 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct p
         const double step = self->usual > 0 && dt > most ? most : dt;
         self->total = fmax(-largest, fmin(largest, self->total + self->growth * step));
         self->usual = step;
-        self->slope = (error - self->before) / dt;
+        self->since += dt;
     }
-    self->before = error;
-    wanted = kp * error + self->total + kd * self->slope;
+    /* A NaN at one instant must not spoil the slope of later ones. */
+    if (!isfinite(error)) {
+        slope = NAN;
+    } else {
+        if (self->known && self->since > 0) {
+            slope = (error - self->before) / self->since;
+            if (isfinite(slope))
+                self->slope = slope;
+        }
+        self->before = error;
+        self->since = 0.0;
+        self->known = true;
+    }
+    wanted = kp * error + self->total + kd * slope;
     self->growth = fabs(wanted) <= largest || ki * error * wanted <= 0 ? ki * error : 0.0;
     if (wanted > largest)
         out->value = largest;

@@ -8,9 +8,11 @@
 struct by_hand {
     double total;  /* the integral part of the output */
     double growth; /* how fast it grows over the next step */
-    double before; /* the error at the previous instant */
+    double before; /* the last finite error before this instant */
+    double since;  /* the time from then to the previous instant */
     double usual;  /* the step counted at the previous instant */
-    double slope;  /* the last slope, kept while dt is 0 */
+    double slope;  /* the last finite slope, kept while dt is 0 */
+    bool known;    /* whether there has been a finite error */
     bool started;
 };
 
