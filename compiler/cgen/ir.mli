@@ -7,6 +7,7 @@ type ty =
   | Void
   | Bool
   | Uint8
+  | Uint32
   | Int32
   | Int64
   | Real of Basis.Real.t

@@ -28,7 +28,7 @@ let rec member (v : V.t) (m : V.member) : Ir.member =
   let state node = Ir.Struct v.nodes.(node).state in
   let ty : Ir.ty =
     match field.content with
-    | Value ty -> V.ty v ty
+    | Value ty -> if Option.is_some field.bound then Uint32 else V.ty v ty
     | State_of k -> state k
     | States_of { node; count } -> Array (state node, count)
     | Component symbol -> Struct (symbol ^ "_state")

@@ -67,6 +67,7 @@ let rec ty_name = function
   | Void -> "void"
   | Bool -> "bool"
   | Uint8 -> "uint8_t"
+  | Uint32 -> "uint32_t"
   | Int32 -> "int32_t"
   | Int64 -> "int64_t"
   | Real real -> real_name real
@@ -82,7 +83,8 @@ let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
-  | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ ->
+  | Void | Bool | Uint8 | Uint32 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _
+    ->
       ty_name ty ^ " " ^ name
 
 (* [const T x], or [T *const x] for pointers. *)

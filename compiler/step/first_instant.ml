@@ -50,7 +50,7 @@ let own (node : node) =
   let fields = node.state @ List.concat_map State.fields_of_mode node.modes in
   let id = List.fold_left (fun most (field : field) -> max most (field.id + 1)) 0 fields in
   let content = Value Bool and purpose = State.past_first in
-  { id; name = "started"; content; purpose; origin = None; span = node.span }
+  { id; name = "started"; content; bound = None; purpose; origin = None; span = node.span }
 
 let mark (root : node) =
   match delayed root with

@@ -32,6 +32,9 @@ type field = {
   id : int;  (** unique in the node *)
   name : string;  (** from the source; not always unique *)
   content : content;
+  bound : int64 option;
+      (** for [Nanoseconds]: if present, the field has 32 bits, and a time that [Later] returns for
+          it stops at this number (see {!Short_times}) *)
   purpose : string;  (** for readers of the generated C: [delay], [integral], a callee's name *)
   origin : origin option;  (** the signal whose values the field stores, if any *)
   span : Span.t;

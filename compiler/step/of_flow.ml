@@ -30,6 +30,7 @@ let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
       id = 0;
       name = "state";
       content = Component foreign.import.symbol;
+      bound = None;
       purpose = "of the user's C";
       origin = None;
       span = node.span;

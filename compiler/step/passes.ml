@@ -4,6 +4,7 @@ let all =
   [
     Pass.make "first-instant" First_instant.program
       "first, because it may add a field to the root's state";
+    Pass.make "short-times" Short_times.program "after all reads of times exist";
     Pass.make "unused-resets" Unused_resets.program "after all statements that reset state exist";
   ]
 

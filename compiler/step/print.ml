@@ -159,7 +159,10 @@ let node (program : Ir.program) ppf (n : Ir.node) =
     (fun (f : Ir.field) ->
       let content =
         match f.content with
-        | Value t -> ty program t
+        | Value t -> (
+            match f.bound with
+            | None -> ty program t
+            | Some bound -> sprintf "%s, at most %Ld" (ty program t) bound)
         | State_of k -> sprintf "state of %s" program.nodes.(k).name
         | States_of { node; count } -> sprintf "%d states of %s" count program.nodes.(node).name
         | Running_mode -> "number of a mode"

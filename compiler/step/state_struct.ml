@@ -111,6 +111,7 @@ let of_program (program : Ir.program) =
       { path = List.rev (field.name :: within); node = k; field; block; modes }
     in
     match field.content with
+    | Value _ when Option.is_some field.bound -> [ member { Block.bytes = 4; alignment = 4 } ]
     | Value ty -> [ member (Block.of_value program.real program.sums ty) ]
     | Running_mode -> [ member (running_mode program.nodes.(k)) ]
     | Component _ -> [ member Block.foreign ]

@@ -74,11 +74,12 @@ let literal : M.expr -> float option = function
   | _ -> None
 
 (* With a literal, [limit < x ? limit : x] is correct, unless the first argument is a zero, which
-   must win over the other zero. *)
-let limited n general simple (a : M.expr) (b : M.expr) x y =
+   must win over the other zero: it needs [limit <= x], which C compilers translate to a mask. *)
+let limited n general simple ~zero (a : M.expr) (b : M.expr) x y =
   match (literal a, literal b) with
   | _, Some _ -> V.call n.v simple [ x; y ]
   | Some limit, None when not (Float.equal limit 0.) -> V.call n.v simple [ y; x ]
+  | Some limit, None when not (V.is_negative_zero limit) -> V.call n.v zero [ y ]
   | Some _, None | None, None -> V.call n.v general [ x; y ]
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values of unexpected types"
@@ -171,8 +172,8 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
       | M.Float _ | Int _ -> Binary (Greater, y, x)
       | _ -> Binary (Less, x, y))
   | Less_equal, (Int | Float | Nanoseconds) -> Binary (Less_equal, x, y)
-  | Minimum, Float -> limited n "frob_min" "frob_at_most" a b x y
-  | Maximum, Float -> limited n "frob_max" "frob_at_least" a b x y
+  | Minimum, Float -> limited n "frob_min" "frob_at_most" ~zero:"frob_below_zero" a b x y
+  | Maximum, Float -> limited n "frob_max" "frob_at_least" ~zero:"frob_above_zero" a b x y
   | Minimum, Int -> whole "frob_int_min"
   | Maximum, Int -> whole "frob_int_max"
   | And, Bool -> if is_decided ~by:( && ) x y then whole "frob_both" else Binary (And, x, y)
@@ -190,6 +191,13 @@ let param n k : Ir.expr =
   | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a parameter of a program without any"
 
 let is_whole_period period = period >= 1. && period < 0x1p63
+
+(* The bound of a time. *)
+let bound n : M.expr -> int64 option = function
+  | Field { id; _ } ->
+      let is_time (f : M.field) = f.id = id in
+      Option.bind (List.find_opt is_time n.v.program.nodes.(n.node).state) (fun f -> f.bound)
+  | _ -> None
 
 (* The value of an expression that is an operand at this place, or a statement's value. *)
 let rec operand n ~at (e : M.expr) =
@@ -262,8 +270,14 @@ and of_step n (e : M.expr) : Ir.expr =
       Call (n.v.nodes.(node).step, params @ arguments)
   | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_step n e ]
   | Seconds e -> Binary (Over, Cast (V.real n.v, of_step n e), V.float n.v 1e9)
-  | Soon (a, b) -> Call ("frob_soon", [ of_step n a; of_step n b ])
-  | Later (a, b) -> Call ("frob_later", [ of_step n a; of_step n b ])
+  | Soon (a, b) -> (
+      match bound n a with
+      | Some _ -> Binary (Plus, of_step n a, Cast (Uint32, of_step n b))
+      | None -> Call ("frob_soon", list [ a; b ]))
+  | Later (a, b) -> (
+      match bound n a with
+      | Some bound -> Call ("frob_until", list [ a; b ] @ [ Long bound ])
+      | None -> Call ("frob_later", list [ a; b ]))
   | Reached { time; period = Float period } when is_whole_period period ->
       Binary (Less_equal, Long (Int64.of_float period), of_step n time)
   | Reached { time; period } -> V.call n.v "frob_reached" (list [ time; period ])

@@ -205,6 +205,19 @@ let read_elements names variable steps =
 
 let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
+(* Limits the times that the caller of the root's step passes. *)
+let limited_times (v : V.t) k =
+  let limit name function_ = [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] in
+  (match Step.Dt_limits.nanoseconds v.dt_limits k with
+  | Unlimited -> []
+  | To_31_bits -> limit "dt_ns" "frob_short_span"
+  | To_largest -> limit "dt_ns" "frob_span")
+  @
+  match Step.Dt_limits.seconds v.dt_limits k with
+  | Unlimited -> []
+  | At_most -> limit "dt" (V.in_precision v "frob_short_dt")
+  | Both_ways -> limit "dt" (V.in_precision v "frob_dt")
+
 (* Maximum number of operations of a function that is marked inline. *)
 let inline_size = 12
 
@@ -256,18 +269,9 @@ let own_step (v : V.t) k : Ir.function_ =
     result = single;
     name = v.nodes.(k).step;
     parameters = List.concat [ state; params; dt; dt_ns; input; given; results ];
-    body = unread @ taken @ body;
+    body = List.concat [ unread; limited_times v k; taken; body ];
     comment = place_of node;
   }
-
-(* Limits the times that the step reads: the caller's timer may have wrapped around, or its dt
-   may be NaN. *)
-let limit_times c (node : M.node) =
-  let limit is_read name function_ =
-    if is_read then [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] else []
-  in
-  limit node.nanoseconds "dt_ns" "frob_span"
-  @ limit node.seconds "dt" (V.in_precision c.v "frob_dt")
 
 let inputs c (node : M.node) =
   let by_pointer =
@@ -302,7 +306,6 @@ let root_step (v : V.t) k : Ir.function_ =
   let c = { v; names; index = k; node; write; read; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
-  let times = limit_times c node in
   let body = statements c node.step.body in
   let clear steps = Access.clear names steps (Name "out") in
   let unused = List.concat_map clear v.output.unused in
@@ -333,7 +336,7 @@ let root_step (v : V.t) k : Ir.function_ =
           ignore_unless node.nanoseconds "dt_ns";
           ignore_unless node.seconds "dt";
           ignore_unless reads_input "in";
-          times;
+          limited_times v k;
           inputs;
           body;
           unused;

@@ -106,7 +106,7 @@ let with_paths types ~name members (shape : F.shape) =
   let member_list_of (product : F.product) (ty : Ir.ty) =
     match ty with
     | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Union _ | Array _
+    | Void | Bool | Uint8 | Uint32 | Int32 | Int64 | Real _ | Struct _ | Named _ | Union _ | Array _
     | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members

@@ -4,7 +4,7 @@ let rec ty names : ty -> string list = function
   | Struct name -> name :: names
   | Members all | Union all -> members names all
   | Array (t, _) | Pointer t | Pointer_to_const t -> ty names t
-  | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Named _ -> names
+  | Void | Bool | Uint8 | Uint32 | Int32 | Int64 | Real _ | Named _ -> names
 
 and members names all = List.fold_left (fun names (m : member) -> ty names m.ty) names all
 

@@ -48,6 +48,7 @@ type t = {
   output : Interface.t;
   params : Param_struct.t option;
   param_use : Step.Param_use.t;
+  dt_limits : Step.Dt_limits.t;
   by_pointer : Program_input.t;
   records : Ir.declaration list;
   robot_records : Ir.declaration list;
@@ -273,6 +274,7 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
     output;
     params;
     param_use = Step.Param_use.of_program program;
+    dt_limits = Step.Dt_limits.of_program program;
     by_pointer = Program_input.of_program program input;
     records = Interface.definitions own;
     robot_records;

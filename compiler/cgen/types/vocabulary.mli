@@ -43,6 +43,7 @@ type t = {
   output : Interface.t;
   params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)
   param_use : Step.Param_use.t;
+  dt_limits : Step.Dt_limits.t;
   by_pointer : Program_input.t;  (** steps that read the input through the pointer *)
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** structs of a robot's header *)

@@ -22,7 +22,7 @@ and machine = { clock : Ir.clock option; modes : Ir.mode list }
 let numbered ?origin t ~name content ~purpose span : Ir.field =
   let id = t.count in
   t.count <- t.count + 1;
-  { id; name; content; purpose; origin; span }
+  { id; name; content; bound = None; purpose; origin; span }
 
 let new_field ?origin t ~name content ~purpose span =
   let field = numbered ?origin t ~name content ~purpose span in

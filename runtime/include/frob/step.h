@@ -186,12 +186,29 @@ static inline int64_t frob_soon(int64_t time, int64_t ns)
     return (int64_t)soon;
 }
 
+/* Adds nanoseconds to a local time that stays at a limit once it has reached it. */
+static inline uint32_t frob_until(uint32_t time, int64_t ns, int64_t limit)
+{
+    const uint64_t later = (uint64_t)ns + time;
+    return later < (uint64_t)limit ? (uint32_t)later : (uint32_t)limit;
+}
+
 /* Limits a dt in nanoseconds to 0 … 1e18. */
 static inline int64_t frob_span(int64_t dt_ns)
 {
     const int64_t most = INT64_C(1000000000000000000);
     if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)most)) {
         return dt_ns > 0 ? most : 0;
+    }
+    return dt_ns;
+}
+
+/* Limits a dt in nanoseconds to 0 … 2^31 - 1, for steps that treat every longer dt in the same
+ * way. */
+static inline int64_t frob_short_span(int64_t dt_ns)
+{
+    if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)INT32_MAX)) {
+        return dt_ns > 0 ? INT32_MAX : 0;
     }
     return dt_ns;
 }
@@ -203,6 +220,12 @@ static inline double frob_dt(double dt)
 {
     const double positive = dt > 0.0 ? dt : 0.0;
     return positive < 1e9 ? positive : 1e9;
+}
+
+/* Limits a dt in seconds to at most 1e9, for steps that only use it if it is positive. */
+static inline double frob_short_dt(double dt)
+{
+    return dt > 1e9 ? 1e9 : dt;
 }
 
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
@@ -254,6 +277,18 @@ static inline double frob_at_most(double x, double limit)
 static inline double frob_at_least(double x, double limit)
 {
     return limit > x ? limit : x;
+}
+
+/* min 0 x. */
+static inline double frob_below_zero(double x)
+{
+    return x >= 0.0 ? 0.0 : x;
+}
+
+/* max 0 x. */
+static inline double frob_above_zero(double x)
+{
+    return x <= 0.0 ? 0.0 : x;
 }
 
 /* max (-x) (min x y): clamps y to -x … x; NaN if either is NaN. */
@@ -386,6 +421,12 @@ static inline float frob_dtf(float dt)
     return positive < 1e9f ? positive : 1e9f;
 }
 
+/* Limits a dt in seconds to at most 1e9, for steps that only use it if it is positive. */
+static inline float frob_short_dtf(float dt)
+{
+    return dt > 1e9f ? 1e9f : dt;
+}
+
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
 static inline float frob_addf(float a, float b)
 {
@@ -435,6 +476,18 @@ static inline float frob_at_mostf(float x, float limit)
 static inline float frob_at_leastf(float x, float limit)
 {
     return limit > x ? limit : x;
+}
+
+/* min 0 x. */
+static inline float frob_below_zerof(float x)
+{
+    return x >= 0.0f ? 0.0f : x;
+}
+
+/* max 0 x. */
+static inline float frob_above_zerof(float x)
+{
+    return x <= 0.0f ? 0.0f : x;
 }
 
 /* max (-x) (min x y): clamps y to -x … x; NaN if either is NaN. */

@@ -68,3 +68,44 @@ times count as 0, and times above 1e9 s as 1e9 s.
   1.3e+10 1e-09 1 2e+09
   2.1e+10 1e-09 1 3e+09
   2.1e+10 4 1 3e+09
+
+Modes limit the times that only they use. `follow` ignores a negative dt and NaN, and all times fit
+into 31 bits.
+
+  $ cd .. && mkdir modes && cp drive.c modes && cd modes && cat > clock.frob <<'FROB'
+  > main :: SF Float (Float[s], Float[1/s], Bool, Time)
+  > main = follow
+  > follow, rest, idle :: SF Float (Float[s], Float[1/s], Bool, Time)
+  > follow = switch (proc x -> ((0, derivative x, False, 0), after 0.3[s] ())) (\_ -> rest)
+  > rest = switch (proc _ -> ((0, 0, True, 0), after 0.1[s] ())) (\_ -> idle)
+  > idle = switch (proc x -> ((0, 0, False, 1[s]), edge (x > 8))) (\_ -> follow)
+  > FROB
+  $ frobc compile clock.frob && grep -o 'dt.* = frob_short.*' clock.c
+  dt_ns = frob_short_span(dt_ns);
+  dt = frob_short_dt(dt);
+  dt_ns = frob_short_span(dt_ns);
+  $ gcc $flags -fsanitize=undefined,float-cast-overflow clock.c drive.c -lm -o drive && ./drive
+  0 0 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 0 1 0
+  0 0 0 1
+  0 0 0 1
+  0 0 0 0
+  0 4 0 0
+  $ mkdir single && frobc compile --real float clock.frob -o single && cp drive.c single
+  $ cd single && gcc $flags -DSINGLE -fsanitize=undefined,float-cast-overflow clock.c drive.c -lm -o drive && ./drive
+  0 0 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 50 0 0
+  0 0 1 0
+  0 0 0 1
+  0 0 0 1
+  0 0 0 0
+  0 4 0 0

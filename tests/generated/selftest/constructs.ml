@@ -14,6 +14,7 @@ let rec ty (t : ty) =
   | Void -> note "Void"
   | Bool -> note "Bool"
   | Uint8 -> note "Uint8"
+  | Uint32 -> note "Uint32"
   | Int32 -> note "Int32"
   | Int64 -> note "Int64"
   | Real _ -> note "Real"

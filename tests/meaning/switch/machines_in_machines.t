@@ -33,7 +33,7 @@ runs, share their memory.
                       double x_integral_input;
                   } sway;
                   struct {
-                      int64_t time;
+                      uint32_t time;
                   } still;
               } sway_modes;
               union {
@@ -41,7 +41,7 @@ runs, share their memory.
                       double x_prev;
                   } hop;
                   struct {
-                      int64_t time;
+                      uint32_t time;
                   } land;
               } hop_modes;
           } main;

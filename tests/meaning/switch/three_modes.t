@@ -51,7 +51,7 @@ In C, the running mode takes a step and its event is tested; only then is an out
               double i_side_derivative_input; /* m, previous input at three_modes.frob:10 */
           } follow;
           struct {
-              int64_t time; /* time in ns at Prelude.frob:352 */
+              uint32_t time; /* time in ns at Prelude.frob:352 */
           } backUp;
           struct {
               bool delay; /* delay at Prelude.frob:382 */
@@ -69,8 +69,6 @@ In C, the running mode takes a step and its event is tested; only then is an out
   void three_modes_step_ns(struct three_modes_state *self, int64_t dt_ns, double dt,
           const struct three_modes_input *in, struct three_modes_output *out)
   {
-      dt_ns = frob_span(dt_ns);
-      dt = frob_dt(dt);
       double speed = 0.0;
       double turn = 0.0;
       switch (self->mode) {

@@ -14,26 +14,31 @@ stored once.
   > EOF
   $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
   state, in bytes
-    thenSF               32                             Prelude.frob
-      modes              24  memory for one of these    Prelude.frob
-        thenSF           24  mode                       Prelude.frob
-          modes          24  memory for one of these    lamp.frob:8
+    thenSF               24                             Prelude.frob
+      modes              16  memory for one of these    Prelude.frob
+        thenSF           16  mode                       Prelude.frob
+          modes          16  memory for one of these    lamp.frob:8
             sleepT       16  mode                       lamp.frob:3
               level       8  parameter                  lamp.frob:3
-              time        8  time in ns                 Prelude.frob
+              time        4  time in ns                 Prelude.frob
+              (padding)   4
             lamp         16  mode                       lamp.frob:4
               level       8  parameter                  lamp.frob:4
               delay       1  delay                      Prelude.frob
               (padding)   7
-            sleepT       24  mode                       lamp.frob:5
+            sleepT       16  mode                       lamp.frob:5
               level       8  parameter                  lamp.frob:5
               y           8  parameter                  lamp.frob:5
-              time        8  time in ns                 Prelude.frob
+      modes               4  memory for one of these    Prelude.frob
+        thenSF            4  mode                       Prelude.frob
+          modes           4  memory for one of these    lamp.frob:8
+            sleepT        4  mode                       lamp.frob:5
+              time        4  time in ns                 Prelude.frob
       mode                1  number of the active mode  Prelude.frob
       modes               1  memory for one of these    Prelude.frob
         thenSF            1  mode                       Prelude.frob
           mode            1  number of the active mode  lamp.frob:8
-      (padding)           6
+      (padding)           2
   
 
 A task that never ends stores nothing about its end: this one stores one number for the time and one
@@ -50,10 +55,10 @@ for the state, like hand-written code.
   struct FROB_OVERLAID blink_state {
       union {
           struct {
-              int64_t time; /* time in ns at Prelude.frob:358 */
+              uint32_t time; /* time in ns at Prelude.frob:358 */
           } sleepT;
           struct {
-              int64_t time; /* time in ns at Prelude.frob:358 */
+              uint32_t time; /* time in ns at Prelude.frob:358 */
           } sleepT_2;
       } modes;      /* state of the modes at blink.frob:2 */
       uint8_t mode; /* active mode at blink.frob:2 */

@@ -117,6 +117,7 @@ The same if one way to end is taken only if the other one's condition is also tr
   static inline void both_go_go_step(struct both_state *self, double dt, bool on, double x,
           double *out_2, bool *out_3, bool *out_4, double *out_x)
   {
+      dt = frob_dt(dt);
       self->modes.go.x_integral += dt * self->modes.go.x_integral_input;
       const bool t1 = x > 5.0;
       const bool t2 = t1 && on;

@@ -201,13 +201,29 @@ static void step_in_floats(const struct stepper *s, void *state, float dt, const
     }
 }
 
+/* Calls the step in the table. It must limit a dt that is out of range, so it gets such a dt as it
+ * is. */
+static void step_in_table(const struct stepper *s, void *state, bool is_first, double dt,
+                          const void *input, void *output)
+{
+    const int64_t rounded = s->is_single ? frob_whole_nsf((float)dt) : frob_whole_ns(dt);
+    int64_t dt_ns = is_first ? 0 : rounded;
+    double seconds = (double)dt_ns / 1e9;
+    if (!is_first && !(dt >= 0.0)) {
+        dt_ns = INT64_MIN;
+        seconds = dt < 0.0 ? -1.0 : dt;
+    } else if (!is_first && dt > 1e9) {
+        dt_ns = INT64_MAX;
+        seconds = (double)INFINITY;
+    }
+    s->program->step(state, s->params, dt_ns, seconds, input, output);
+}
+
 static void step(const struct stepper *s, void *state, bool is_first, double dt, const void *input,
                  void *output)
 {
-    const int64_t rounded = s->is_single ? frob_whole_nsf((float)dt) : frob_whole_ns(dt);
-    const int64_t dt_ns = is_first ? 0 : rounded;
     if (s->in_table)
-        s->program->step(state, s->params, dt_ns, (double)dt_ns / 1e9, input, output);
+        step_in_table(s, state, is_first, dt, input, output);
     else if (s->is_single)
         step_in_floats(s, state, (float)dt, input, output);
     else

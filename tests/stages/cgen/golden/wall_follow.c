@@ -15,7 +15,7 @@ void wall_follow_step_ns(struct wall_follow_state *self, int64_t dt_ns, double d
         const struct wall_follow_input *in, struct wall_follow_output *out)
 {
     (void)dt_ns;
-    dt = frob_dt(dt);
+    dt = frob_short_dt(dt);
     const double vCurr = in->f1;
     const double f = in->f2;
     const double s = in->f3;
