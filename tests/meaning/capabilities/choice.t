@@ -50,8 +50,8 @@ require one.
   error[E0502]: the type of `main` does not say which robot it runs on
   $ frobc report follow.frob --robot create | head -3
   state, in bytes
-    approach                  80                                follow.frob:4
-      frontSonar@CreateInput  72                                follow.frob:4
+    approach                                       72                                follow.frob:4
+      frontSonar@CreateInput.nearestAhead.lastHeard  48  2 times nearestAhead          Ranging.frob:86
 
 Both engines run it for any of these robots. A Create's light bumpers detect a wall at half a metre
 and nearer: the signal at one metre would be 2.5.
