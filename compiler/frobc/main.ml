@@ -303,6 +303,39 @@ let extras =
   command "extras" ~man ~doc:"install the Python packages that some commands use"
     Term.(const run $ action $ chosen)
 
+let ros2 =
+  let action =
+    let doc = "$(b,import) writes the module of a type of messages." in
+    Arg.(required & pos 0 (some (enum [ ("import", `Import) ])) None & info [] ~docv:"ACTION" ~doc)
+  in
+  let type_ =
+    let doc = "The package and the type of the messages, as in $(b,my_msgs/Wheels)." in
+    Arg.(required & pos 1 (some string) None & info [] ~docv:"PACKAGE/TYPE" ~doc)
+  in
+  let output =
+    let doc = "The file to write. The default is $(b,TYPEMsg.frob) in this folder." in
+    Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE.frob" ~doc)
+  in
+  let most =
+    let doc = "The maximum number of elements of sequences that have no maximum in ROS." in
+    Arg.(value & opt int 16 & info [ "most" ] ~docv:"N" ~doc)
+  in
+  let run `Import type_ output most =
+    if most < 1 then Reporting.wrong_use "--most is at least 1"
+    else Tools.Ros_import.import ~most ~output type_
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Reads the definition of a type of messages from the packages of the sourced ROS 2, and \
+         writes a module with its record, for nodes with topics of their own. The file states what \
+         it leaves out, such as text. You can edit it.";
+    ]
+  in
+  command "ros2" ~man ~doc:"import message types of ROS 2"
+    Term.(const run $ action $ type_ $ output $ most)
+
 let doctor =
   let man =
     [
@@ -373,6 +406,7 @@ let commands =
       header;
       explain;
       extras;
+      ros2;
       doctor;
       lsp;
     ]

@@ -78,7 +78,7 @@ let refuse c ~at text hint =
 
 let messages =
   "messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the \
-   module Ros"
+   module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message"
 
 (* Checks that a message can consist of values of this type. *)
 let rec check_part c ~at ~in_ (ty : Ir.ty) =

@@ -88,7 +88,7 @@ Fields that are not topics are named.
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }
     |                        ^^^^^^^^^^
     |
-    = hint: messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the module Ros
+    = hint: messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
   
   error[E0509]: the field `x'` of `In` is not a topic: a topic's name cannot contain `'`
    --> wrong.frob:4:42
@@ -120,7 +120,7 @@ Fields that are not topics are named.
   5 | data Out = Out { vel :: Event (Counted Twist) }
     |                         ^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the module Ros
+    = hint: messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
   
   error[E0509]: the instance of `Odd` does not name a type of messages
    --> wrong.frob:6:10

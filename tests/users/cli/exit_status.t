@@ -68,12 +68,12 @@ An empty file is an empty module:
 Wrong use:
 
   $ frobc
-  frobc: required COMMAND name is missing, must be one of 'build', 'check', 'compile', 'convert', 'demo', 'doctor', 'explain', 'export', 'extras', 'falsify', 'fix', 'format', 'header', 'help', 'lsp', 'new', 'report', 'run', 'selftest', 'serve', 'sweep', 'test', 'trace' or 'view'.
+  frobc: required COMMAND name is missing, must be one of 'build', 'check', 'compile', 'convert', 'demo', 'doctor', 'explain', 'export', 'extras', 'falsify', 'fix', 'format', 'header', 'help', 'lsp', 'new', 'report', 'ros2', 'run', 'selftest', 'serve', 'sweep', 'test', 'trace' or 'view'.
   Usage: frobc COMMAND …
   Try 'frobc --help' for more information.
   [2]
   $ frobc teleport good.frob
-  frobc: unknown command 'teleport', must be one of 'build', 'check', 'compile', 'convert', 'demo', 'doctor', 'explain', 'export', 'extras', 'falsify', 'fix', 'format', 'header', 'help', 'lsp', 'new', 'report', 'run', 'selftest', 'serve', 'sweep', 'test', 'trace' or 'view'.
+  frobc: unknown command 'teleport', must be one of 'build', 'check', 'compile', 'convert', 'demo', 'doctor', 'explain', 'export', 'extras', 'falsify', 'fix', 'format', 'header', 'help', 'lsp', 'new', 'report', 'ros2', 'run', 'selftest', 'serve', 'sweep', 'test', 'trace' or 'view'.
   Usage: frobc COMMAND …
   Try 'frobc --help' for more information.
   [2]

@@ -3,7 +3,7 @@ Each command has help, without errors in its text, which cmdliner would print ne
   $ frobc --help=plain > whole
   $ commands=$(frobc help nothing 2>&1 | sed -n 's/.*the commands are //p' | tr -d ,)
   $ echo $commands
-  help new demo check fix format compile trace run test sweep falsify view convert serve build export report selftest header explain extras doctor lsp
+  help new demo check fix format compile trace run test sweep falsify view convert serve build export report selftest header explain extras ros2 doctor lsp
   $ for command in $commands; do
   >   frobc $command --help=plain > help && grep -q '^SYNOPSIS' help || echo "$command"
   >   TERM=dumb frobc help $command 2>&1 | diff help - || echo "$command"

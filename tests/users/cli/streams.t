@@ -139,5 +139,5 @@ The language server writes only the protocol.
 The other commands do not take a program that could have a warning; the list below contains all
 commands.
 
-  $ frobc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | xargs
-  build check compile convert demo doctor explain export extras falsify fix format header help lsp new report run selftest serve sweep test trace view
+  $ frobc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z0-9]*\) .*/\1/p' | xargs
+  build check compile convert demo doctor explain export extras falsify fix format header help lsp new report ros2 run selftest serve sweep test trace view

@@ -1,0 +1,29 @@
+(** The definitions of message types in ROS 2: files with the suffix [.msg]. *)
+
+type base =
+  | Truth
+  | Real of int  (** bits *)
+  | Whole of { bits : int; signed : bool }
+  | Text
+  | Message of { package : string; name : string }
+
+type length = One | Exactly of int | At_most of int | Any
+
+type field = {
+  name : string;  (** as in the file: [angle_min] *)
+  base : base;
+  length : length;
+  comment : string;  (** behind the field and above it; [""] if there is none *)
+}
+
+type constant = { constant : string; base : base; value : string }
+type t = { fields : field list; constants : constant list }
+
+val parse : package:string -> file:string -> string -> (t, string) result
+(** Parses the text of a file of this package. The error names the file and the line. *)
+
+val type_text : field -> string
+(** The field's type as it is written in ROS: [float32[<=8]]. *)
+
+val is_name : string -> bool
+(** Can this be the name of a package, a type or a field? *)
