@@ -15,10 +15,16 @@ let of_two_modules words diagnostic =
         diagnostic
 
 (* A local function without a signature has only one type. *)
-let of_one_type words (expected : Expected.t) found diagnostic =
+let of_one_type words (expected : Expected.t) found (clash : Unify.clash) diagnostic =
   let shown t = Show.described words t in
   let quantity t = match Type.expand t with Type.Number _ -> true | _ -> false in
+  let is_of_a_number =
+    match clash with
+    | Different_units (u, v) -> Distant_number.compared words ~expected (u, v) <> None
+    | _ -> false
+  in
   match expected.because with
+  | _ when is_of_a_number -> diagnostic
   | Parameter { callee = Some name; of_local = Some first; _ }
     when not (String.equal (shown expected.ty) (shown found)) ->
       let variable = if quantity expected.ty && quantity found then "Float[u]" else "a" in
@@ -95,7 +101,8 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   Show.tell_apart words [ expected.ty; found ];
   let finish diagnostic =
     Expected.explain_all words ~subject expected diagnostic
-    |> of_one_type words expected found |> by_signature words expected |> of_two_modules words
+    |> of_one_type words expected found clash
+    |> by_signature words expected |> of_two_modules words
   in
   match clash with
   | Different_units _ when Setting_order.wrong words ~expected ~found <> None ->

@@ -27,6 +27,17 @@ A function without a signature compares its parameter with a number:
     = hint: write `0.4[m]` in the definition of `near` if that is its unit
   [1]
 
+Each use of a local function has this hint:
+
+  $ try 'main :: SF Distance Distance\nmain = proc x -> near x + near (2 * x) where\n    near d = d - 0.4' 'main :: SF Distance Distance\nmain = proc x -> near x + near (2 * x) where\n    near d = d - 0.4[m]'
+  error[E0320]: expected no unit, found `m`
+    |                  --- this number lacks the unit
+    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+  error[E0320]: expected no unit, found `m`
+    |                  --- this number lacks the unit
+    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+  [1]
+
 The result is one of several numbers:
 
   $ M='main :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR (speed (frontSonar i)) 0))'
