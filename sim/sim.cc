@@ -147,6 +147,20 @@ const frob_scan *frob_sim_scan(frob_sim *sim, std::size_t robot, int lidar, std:
     return sim->simulation.newest_scan(time_ns, static_cast<std::size_t>(lidar), robot);
 }
 
+frob_sim_bumps frob_sim_bumps_robot(const frob_sim *sim, std::size_t robot) {
+    constexpr double middle = 0.02; // m
+    frob_sim_bumps bumps{};
+    for (const Vec &at : sim->simulation.robot(robot).contacts().points()) {
+        if (at.x <= 0.0) {
+            bumps.back = 1;
+            continue;
+        }
+        if (at.y > -middle) bumps.left = 1;
+        if (at.y < middle) bumps.right = 1;
+    }
+    return bumps;
+}
+
 int frob_sim_open_imu(frob_sim *sim, const char *imu) {
     const auto number = sim->simulation.open_imu(imu);
     return number ? static_cast<int>(*number) : -1;

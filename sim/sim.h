@@ -107,6 +107,14 @@ int frob_sim_open_imu(struct frob_sim *sim, const char *imu);
 const char *frob_sim_imu_name(const struct frob_sim *sim, size_t number);
 const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu, int64_t time_ns);
 
+/* The parts of a robot's surface that touch an object now. */
+struct frob_sim_bumps {
+    int left, right; /* the halves of its front; a contact at the middle counts for both */
+    int back;
+};
+
+struct frob_sim_bumps frob_sim_bumps_robot(const struct frob_sim *sim, size_t robot);
+
 /* Commands the robot with its output struct until the next command. The simulator limits the
  * values to the robot's abilities, and stops the robot if any of them is NaN. `time_ns` is the
  * controller's instant, for the record. */

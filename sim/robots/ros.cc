@@ -7,7 +7,7 @@ namespace frob::sim {
 Ros::Ros(const Scene &scene, std::uint64_t seed) : Robot(turtlebot4::chassis(), scene, seed) {}
 
 // The node of a robot base computes the speeds of the base from those of the wheels.
-void Ros::read(std::int64_t, void *into) {
+void Ros::read(std::int64_t time_ns, void *into) {
     frob_ros_input input{};
     const Pose &believed = odometry_.pose();
     const double left = drive_.left_speed(), right = drive_.right_speed();
@@ -16,6 +16,7 @@ void Ros::read(std::int64_t, void *into) {
     input.odometry.heading = believed.heading;
     input.speed = (left + right) / 2.0;
     input.turning = (right - left) / chassis_.wheel_separation;
+    input.battery = battery_voltage(time_ns);
     *static_cast<frob_ros_input *>(into) = input;
 }
 

@@ -26,6 +26,7 @@ namespace {
 constexpr std::int64_t step_ns = 5'000'000;
 constexpr std::int64_t clock_ns = 10'000'000;     // period of /clock
 constexpr std::int64_t odometry_ns = 20'000'000;  // period of odom
+constexpr std::int64_t states_ns = 50'000'000;    // period of the bumpers and the battery
 constexpr std::int64_t patience_ns = 500'000'000; // the robot stops after this time without a
                                                   // velocity, as most robots do
 constexpr int start_ms = 20000;
@@ -45,7 +46,7 @@ void turn_by(double heading, double (&rotation)[4]) {
 
 RosRobot::RosRobot(frob_sim *sim, const std::string &node, bool stamped,
                    const std::vector<std::string> &arguments)
-    : sim_(sim), scan_(std::make_unique<ros_scan>()), epoch_ns_(real_time_ns()) {
+    : sim_(sim), cameras_(sim), scan_(std::make_unique<ros_scan>()), epoch_ns_(real_time_ns()) {
     open_sensors();
     start(node, stamped, arguments);
 }
@@ -85,6 +86,7 @@ void RosRobot::start(const std::string &node, bool stamped,
     for (const Sensor &sensor : sensors_)
         words.push_back((sensor.is_lidar ? "scan=" : "imu=") + sensor.topic + ',' +
                         std::to_string(sensor.ahead) + ',' + std::to_string(sensor.left));
+    for (const std::string &word : cameras_.arguments()) words.push_back(word);
     words.push_back("--");
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> argv;
@@ -152,6 +154,19 @@ void RosRobot::send_odometry(std::int64_t time_ns) {
     send(m.head);
 }
 
+void RosRobot::send_states(std::int64_t time_ns) {
+    frob_ros_input input{};
+    frob_sim_read(sim_, &input);
+    const frob_sim_bumps bumps = frob_sim_bumps_robot(sim_, 0);
+    auto m = message<ros_states>(ROS_STATES);
+    m.stamp_ns = epoch_ns_ + time_ns;
+    m.pressed[0] = bumps.left != 0;
+    m.pressed[1] = bumps.right != 0;
+    m.pressed[2] = bumps.back != 0;
+    m.battery_v = input.battery;
+    send(m.head);
+}
+
 void RosRobot::send_scan(std::uint32_t sensor, std::int64_t time_ns) {
     const frob_scan *scan = frob_sim_scan(sim_, 0, sensors_[sensor].number, time_ns);
     if (scan == nullptr) return;
@@ -196,11 +211,16 @@ void RosRobot::look(std::int64_t time_ns) {
         send(m.head);
     }
     if (time_ns % odometry_ns == 0) send_odometry(time_ns);
+    if (time_ns % states_ns == 0) send_states(time_ns);
     for (std::uint32_t i = 0; i < sensors_.size(); ++i)
         if (sensors_[i].is_lidar)
             send_scan(i, time_ns);
         else
             send_imu(i, time_ns);
+    cameras_.advance(time_ns, [this](ros_image &image) {
+        image.stamp_ns += epoch_ns_;
+        send(image.head);
+    });
 }
 
 void RosRobot::command(std::int64_t time_ns, double speed, double turn) {

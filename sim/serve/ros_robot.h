@@ -16,6 +16,7 @@
 
 #include <hosts/ros/messages.h>
 
+#include "ros_cameras.h"
 #include "sim.h"
 
 namespace frob::serve {
@@ -24,7 +25,7 @@ class RosRobot {
   public:
     using Log = std::function<void(std::int64_t time_ns, const std::string &text)>;
 
-    // Opens the world's lidars and inertial measurement units, starts the node, and waits until it
+    // Opens the world's lidars, inertial measurement units and cameras, starts the node, and waits until it
     // has joined the ROS 2 system. `node`: the executable. `stamped`: cmd_vel is a TwistStamped.
     // Throws WrongUse.
     RosRobot(frob_sim *sim, const std::string &node, bool stamped,
@@ -57,6 +58,7 @@ class RosRobot {
     void start(const std::string &node, bool stamped, const std::vector<std::string> &arguments);
     void look(std::int64_t time_ns);
     void send_odometry(std::int64_t time_ns);
+    void send_states(std::int64_t time_ns);
     void send_scan(std::uint32_t sensor, std::int64_t time_ns);
     void send_imu(std::uint32_t sensor, std::int64_t time_ns);
     bool receive(std::int64_t time_ns);
@@ -67,6 +69,7 @@ class RosRobot {
 
     frob_sim *sim_;
     std::vector<Sensor> sensors_;
+    RosCameras cameras_;
     int socket_ = -1;
     pid_t process_ = 0;
     ros_started started_{};

@@ -10,6 +10,8 @@ const struct source_kind *source_kind_of(const char *name)
     struct stat status;
     if (strncmp(name, "http://", 7) == 0)
         return &source_http;
+    if (strncmp(name, SOURCE_TOPIC, strlen(SOURCE_TOPIC)) == 0)
+        return &source_topic;
     if (stat(name, &status) != 0)
         return strncmp(name, "/dev/", 5) == 0 ? &source_device : &source_stream;
     if (S_ISDIR(status.st_mode))

@@ -41,12 +41,16 @@ struct source {
     char what[128];   /* while open: how it captures, such as "YUYV at 30 Hz"; or empty */
 };
 
+/* Begins the name of a topic in ROS 2 (hosts/ros/camera.h). */
+#define SOURCE_TOPIC "ros:"
+
 /* Returns the kind of the source that the user has named: a device, an address or a folder;
  * anything else is a file or pipe. A name that does not exist (yet) is a device if it is in /dev,
  * and a file otherwise. */
 const struct source_kind *source_kind_of(const char *name);
 
-extern const struct source_kind source_folder, source_stream, source_http, source_device;
+extern const struct source_kind source_folder, source_stream, source_topic, source_http,
+    source_device;
 
 /* Formats the message `fault`, and returns `result`. */
 enum source_result source_fail(struct source *s, enum source_result result, const char *format, ...)

@@ -21,10 +21,21 @@ struct stream {
     struct splitter splitter;
 };
 
+/* Writes the path of the pipe or file to `path`. The source ros:TOPIC#DESCRIPTOR is a pipe that this
+ * process has inherited, to which another process writes the images of the topic. */
+static void path_of(const char *name, char *path, size_t room)
+{
+    const char *descriptor = strrchr(name, '#');
+    if (strncmp(name, SOURCE_TOPIC, strlen(SOURCE_TOPIC)) == 0 && descriptor != NULL)
+        snprintf(path, room, "/proc/self/fd/%s", descriptor + 1);
+    else
+        snprintf(path, room, "%s", name);
+}
+
 /* Opens the pipe or file without waiting for a writer. */
 static bool open_stream(struct source *s)
 {
-    const char *name = s->options->source;
+    char name[4096];
     struct stream *t = (struct stream *)calloc(1, sizeof *t);
     struct stat status;
     if (t == NULL || !splitter_open(&t->splitter, decode_raw_size(s->options))) {
@@ -32,6 +43,7 @@ static bool open_stream(struct source *s)
         free(t);
         return false;
     }
+    path_of(s->options->source, name, sizeof name);
     t->file = open(name, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (t->file < 0 || fstat(t->file, &status) != 0) {
         source_fail(s, SOURCE_FAULT, "it cannot be opened: %s%s", strerror(errno),
@@ -146,4 +158,8 @@ const struct source_kind source_stream = {
     close_stream,
     false,
     "no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames",
+};
+
+const struct source_kind source_topic = {
+    open_stream, next, close_stream, false, "no image arrives on the topic",
 };

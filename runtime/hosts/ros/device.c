@@ -50,11 +50,13 @@ static void start(void *device, const double *values, const struct frob_serial *
     const struct sim_clock sim_clock = d->sim_clock;
     const uint32_t resets = d->managed.resets;
     const bool drove = d->drove, gave = d->gave;
+    const double battery_v = gave ? d->battery_v : (double)NAN;
     memset(d, 0, sizeof *d);
     d->motion = motion;
     d->sim_clock = sim_clock;
     d->managed.resets = resets;
     d->managed.is_active = values[ROS_LIFECYCLE] <= 0.0;
+    d->battery_v = battery_v;
     d->drove = drove;
     d->gave = gave;
     d->settings = values;
@@ -202,6 +204,14 @@ static void take_imu(struct ros_device *d, const struct ros_imu *message)
     sensor->fresh = true;
 }
 
+/* A robot may publish a bumper only when it changes, so silence is normal. */
+static void take_bumper(struct ros_device *d, const struct ros_bumper *message)
+{
+    struct ros_sensor *sensor = sensor_of(d, ROS_BUMPER, &message->origin);
+    if (sensor != NULL)
+        sensor->is_pressed = message->is_pressed;
+}
+
 /* Sets the event of one control. A control may share its sensor with others. */
 static void give(const struct ros_sensor *sensor, const struct frob_control *control, void *input,
                  int64_t now_ns)
@@ -335,14 +345,19 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
     struct ros_device *d = (struct ros_device *)device;
     give_dials(d, program, input);
     for (size_t i = 0; i < program->control_count; i++) {
+        const struct frob_control *control = &program->console[i];
         struct ros_sensor *sensor = NULL;
         char name[ROS_NAME];
-        if (!ros_topic_of(&program->console[i], name, sizeof name))
+        if (!ros_topic_of(control, name, sizeof name))
             continue;
         for (size_t k = 0; k < ROS_SENSORS_MOST; k++)
             if (d->sensors[k].used && d->sensors[k].control == ros_first_user(program, i))
                 sensor = &d->sensors[k];
-        give(sensor, &program->console[i], input, now_ns);
+        if (control->kind == FROB_HOLD)
+            frob_console_touch(program, input, i, sensor != NULL && sensor->is_pressed ? 1.0 : 0.0,
+                               0.0);
+        else
+            give(sensor, control, input, now_ns);
     }
     for (size_t k = 0; k < ROS_SENSORS_MOST; k++) {
         if (d->sensors[k].fresh)
@@ -363,6 +378,8 @@ static void take(struct ros_device *d)
     case ROS_IMU: take_imu(d, &d->message.imu); break;
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
     case ROS_TOUCH: take_touch(d, &d->message.touch); break;
+    case ROS_BUMPER: take_bumper(d, &d->message.bumper); break;
+    case ROS_BATTERY: d->battery_v = d->message.battery.voltage_v; break;
     case ROS_STATE: take_state(d, &d->message.state); break;
     default:
         if (d->take_other != NULL)
@@ -491,6 +508,7 @@ static void sense(void *device, void *input)
     i->odometry.heading = d->motion.heading_rad;
     i->speed = d->motion.speed_m_s;
     i->turning = d->motion.turning_rad_s;
+    i->battery = d->battery_v;
 }
 
 static const char *describe(const void *device)

@@ -46,7 +46,7 @@ struct ros_topic {
     const char *told_bad;    /* the last reported reason for rejecting a message */
 };
 
-/* A lidar or inertial measurement unit. */
+/* A lidar, inertial measurement unit or bumper. */
 struct ros_sensor {
     bool used;
     enum ros_kind kind;
@@ -58,6 +58,7 @@ struct ros_sensor {
     double ranges_m[ROS_RAYS_MOST];
     uint32_t number; /* counts the scans */
     struct ros_measurements sums;
+    bool is_pressed; /* a bumper */
 };
 
 /* A control of the console whose value other nodes may set. */
@@ -87,12 +88,15 @@ struct ros_device {
         struct ros_clock clock;
         struct ros_touch touch;
         struct ros_state state;
+        struct ros_bumper bumper;
+        struct ros_battery battery;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the message being received */
     size_t have; /* number of its bytes so far */
     struct ros_started started;
     struct ros_topic odometry;
     struct ros_motion motion;
+    double battery_v;  /* NaN: not known yet */
     int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
     struct sim_clock sim_clock;

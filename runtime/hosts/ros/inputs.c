@@ -19,11 +19,23 @@ static void add(struct inputs *inputs, enum ros_kind kind, const char *name)
 
 bool inputs_is_sensor(const struct input *input)
 {
-    return input->kind == ROS_SCAN || input->kind == ROS_IMU;
+    return input->kind == ROS_SCAN || input->kind == ROS_IMU || input->kind == ROS_BUMPER;
+}
+
+static enum ros_kind kind_of(const struct frob_control *control)
+{
+    switch (control->kind) {
+    case FROB_IMU: return ROS_IMU;
+    case FROB_HOLD: return ROS_BUMPER;
+    default: return ROS_SCAN;
+    }
 }
 
 bool inputs_is_needed(const struct input *input)
 {
+    /* Robots without a battery topic are common, and most programs do not use it. */
+    if (input->kind == ROS_BATTERY)
+        return false;
     return input->kind != ROS_TOPIC || input->own.parts.event == NULL;
 }
 
@@ -57,7 +69,7 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
     const size_t own = program->node != NULL ? program->node->input_count : 0;
     size_t sensors = 0;
     memset(inputs, 0, sizeof *inputs);
-    inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + 2, sizeof *inputs->each);
+    inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + 3, sizeof *inputs->each);
     inputs->values = (char *)calloc(1, program->input_size + 1);
     inputs->value = (struct ros_topic_message *)calloc(1, ROS_MESSAGE_MOST);
     if (inputs->each == NULL || inputs->values == NULL || inputs->value == NULL) {
@@ -67,8 +79,10 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
     for (size_t i = 0; i < own; i++)
         if (!add_own(inputs, program, i, why, room))
             return false;
-    if (program->node == NULL)
+    if (program->node == NULL) {
         add(inputs, ROS_ODOMETRY, "odom");
+        add(inputs, ROS_BATTERY, "battery_state");
+    }
     if (use_sim_time)
         add(inputs, ROS_CLOCK, "/clock");
     for (size_t i = 0; i < program->control_count; i++) {
@@ -77,11 +91,11 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
             ros_first_user(program, i) < i)
             continue;
         if (sensors++ == ROS_SENSORS_MOST) {
-            snprintf(why, room, "the program uses more than eight sensors");
+            snprintf(why, room, "the program uses more than eight sensors and bumpers");
             return false;
         }
         inputs->each[inputs->count].control = (uint32_t)i;
-        add(inputs, program->console[i].kind == FROB_IMU ? ROS_IMU : ROS_SCAN, name);
+        add(inputs, kind_of(&program->console[i]), name);
     }
     return true;
 }
@@ -99,6 +113,16 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
         input->topic.type = "sensor_msgs/msg/Imu";
         return sensor_msgs__msg__Imu__init(&input->message.imu)
                    ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, Imu)
+                   : NULL;
+    case ROS_BUMPER:
+        input->topic.type = "std_msgs/msg/Bool";
+        return std_msgs__msg__Bool__init(&input->message.bumper)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(std_msgs, msg, Bool)
+                   : NULL;
+    case ROS_BATTERY:
+        input->topic.type = "sensor_msgs/msg/BatteryState";
+        return sensor_msgs__msg__BatteryState__init(&input->message.battery)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, BatteryState)
                    : NULL;
     case ROS_CLOCK:
         input->topic.type = "rosgraph_msgs/msg/Clock";
@@ -261,6 +285,26 @@ static void send_value(struct inputs *inputs, struct input *input, int socket)
     send_message(socket, &value->head);
 }
 
+static void send_bumper(const struct input *input, int socket)
+{
+    struct ros_bumper bumper;
+    memset(&bumper, 0, sizeof bumper);
+    bumper.head = head(ROS_BUMPER, sizeof bumper);
+    bumper.origin.control = input->control;
+    bumper.origin.arrived_ns = node_now_ns();
+    bumper.is_pressed = input->message.bumper.data;
+    send_message(socket, &bumper.head);
+}
+
+static void send_battery(const struct input *input, int socket)
+{
+    struct ros_battery battery;
+    memset(&battery, 0, sizeof battery);
+    battery.head = head(ROS_BATTERY, sizeof battery);
+    battery.voltage_v = (double)input->message.battery.voltage;
+    send_message(socket, &battery.head);
+}
+
 void inputs_take(struct inputs *inputs, struct input *input, int socket)
 {
     void *message = input->kind == ROS_TOPIC ? input->own.message : &input->message;
@@ -270,6 +314,8 @@ void inputs_take(struct inputs *inputs, struct input *input, int socket)
         case ROS_TOPIC: send_value(inputs, input, socket); break;
         case ROS_SCAN: send_scan(inputs, input, socket); break;
         case ROS_IMU: send_imu(input, socket); break;
+        case ROS_BUMPER: send_bumper(input, socket); break;
+        case ROS_BATTERY: send_battery(input, socket); break;
         case ROS_CLOCK: send_clock(inputs, input, socket); break;
         default: send_odometry(&input->message.odometry, socket); break;
         }

@@ -7,8 +7,10 @@
 #include <nav_msgs/msg/odometry.h>
 #include <rcl/rcl.h>
 #include <rosgraph_msgs/msg/clock.h>
+#include <sensor_msgs/msg/battery_state.h>
 #include <sensor_msgs/msg/imu.h>
 #include <sensor_msgs/msg/laser_scan.h>
+#include <std_msgs/msg/bool.h>
 
 #include "conversion.h"
 #include "messages.h"
@@ -40,6 +42,8 @@ struct input {
         sensor_msgs__msg__LaserScan scan;
         sensor_msgs__msg__Imu imu;
         rosgraph_msgs__msg__Clock clock;
+        std_msgs__msg__Bool bumper;
+        sensor_msgs__msg__BatteryState battery;
     } message;
 };
 
@@ -60,7 +64,7 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
 /* Returns whether the program cannot run before a message arrives. */
 bool inputs_is_needed(const struct input *input);
 
-/* Returns whether the input is a sensor of the program. */
+/* Returns whether the input is a sensor or bumper that the program uses. */
 bool inputs_is_sensor(const struct input *input);
 
 /* Subscribes to all topics. Returns NULL, or the name of the topic that failed. */

@@ -4,6 +4,7 @@
  * Exit status: as in hosts/robot/main.c. */
 #include "hosts/robot/host.h"
 
+#include "camera.h"
 #include "device.h"
 #include "opening.h"
 #include "overrides.h"
@@ -16,14 +17,18 @@ extern const struct frob_program frob_program;
 
 int main(int argc, char **argv)
 {
+    struct camera_sources sources;
     struct overrides overrides;
     int status;
-    if (ros_is_node(argc, argv, &frob_program, &status))
+    if (ros_is_node(argc, argv, &frob_program, &status) || camera_is_node(argc, argv, &status))
         return status;
     overrides = overrides_of(argc, argv, &frob_program);
     if (overrides.argv == NULL)
         return WRONG_USE;
-    return host_run(overrides.argc, overrides.argv, &frob_program,
+    sources = camera_sources_of(overrides.argc, overrides.argv, &frob_program);
+    if (sources.argv == NULL)
+        return WRONG_USE;
+    return host_run(sources.argc, sources.argv, &frob_program,
                     frob_program.node != NULL ? ros_own_driver(&frob_program) : &frob_ros_driver,
                     &ros_opening);
 }

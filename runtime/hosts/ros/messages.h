@@ -17,9 +17,13 @@ enum ros_kind {
     ROS_SCAN,
     ROS_IMU,
     ROS_CLOCK, /* the simulator's time; the rest is a struct ros_clock */
-    ROS_STATE, /* a managed node has changed its state; the rest is a struct ros_state */
-    ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
-    ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, and then the value */
+    ROS_BUMPER,
+    ROS_BATTERY,
+    ROS_STATES, /* the simulated robot's bumpers and battery; the rest is a struct ros_states */
+    ROS_IMAGE,  /* the simulated robot's camera has taken an image; a struct ros_image */
+    ROS_STATE,  /* a managed node has changed its state; the rest is a struct ros_state */
+    ROS_NAMED,  /* the name of a topic of the program's own; the rest is a struct ros_named */
+    ROS_TOPIC,  /* a message on such a topic: a struct ros_topic_message, and then the value */
     /* To the node. */
     ROS_VELOCITY,
     /* An instant of the run, or its columns: a struct ros_text and then the text. */
@@ -93,6 +97,40 @@ struct ros_imu {
     double rate_radps[3], acceleration_mps2[3];
     double rotation[4]; /* quaternion: x, y, z, w */
     bool has_rotation;
+};
+
+/* A std_msgs/msg/Bool. It has no timestamp. */
+struct ros_bumper {
+    struct ros_head head;
+    struct ros_origin origin;
+    bool is_pressed;
+};
+
+/* The voltage of a sensor_msgs/msg/BatteryState. */
+struct ros_battery {
+    struct ros_head head;
+    double voltage_v;
+};
+
+enum { ROS_BUMPERS = 3 };
+
+/* Sent by the simulator. */
+struct ros_states {
+    struct ros_head head;
+    int64_t stamp_ns;
+    bool pressed[ROS_BUMPERS]; /* left, right, back */
+    double battery_v;
+};
+
+enum { ROS_CAMERAS_MOST = 4, ROS_IMAGE_SLOTS = 4, ROS_IMAGE_MOST = 3 * 1920 * 1080 };
+
+/* Sent by the simulator. The pixels are in the slot of the memory that is shared for this camera,
+ * row by row without gaps. */
+struct ros_image {
+    struct ros_head head;
+    uint32_t camera, slot;
+    int64_t stamp_ns;
+    uint32_t width, height, channels; /* 1: grey, 3: red, green and blue */
 };
 
 /* A rosgraph_msgs/msg/Clock. */

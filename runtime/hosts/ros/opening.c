@@ -16,6 +16,7 @@
 
 #include "hosts/common/params.h"
 
+#include "bumpers.h"
 #include "device.h"
 #include "messages.h"
 #include "node.h"
@@ -122,6 +123,8 @@ static enum frob_status open_node(struct line *line, const double *settings, cha
 {
     int sockets[2];
     enum frob_status status;
+    if (!bumpers_check(line->params->program, line->arguments, line->argument_count, message, room))
+        return FROB_REFUSED;
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) {
         snprintf(message, room, "cannot start the ROS 2 node: %s", strerror(errno));
         return FROB_LOST;

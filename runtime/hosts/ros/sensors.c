@@ -1,5 +1,6 @@
 #include "sensors.h"
 
+#include "bumpers.h"
 #include "odometry.h"
 
 #include <math.h>
@@ -103,6 +104,11 @@ static size_t name_length(const struct frob_control *control)
 bool ros_topic_of(const struct frob_control *control, char *name, size_t room)
 {
     const size_t length = name_length(control);
+    const char *bumper = bumpers_topic(control);
+    if (bumper != NULL) {
+        snprintf(name, room, "%s", bumper);
+        return true;
+    }
     if (length == 0)
         return false;
     snprintf(name, room, "%.*s", (int)length, control->label);
@@ -116,6 +122,8 @@ size_t ros_first_user(const struct frob_program *program, size_t i)
     const struct frob_control *control = &program->console[i];
     const size_t length = name_length(control);
     size_t k = 0;
+    if (length == 0)
+        return i;
     while (program->console[k].kind != control->kind ||
            name_length(&program->console[k]) != length ||
            strncmp(program->console[k].label, control->label, length) != 0)

@@ -43,7 +43,7 @@ struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_
 void ros_imu_restart(struct ros_measurements *sums);
 
 /* Returns the name of the topic for a control, without namespace: for a lidar `scan`, for a unit
- * `imu`, and for others the name in the program. Returns false if the control is not a sensor. */
+ * `imu`, for bumpers such as `bumper_left`, and for others the name in the program. Returns false if the control is not a sensor. */
 bool ros_topic_of(const struct frob_control *control, char *name, size_t room);
 
 /* Returns the first control that uses the same sensor as control `i`. */

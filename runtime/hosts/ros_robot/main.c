@@ -1,7 +1,8 @@
 /* The ROS 2 node of a simulated robot. `frobc serve --robot ros` compiles it, and the simulator
  * (sim/serve/ros_robot.cc) starts it:
  *
- *   robot SOCKET [stamped] [SENSOR=TOPIC,X,Y]... -- [ARGUMENT FOR ROS]...
+ *   robot SOCKET [stamped] [SENSOR=TOPIC,X,Y]... [camera=TOPIC,NAME,DESCRIPTOR]...
+ *     -- [ARGUMENT FOR ROS]...
  *
  * SENSOR is `scan` or `imu`, and (X, Y) is its position on the robot in metres.
  *
@@ -34,6 +35,8 @@
 
 #include "hosts/ros/messages.h"
 
+#include "images.h"
+#include "states.h"
 #include "transforms.h"
 
 #define CHECK_NS INT64_C(1000000000)
@@ -53,6 +56,8 @@ union message {
     struct ros_scan scan;
     struct ros_imu imu;
     struct ros_clock clock;
+    struct ros_states states;
+    struct ros_image image;
 };
 
 struct robot {
@@ -62,6 +67,8 @@ struct robot {
     size_t sensor_count;
     struct seat seats[ROS_SENSORS_MOST]; /* of the sensors */
     struct transforms transforms;
+    struct states states;
+    struct images images;
     rcl_context_t context;
     rcl_node_t node;
     rcl_publisher_t odometry, clock;
@@ -143,6 +150,7 @@ static bool prepare_messages(struct robot *r)
 static bool open_topics(struct robot *r)
 {
     rcl_subscription_options_t options = rcl_subscription_get_default_options();
+    const char *failed;
     bool ok = prepare_messages(r) || refuse(r, "not enough memory");
     ok = ok && advertise(r, &r->odometry, "odom", 10,
                          ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Odometry));
@@ -156,6 +164,14 @@ static bool open_topics(struct robot *r)
     }
     if (!ok)
         return false;
+    failed = states_start(&r->states, &r->node);
+    if (failed == NULL)
+        failed = images_start(&r->images, &r->node);
+    if (failed != NULL) {
+        char what[ROS_NAME + 32];
+        snprintf(what, sizeof what, "cannot publish %s", failed);
+        return refuse(r, what);
+    }
     /* Best-effort delivery matches every publisher. */
     options.qos = rmw_qos_profile_sensor_data;
     r->velocity = rcl_get_zero_initialized_subscription();
@@ -297,6 +313,8 @@ static void *publish_all(void *of)
         case ROS_ODOMETRY: publish_odometry(r, &m->odometry); break;
         case ROS_SCAN: publish_scan(r, &m->scan); break;
         case ROS_IMU: publish_imu(r, &m->imu); break;
+        case ROS_IMAGE: images_publish(&r->images, &m->image); break;
+        case ROS_STATES: states_publish(&r->states, &m->states); break;
         case ROS_CLOCK:
             r->clock_message.clock = time_of(m->clock.time_ns);
             publish(&r->clock, &r->clock_message);
@@ -403,6 +421,8 @@ static void leave(struct robot *r)
 {
     bool ok = rcl_subscription_fini(&r->velocity, &r->node) == RCL_RET_OK;
     ok = transforms_end(&r->transforms, &r->node) && ok;
+    ok = states_end(&r->states, &r->node) && ok;
+    ok = images_end(&r->images, &r->node) && ok;
     for (size_t i = 0; i < r->sensor_count; i++)
         ok = rcl_publisher_fini(&r->sensors[i].publisher, &r->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&r->odometry, &r->node) == RCL_RET_OK && ok;
@@ -439,7 +459,7 @@ static int read_arguments(struct robot *r, int argc, char **argv)
     for (; i < argc && strcmp(argv[i], "--") != 0; i++) {
         if (strcmp(argv[i], "stamped") == 0)
             r->stamped = true;
-        else
+        else if (!images_argument(&r->images, argv[i]))
             read_sensor(r, argv[i]);
     }
     return i;

@@ -1,5 +1,6 @@
 #include "devices.h"
 
+#include <frob/console.h>
 #include <frob/imu.h>
 #include <frob/lidar.h>
 
@@ -111,6 +112,23 @@ static void give_scan(const struct devices *d, size_t first, const struct frob_s
             frob_lidar_give(&program->console[i], input, scan, now_ns);
 }
 
+/* Presses the bumpers of the robot `ros`, which are held buttons with these labels. */
+static void give_bumpers(const struct devices *d, size_t robot, void *input)
+{
+    const struct frob_sim_bumps bumps = frob_sim_bumps_robot(d->sim, robot);
+    const struct {
+        const char *label;
+        int is_pressed;
+    } each[] = { { "left bumper", bumps.left },
+                 { "right bumper", bumps.right },
+                 { "back bumper", bumps.back } };
+    for (size_t i = 0; i < d->program->control_count; i++)
+        for (size_t k = 0; k < sizeof each / sizeof each[0]; k++)
+            if (d->program->console[i].kind == FROB_HOLD &&
+                strcmp(d->program->console[i].label, each[k].label) == 0)
+                frob_console_touch(d->program, input, i, each[k].is_pressed != 0 ? 1.0 : 0.0, 0.0);
+}
+
 void devices_give(const struct devices *d, size_t robot, int64_t now_ns, void *input)
 {
     for (size_t i = 0; i < d->program->control_count; i++) {
@@ -123,6 +141,8 @@ void devices_give(const struct devices *d, size_t robot, int64_t now_ns, void *i
         else
             give_scan(d, i, frob_sim_scan(d->sim, robot, d->numbers[i], now_ns), now_ns, input);
     }
+    if (strcmp(d->program->robot, "ros") == 0)
+        give_bumpers(d, robot, input);
 }
 
 void devices_close(struct devices *d)

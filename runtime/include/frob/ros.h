@@ -51,6 +51,7 @@ struct frob_ros_input {
     struct frob_pose odometry;
     double speed;
     double turning;
+    double battery;
     struct frob_event_int key;
 };
 

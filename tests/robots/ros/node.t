@@ -16,8 +16,8 @@ The first velocity is zero.
   0.000 0.000
   0.200 0.000
   0.000 0.000
-  $ head -1 log.csv; tail -1 log.csv | awk -F, '{ print ($2 >= 0.3 && $2 < 0.4), $8 }'
-  time,in.odometry.position.x,in.odometry.position.y,in.odometry.heading,in.speed,in.turning,in.key,out.forward,out.turn
+  $ head -1 log.csv; tail -1 log.csv | awk -F, '{ print ($2 >= 0.3 && $2 < 0.4), $9 }'
+  time,in.odometry.position.x,in.odometry.position.y,in.odometry.heading,in.speed,in.turning,in.battery,in.key,out.forward,out.turn
   1 0
 
 Arguments for ROS 2 follow --ros-args, up to a `--`.
@@ -194,7 +194,7 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
   $ faults= ; run_approach; cat messages
   $ tail -1 log.csv | cut -d, -f2 | awk '{ print ($1 > 0.25 && $1 < 0.31) }'
   1
-  $ head -1 log.csv | cut -d, -f8-
+  $ head -1 log.csv | cut -d, -f9-
   in.console.imu,in.console.lidar 36,in.console.lidar 4,out.forward,out.turn
   $ grep -c 'Scan {ranges = .*Nothing' log.csv | awk '{ print ($1 > 10) }'
   1

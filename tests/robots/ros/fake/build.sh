@@ -41,6 +41,10 @@ header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_array.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_status.h
 header std_msgs std_msgs/msg/string.h
+header std_msgs std_msgs/msg/bool.h
+header sensor_msgs sensor_msgs/msg/battery_state.h
+header sensor_msgs sensor_msgs/msg/image.h
+header sensor_msgs sensor_msgs/msg/compressed_image.h
 header nav_msgs nav_msgs/msg/odometry.h
 header sensor_msgs sensor_msgs/msg/laser_scan.h
 header sensor_msgs sensor_msgs/msg/imu.h

@@ -222,6 +222,23 @@ static void imu(sensor_msgs__msg__Imu *m)
     m->orientation.w = cos(0.25);
 }
 
+/* A camera that sees only red. Its rows have three bytes more than they need. */
+static void image(sensor_msgs__msg__Image *m)
+{
+    enum { WIDTH = 40, HEIGHT = 30, STEP = 3 * WIDTH + 3 };
+    static uint8_t pixels[STEP * HEIGHT];
+    for (size_t y = 0; y < HEIGHT; y++)
+        for (size_t x = 0; x < WIDTH; x++)
+            pixels[y * STEP + 3 * x + 2] = 250;
+    memset(m, 0, sizeof *m);
+    m->encoding.data = has("yuv") ? "yuv422" : "bgr8";
+    m->width = WIDTH;
+    m->height = HEIGHT;
+    m->step = STEP;
+    m->data.data = pixels;
+    m->data.size = sizeof pixels;
+}
+
 /* The commands that the node of a simulated robot receives: during the fault "drive", drive ahead. */
 static bool velocity(geometry_msgs__msg__Twist *m)
 {
@@ -240,9 +257,15 @@ static bool enable(std_msgs__msg__Bool *m)
 /* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
-    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, enable_ns = 0;
+    static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, bumper_ns = 0,
+                   battery_ns = 0, image_ns = 0;
+    if (subscription->type == &fake_sensor_msgs_Image ||
+        subscription->type == &fake_sensor_msgs_CompressedImage)
+        return &image_ns;
     if (subscription->type == &fake_std_msgs_Bool)
-        return &enable_ns;
+        return &bumper_ns;
+    if (subscription->type == &fake_sensor_msgs_BatteryState)
+        return &battery_ns;
     if (subscription->type == &fake_geometry_msgs_Twist)
         return &velocity_ns;
     if (subscription->type == &fake_rosgraph_msgs_Clock)
@@ -266,11 +289,19 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return odometry((nav_msgs__msg__Odometry *)into, stamp_ns) ? RCL_RET_OK : RCL_RET_ERROR;
     }
     *next_ns = now_ns() + 5 * PERIOD_NS;
-    if (subscription->type == &fake_std_msgs_Bool)
+    if (subscription->type == &fake_std_msgs_Bool && strstr(subscription->topic, "bump") == NULL)
         return enable((std_msgs__msg__Bool *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_geometry_msgs_Twist)
         return velocity((geometry_msgs__msg__Twist *)into) ? RCL_RET_OK : RCL_RET_ERROR;
-    if (subscription->type == &fake_rosgraph_msgs_Clock) {
+    if (subscription->type == &fake_sensor_msgs_CompressedImage)
+        return RCL_RET_ERROR;
+    if (subscription->type == &fake_sensor_msgs_Image) {
+        image((sensor_msgs__msg__Image *)into);
+    } else if (subscription->type == &fake_std_msgs_Bool) {
+        ((std_msgs__msg__Bool *)into)->data = has("bump");
+    } else if (subscription->type == &fake_sensor_msgs_BatteryState) {
+        ((sensor_msgs__msg__BatteryState *)into)->voltage = 12.5f;
+    } else if (subscription->type == &fake_rosgraph_msgs_Clock) {
         *next_ns = now_ns() + PERIOD_NS / 2;
         clock_message((rosgraph_msgs__msg__Clock *)into);
     } else if (subscription->type == &fake_sensor_msgs_LaserScan)
@@ -282,7 +313,9 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
 
 rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns)
 {
-    struct pollfd guard = { set->guard_conditions[0]->ends[0], POLLIN, 0 };
+    struct pollfd guard = { set->guard_conditions[0] != NULL ? set->guard_conditions[0]->ends[0]
+                                                             : -1,
+                            POLLIN, 0 };
     int64_t left_ns = robot.next_ns - now_ns();
     for (size_t i = 0; i < set->count; i++)
         if (*next_of(set->subscriptions[i]) - now_ns() < left_ns)
@@ -325,6 +358,12 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
         return one(array, "std_msgs/msg/Bool");
     if (strcmp(topic, "/clock") == 0)
         return one(array, "rosgraph_msgs/msg/Clock");
+    if (strstr(topic, "image") != NULL)
+        return one(array, "sensor_msgs/msg/Image");
+    if (strstr(topic, "bump") != NULL)
+        return one(array, "std_msgs/msg/Bool");
+    if (strstr(topic, "battery") != NULL)
+        return one(array, "sensor_msgs/msg/BatteryState");
     if (strstr(topic, "imu") != NULL)
         return one(array, "sensor_msgs/msg/Imu");
     return one(array,
@@ -625,6 +664,11 @@ void rosidl_runtime_c__float__Sequence__fini(rosidl_runtime_c__float__Sequence *
     free(sequence->data);
 }
 
+void rosidl_runtime_c__uint8__Sequence__fini(rosidl_runtime_c__uint8__Sequence *sequence)
+{
+    free(sequence->data);
+}
+
 #define SEQUENCE_INIT(type)                                              \
     bool type##__Sequence__init(type##__Sequence *sequence, size_t size) \
     {                                                                    \
@@ -772,6 +816,30 @@ bool sensor_msgs__msg__LaserScan__init(sensor_msgs__msg__LaserScan *m)
     return true;
 }
 
+bool sensor_msgs__msg__Image__init(sensor_msgs__msg__Image *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool sensor_msgs__msg__CompressedImage__init(sensor_msgs__msg__CompressedImage *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool std_msgs__msg__Bool__init(std_msgs__msg__Bool *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool sensor_msgs__msg__BatteryState__init(sensor_msgs__msg__BatteryState *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
 bool sensor_msgs__msg__Imu__init(sensor_msgs__msg__Imu *m)
 {
     memset(m, 0, sizeof *m);
@@ -845,6 +913,9 @@ const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/
 
 OPAQUE(fake_geometry_msgs_TwistStamped, "geometry_msgs/msg/TwistStamped")
 OPAQUE(fake_nav_msgs_Odometry, "nav_msgs/msg/Odometry")
+OPAQUE(fake_sensor_msgs_Image, "sensor_msgs/msg/Image")
+OPAQUE(fake_sensor_msgs_CompressedImage, "sensor_msgs/msg/CompressedImage")
+OPAQUE(fake_sensor_msgs_BatteryState, "sensor_msgs/msg/BatteryState")
 OPAQUE(fake_sensor_msgs_LaserScan, "sensor_msgs/msg/LaserScan")
 OPAQUE(fake_sensor_msgs_Imu, "sensor_msgs/msg/Imu")
 OPAQUE(fake_std_msgs_String, "std_msgs/msg/String")

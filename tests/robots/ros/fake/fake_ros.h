@@ -133,7 +133,7 @@ typedef struct {
 
 typedef struct {
     size_t count, service_count;
-    const rcl_subscription_t *subscriptions[4];
+    const rcl_subscription_t *subscriptions[8];
     const rcl_service_t *services[11];
     const rcl_guard_condition_t *guard_conditions[1];
 } rcl_wait_set_t;
@@ -361,8 +361,6 @@ typedef struct {
     geometry_msgs__msg__Vector3 angular_velocity, linear_acceleration;
 } sensor_msgs__msg__Imu;
 
-/* ---- Parameters */
-
 #define SEQUENCE(type)  \
     typedef struct {    \
         type *data;     \
@@ -372,6 +370,32 @@ typedef struct {
 
 typedef uint8_t rosidl_runtime_c__uint8;
 SEQUENCE(rosidl_runtime_c__uint8);
+void rosidl_runtime_c__uint8__Sequence__fini(rosidl_runtime_c__uint8__Sequence *sequence);
+
+typedef struct {
+    std_msgs__msg__Header header;
+    uint32_t height, width, step;
+    rosidl_runtime_c__String encoding;
+    rosidl_runtime_c__uint8__Sequence data;
+} sensor_msgs__msg__Image;
+bool sensor_msgs__msg__Image__init(sensor_msgs__msg__Image *message);
+typedef struct {
+    std_msgs__msg__Header header;
+    rosidl_runtime_c__String format;
+    rosidl_runtime_c__uint8__Sequence data;
+} sensor_msgs__msg__CompressedImage;
+bool sensor_msgs__msg__CompressedImage__init(sensor_msgs__msg__CompressedImage *message);
+
+bool std_msgs__msg__Bool__init(std_msgs__msg__Bool *message);
+typedef struct {
+    std_msgs__msg__Header header;
+    float voltage, temperature, current, charge, capacity, design_capacity, percentage;
+    bool present;
+} sensor_msgs__msg__BatteryState;
+bool sensor_msgs__msg__BatteryState__init(sensor_msgs__msg__BatteryState *message);
+
+/* ---- Parameters */
+
 SEQUENCE(rosidl_runtime_c__String);
 
 typedef struct {
@@ -470,6 +494,10 @@ extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
 extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;
 extern const rosidl_message_type_support_t fake_sensor_msgs_Imu;
+extern const rosidl_message_type_support_t fake_std_msgs_Bool;
+extern const rosidl_message_type_support_t fake_sensor_msgs_Image;
+extern const rosidl_message_type_support_t fake_sensor_msgs_CompressedImage;
+extern const rosidl_message_type_support_t fake_sensor_msgs_BatteryState;
 extern const rosidl_message_type_support_t fake_rosgraph_msgs_Clock;
 extern const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent;
 #define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)

@@ -1,0 +1,44 @@
+// The cameras of a simulated robot in ROS 2. Their images are too large for the socket to the node,
+// so they go through shared memory (runtime/hosts/ros_robot/images.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <hosts/ros/messages.h>
+
+#include "sim.h"
+
+namespace frob::serve {
+
+class RosCameras {
+  public:
+    // Opens the world's cameras. Throws WrongUse.
+    explicit RosCameras(frob_sim *sim);
+    ~RosCameras();
+    RosCameras(const RosCameras &) = delete;
+    RosCameras &operator=(const RosCameras &) = delete;
+
+    // The arguments for the node, which inherits the descriptors in them.
+    std::vector<std::string> arguments() const;
+
+    // Writes the images that have arrived by now to the shared memory, and passes the messages for
+    // the node to `send`, without the time of this machine.
+    void advance(std::int64_t time_ns, const std::function<void(ros_image &)> &send);
+
+  private:
+    struct Camera {
+        std::string name, topic;
+        int number = -1; // in the simulation
+        int file = -1;   // the shared memory
+        std::uint8_t *memory = nullptr;
+        std::uint32_t slot = 0; // the next one
+    };
+
+    frob_sim *sim_;
+    std::vector<Camera> cameras_;
+};
+
+} // namespace frob::serve
