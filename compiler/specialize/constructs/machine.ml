@@ -256,7 +256,8 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       let result : Core.Ir.ty = Tuple [ m.result; Core.Signature.event ty ] in
       let name = Core.Primitive.name primitive in
       let outputs = run_in m node mode ~name ~result before.value input in
-      let delayed = primitive = Delayed_switch and event = Leaves.component outputs 1 in
+      let delayed = primitive = Delayed_switch in
+      let event = Leaves.component outputs 1 in
       ( Leaves.component outputs 0,
         after_event m node mode input ~delayed ty event continuation.value )
   | Primitive { primitive = Initially; arguments = [ chosen ]; _ } ->
