@@ -183,7 +183,8 @@ type import = {
   arguments : shape list;  (** a single one for a signal function *)
   result : shape;
 }
-(** An import from the user's C code, whether or not the program uses it. *)
+(** An import from C code. Those of the user's C code are listed whether or not the program uses
+    them. *)
 
 type foreign = {
   import : import;  (** the node's [inputs] are the leaves of its arguments *)
@@ -292,7 +293,9 @@ type program = {
   next_id : int;
       (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id may
           be an array of this size *)
-  imports : import list;  (** imports from the user's C, each once, by symbol *)
+  imports : import list;
+      (** imports from the user's C, and those of the library that a node calls; each once, by
+          symbol *)
   headers : header list;  (** headers of the user's C *)
   input : shape;  (** the root's inputs *)
   console : Core.Ir.control list;

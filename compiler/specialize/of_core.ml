@@ -241,7 +241,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   if Diagnostic.has_errors c.sink then None
   else
     let input = Types.shape c.types input and output = Types.shape_of_output c.types output in
-    let imports = Foreign_code.imports c.types c.foreign in
+    let imports = Foreign_code.imports c in
     let output =
       match !ended with
       | None -> output

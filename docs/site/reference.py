@@ -131,7 +131,7 @@ def commands(frobc):
     """The help of frobc and of each command."""
     whole = help_of(frobc)
     listed = whole[whole.index("\nCOMMANDS") : whole.index("\nCOMMON")]
-    names = re.findall(r"^       ([a-z]+) ", listed, flags=re.M)
+    names = re.findall(r"^       ([a-z0-9]+) ", listed, flags=re.M)
     out = [
         "# The command line",
         "",

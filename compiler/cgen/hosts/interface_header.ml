@@ -1,15 +1,10 @@
 (* Robots share some types, and a host that supports several robots includes all their headers. Each
    shared type therefore has an include guard; the first header that is included defines it. *)
 let guarded (robot : Robot.t) (declaration : Ir.declaration) : Ir.declaration list =
-  let prefix = "FROB_" in
+  let own = "FROB_" ^ String.uppercase_ascii robot.name ^ "_" in
   let shared name =
-    let name = String.uppercase_ascii name in
-    let own = prefix ^ String.uppercase_ascii robot.name ^ "_" in
-    if String.starts_with ~prefix:own name then [ declaration ]
-    else
-      let length = String.length prefix in
-      let guard = "FROB_HAS_" ^ String.sub name length (String.length name - length) in
-      [ Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard); declaration; Text "#endif\n" ]
+    if String.starts_with ~prefix:own (String.uppercase_ascii name) then [ declaration ]
+    else Value_types.once name [ declaration ]
   in
   match declaration with
   | Constants { names = name :: _; _ } | Struct_definition { name; _ } -> shared name

@@ -12,10 +12,18 @@ let import types (f : Core.Primitive.foreign) ~arguments ~result : Ir.import =
     result = Types.shape types result;
   }
 
-let imports types (foreign : Core.Ir.foreign) =
+let imports (c : Context.t) =
+  let is_called symbol (node : Ir.node) =
+    match node.foreign with
+    | Some { import; _ } -> String.equal import.symbol symbol
+    | None -> false
+  in
+  let is_needed (f : Core.Primitive.foreign) =
+    (not (Context.in_library c f.span)) || List.exists (is_called f.symbol) c.nodes
+  in
   let add imports ((f : Core.Primitive.foreign), ty) =
     let is_known (i : Ir.import) = String.equal i.symbol f.symbol in
-    if List.exists is_known imports then imports
+    if List.exists is_known imports || not (is_needed f) then imports
     else
       let rec split (ty : Core.Ir.ty) arguments =
         match (f.kind, ty) with
@@ -24,9 +32,9 @@ let imports types (foreign : Core.Ir.foreign) =
         | _, result -> (List.rev arguments, result)
       in
       let arguments, result = split ty [] in
-      import types f ~arguments ~result :: imports
+      import c.types f ~arguments ~result :: imports
   in
-  List.rev (List.fold_left add [] foreign.values)
+  List.rev (List.fold_left add [] c.foreign.values)
 
 let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result arguments =
   let c = p.context in

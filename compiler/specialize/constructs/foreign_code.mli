@@ -11,7 +11,9 @@ val apply :
 (** Applies a function to all its arguments, or runs an instance of a signal function on its input.
 *)
 
-val imports : Types.table -> Core.Ir.foreign -> Flow.Ir.import list
+val imports : Context.t -> Flow.Ir.import list
+(** The foreign functions that the program's own modules import, and those of the library that a
+    node of the program calls. *)
 
 val check_names : Basis.Diagnostic.sink -> name:string -> Core.Ir.foreign -> unit
 (** [name]: the name of the generated C files. Emits E0431 if the generated C defines a name that

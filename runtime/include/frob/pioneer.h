@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#ifndef FROB_HAS_EVENT_FLOAT_NO_EVENT
-#define FROB_HAS_EVENT_FLOAT_NO_EVENT
+#ifndef FROB_EVENT_FLOAT_NO_EVENT_DEFINED
+#define FROB_EVENT_FLOAT_NO_EVENT_DEFINED
 
 /* Event Float */
 enum {
@@ -17,8 +17,8 @@ enum {
 
 #endif
 
-#ifndef FROB_HAS_EVENT_FLOAT
-#define FROB_HAS_EVENT_FLOAT
+#ifndef FROB_EVENT_FLOAT_DEFINED
+#define FROB_EVENT_FLOAT_DEFINED
 
 struct frob_event_float {
     uint8_t tag;
@@ -27,8 +27,8 @@ struct frob_event_float {
 
 #endif
 
-#ifndef FROB_HAS_EVENT_INT_NO_EVENT
-#define FROB_HAS_EVENT_INT_NO_EVENT
+#ifndef FROB_EVENT_INT_NO_EVENT_DEFINED
+#define FROB_EVENT_INT_NO_EVENT_DEFINED
 
 /* Event Int */
 enum {
@@ -38,8 +38,8 @@ enum {
 
 #endif
 
-#ifndef FROB_HAS_EVENT_INT
-#define FROB_HAS_EVENT_INT
+#ifndef FROB_EVENT_INT_DEFINED
+#define FROB_EVENT_INT_DEFINED
 
 struct frob_event_int {
     uint8_t tag;
@@ -48,8 +48,8 @@ struct frob_event_int {
 
 #endif
 
-#ifndef FROB_HAS_VEC2
-#define FROB_HAS_VEC2
+#ifndef FROB_VEC2_DEFINED
+#define FROB_VEC2_DEFINED
 
 struct frob_vec2 {
     double x;
@@ -58,8 +58,8 @@ struct frob_vec2 {
 
 #endif
 
-#ifndef FROB_HAS_POSE
-#define FROB_HAS_POSE
+#ifndef FROB_POSE_DEFINED
+#define FROB_POSE_DEFINED
 
 struct frob_pose {
     struct frob_vec2 position;

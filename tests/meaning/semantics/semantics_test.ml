@@ -34,6 +34,7 @@ let library =
     "Display";
     "Imu";
     "Lidar";
+    "Ros";
     "Vision";
     "Stereo";
     "Tags";

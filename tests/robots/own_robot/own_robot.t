@@ -144,9 +144,9 @@ The comment at the top of the C names the robot's file, whose name cannot end th
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.2[m/s]) 0))
     |                                                        ^^^^^^ `bumped` needs it
     |
-    = note: `pioneer`, `scout` and `create` have this capability
+    = note: `pioneer`, `scout`, `create` and `ros` have this capability
     = note: `main` is compiled for `rover`: there is no instance `HasBumpers RoverInput`
-    = hint: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+    = hint: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]

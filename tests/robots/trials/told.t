@@ -201,10 +201,10 @@ Compiled programs contain nothing of the tests.
   $ diff with/around.c without/around.c | grep '^[<>]' | sed 's/line [0-9]*//'
   < /* main, around.frob:8 */
   > /* main, around.frob:5 */
-  <     around_wallFollow1_reset(&self->wallFollow1);           /*  */
-  >     around_wallFollow1_reset(&self->wallFollow1);           /*  */
-  <     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
-  >     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
+  <     around_wallFollow1_reset(self);                         /*  */
+  >     around_wallFollow1_reset(self);                         /*  */
+  <     around_wallFollow1_step(self, dt, in, &i_sonar, &forward, &turn); /*  */
+  >     around_wallFollow1_step(self, dt, in, &i_sonar, &forward, &turn); /*  */
 
 Errors are reported before anything runs, or in place of a result.
 

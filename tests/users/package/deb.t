@@ -76,6 +76,7 @@ sources.
   frobc-lsp.1.gz
   frobc-new.1.gz
   frobc-report.1.gz
+  frobc-ros2.1.gz
   frobc-run.1.gz
   frobc-selftest.1.gz
   frobc-serve.1.gz
