@@ -162,6 +162,18 @@ let rec to_left (t : term) : Ir.left =
   | Parenthesized inner -> to_left_inside inner
   | Application { head = { desc = Variable x; _ }; arguments } ->
       Function_name { name = unqualified x; parameters = Long_list.map to_pattern arguments }
+  | Expression
+      (Binary
+         {
+           operator = { name = { text = "-"; _ }; _ } as operator;
+           left = { desc = Variable a; _ };
+           right = { desc = Variable b; _ };
+         }) ->
+      Reject.at ~code:"E0114" operator.span
+        ~hint:
+          (Printf.sprintf "write `%s`"
+             ((unqualified a).text ^ String.capitalize_ascii (unqualified b).text))
+        "a name cannot contain `-`"
   | Expression (Binary { operator; _ }) ->
       Reject.at ~code:"E0114" operator.span
         ~hint:"define a function of two arguments, and use it infix in backticks"

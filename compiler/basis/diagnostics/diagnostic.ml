@@ -40,6 +40,23 @@ let sink () = ref []
 let emit sink t = sink := t :: !sink
 let last sink = match !sink with [] -> None | t :: _ -> Some t
 let revise_last sink f = match !sink with [] -> () | t :: rest -> sink := f t :: rest
+
+let replace_from sink (span : Span.t) t =
+  let is_inside d =
+    String.equal d.at.file span.file
+    && compare span.start d.at.start <= 0
+    && compare d.at.stop span.stop <= 0
+  in
+  sink := t :: List.filter (fun d -> not (is_inside d)) !sink
+
+let trying sink f =
+  let before = !sink in
+  sink := [];
+  let result = f () in
+  let emitted = List.rev !sink in
+  sink := before;
+  (result, emitted)
+
 let errors sink = ref (List.filter (fun t -> t.severity = Error) !sink)
 let has_errors sink = List.exists (fun t -> t.severity = Error) !sink
 

@@ -60,6 +60,12 @@ val last : sink -> t option
 val revise_last : sink -> (t -> t) -> unit
 (** Modifies the most recently emitted diagnostic, for callers that know more about the problem. *)
 
+val replace_from : sink -> Span.t -> t -> unit
+(** Emits this diagnostic in place of those inside the span. *)
+
+val trying : sink -> (unit -> 'a) -> 'a * t list
+(** Runs the function, and returns the diagnostics that it emitted instead of keeping them. *)
+
 val has_errors : sink -> bool
 
 val errors : sink -> sink

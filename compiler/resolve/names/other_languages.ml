@@ -20,8 +20,21 @@ let of_each = function
   | "filter" -> Some [ ("Event", "filterEvent") ]
   | _ -> None
 
+(* A number with or without a unit, as an argument. *)
+let is_a_literal text =
+  let text =
+    if String.starts_with ~prefix:"(-" text && String.ends_with ~suffix:")" text then
+      String.sub text 2 (String.length text - 3)
+    else text
+  in
+  let end_ = Option.value (String.index_opt text '[') ~default:(String.length text) in
+  float_of_string_opt (String.sub text 0 end_) <> None
+
 let applied name arguments =
   match (name, arguments) with
+  | ("constrain" | "clip" | "saturate" | "clampTo"), [ low; high; x ]
+    when is_a_literal low && not (is_a_literal x) ->
+      Some (Printf.sprintf "clamp %s %s %s" low high x, Some "Control")
   | ("constrain" | "clip" | "saturate" | "clampTo"), [ x; low; high ] ->
       Some (Printf.sprintf "clamp %s %s %s" low high x, Some "Control")
   | ("lowPassFilter" | "lowpassFilter" | "lowpass_filter" | "lowPassF" | "lpf"), [ tau; x ] ->

@@ -448,19 +448,39 @@ let of_robot t ~locals (name : Syntax.Ir.name) =
 
 (* The hint for a name that nothing else explains. *)
 let with_suggestion t space ~locals (name : Syntax.Ir.name) diagnostic =
-  let suggested =
-    Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
-  in
-  let is_certain = of_a_reading t name <> None || is_previous t ~locals name <> None in
-  match
-    match name.text with
-    | ("i" | "input" | "sensors") when suggested.hints = [] -> Some (no_input, None)
-    | _ -> of_robot t ~locals name
-  with
-  | Some (hint, edit) when String.equal space.noun "name" && (suggested.hints = [] || is_certain) ->
-      Diagnostic.hint hint diagnostic
-      |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
-  | Some _ | None -> suggested
+  let n = String.length name.text in
+  let base = String.sub name.text 0 (max 0 (n - 1)) in
+  let signature = Option.value (Name_in_text.signature ~text:t.text name.span) ~default:"" in
+  if
+    String.equal space.noun "name"
+    && String.ends_with ~suffix:"'" name.text
+    && List.mem base (visible_names t space locals)
+    && List.exists (String.equal "Matrix") (String.split_on_char ' ' signature)
+  then
+    let text = Printf.sprintf "(transpose %s)" base in
+    Diagnostic.hint
+      (without_imported t
+         (Printf.sprintf
+            "a `'` is a part of the name: for the transpose of `%s`, write `%s`, with `import \
+             Matrix`"
+            base text))
+      diagnostic
+    |> Diagnostic.write name.span text
+  else
+    let suggested =
+      Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
+    in
+    let is_certain = of_a_reading t name <> None || is_previous t ~locals name <> None in
+    match
+      match name.text with
+      | ("i" | "input" | "sensors") when suggested.hints = [] -> Some (no_input, None)
+      | _ -> of_robot t ~locals name
+    with
+    | Some (hint, edit) when String.equal space.noun "name" && (suggested.hints = [] || is_certain)
+      ->
+        Diagnostic.hint hint diagnostic
+        |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
+    | Some _ | None -> suggested
 
 (* Explains a signal whose `proc` is in this definition, but ends before the name. *)
 let of_this_proc (signal : Proc_signals.t) ~of_proc ~second_where ~has_where diagnostic =

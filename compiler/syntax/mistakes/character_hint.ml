@@ -111,11 +111,23 @@ let of_switch text at =
     "%s`case %s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`"
     is_switch value
 
+(* The numbers around the colon of a range, as in `(1:5)` *)
+let range text at =
+  let rec last i =
+    if i < String.length text && Basis.Character.is_digit text.[i] then last (i + 1) else i
+  in
+  let first = ending text at Basis.Character.is_digit in
+  let stop = last (at + 1) in
+  if first <> "" && stop > at + 1 then Some (first ^ ".." ^ String.sub text (at + 1) (stop - at - 1))
+  else None
+
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
   let start = definition_start text at in
   let first = String.sub text start (at - start) in
   match (line_of_brace text at, ending text at Basis.Character.is_name) with
+  | None, _ when range text at <> None ->
+      { hint = Option.map Beginnings.no_ranges (range text at); instead = None }
   | Some _, _ when declares_a_record first ->
       let declaration =
         Option.value

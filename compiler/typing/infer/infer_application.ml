@@ -139,7 +139,7 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
         report ctx (fun words ->
             Head_mistake.not_a_function words ~head ~position:argument.position
-              ~at:argument.value.span left);
+              ~argument:argument.value left);
         fits Erroneous Erroneous;
         true
   in
@@ -217,13 +217,34 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       report ctx (fun words ->
           Head_mistake.not_a_function words ~head ~position:argument.position
-            ~at:argument.value.span left);
+            ~argument:argument.value left);
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as
        found) ) ->
       report ctx (fun words -> Head_mistake.not_a_signal_function words ~head found);
       erroneous ()
+
+(* `setVelTR 40[rpm] 0`: a rotation of the wheels as the speed. *)
+let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
+  match (name, arguments) with
+  | ( "setVelTR",
+      {
+        desc = Number { unit_ = Some { factors = [ (Declared { name = "rpm"; _ }, _) ]; _ }; _ };
+        span;
+      }
+      :: _ :: _ ) ->
+      Option.map
+        (fun text d ->
+          let cure = Printf.sprintf "(%s * 0.05[m])" text in
+          Diagnostic.hint
+            (Printf.sprintf
+               "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn \
+                rate, it is the second argument"
+               cure)
+            { d with Diagnostic.hints = []; fixes = [] })
+        (Show.quote words span)
+  | _ -> None
 
 (* If one argument has the wrong type, perhaps two of them are swapped. [failed]: the position of
    that argument. [given]: the types of all arguments. *)
@@ -270,8 +291,11 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
           in
           let cure order =
             let arguments = List.map (fun a -> a.value) arguments in
-            Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments order
-            |> Diagnostic.revise_last sink
+            match wheel_speed (words ctx) ~name:name.name arguments with
+            | Some complete -> Diagnostic.revise_last sink complete
+            | None ->
+                Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments order
+                |> Diagnostic.revise_last sink
           in
           Option.iter cure order)
   | _ -> ()
@@ -398,6 +422,59 @@ let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given 
       | _ -> false)
   | _ -> false
 
+(* Explains `foldl (\x n -> n + x) 0 xs`, whose function has its parameters in the order of another
+   language: tries whether the other order is right. *)
+let tell_fold expressions ctx ~(head : Resolve.Ir.expr) arguments =
+  match (head.desc, arguments) with
+  | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
+      ({ value = { desc = Lambda { parameters = [ a; b ]; body }; _ } as lambda; _ } as first)
+      :: (_ :: _ as others) )
+    when Span.compare a.span b.span < 0 ->
+      let sink = ctx.reader.Annotation.sink in
+      let value = { lambda with desc = Resolve.Ir.Lambda { parameters = [ b; a ]; body } } in
+      let apply head { value; style; span; _ } : Resolve.Ir.expr =
+        { desc = Apply { head; argument = value; style }; span }
+      in
+      let other = List.fold_left apply head ({ first with value } :: others) in
+      let _, emitted = Diagnostic.trying sink (fun () -> expressions.infer ctx other) in
+      let quote = Show.quote (words ctx) in
+      let is_told =
+        List.for_all (fun (d : Diagnostic.t) -> d.severity = Diagnostic.Warning) emitted
+      in
+      (if is_told then
+         let at = Span.merge a.span b.span in
+         Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
+         |> Diagnostic.label ~at:head.span
+              (Printf.sprintf "`%s` passes the result so far, and then an element" name)
+         |> (match (quote a.span, quote b.span) with
+            | Some a, Some b ->
+                let text = Printf.sprintf "%s %s" b a in
+                fun d ->
+                  Diagnostic.hint (Printf.sprintf "write `\\%s -> …`" text) d
+                  |> Diagnostic.fix (Printf.sprintf "write `\\%s`" text) [ (at, text) ]
+            | _ -> Diagnostic.hint "swap the parameters")
+         |> Diagnostic.replace_from sink lambda.span);
+      is_told
+  | _ -> false
+
+(* `map x 0 1023 0 255` of Arduino *)
+let tell_mapped ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
+  match (head.desc, arguments) with
+  | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> (
+      let quote a = Show.quote (words ctx) a.value.span in
+      let texts = List.filter_map quote arguments in
+      match Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
+      | Some text when List.compare_lengths texts arguments = 0 ->
+          Diagnostic.error ~code:"E0301" ~at:head.span
+            "`map` applies a function to each element of an array"
+          |> Diagnostic.hint
+               (Printf.sprintf "to convert a number from one range to another, write `%s`" text)
+          |> Diagnostic.write e.span (Source.grouped text)
+          |> Diagnostic.replace_from ctx.reader.Annotation.sink e.span;
+          true
+      | Some _ | None -> false)
+  | _ -> false
+
 (* Improves the message about the argument that failed. *)
 let tell expressions ctx e ~head arguments ~given ~parameters ~failed ty =
   let output =
@@ -478,6 +555,8 @@ let infer expressions ctx e =
         List.fold_left2 apply ((start, None), [], None) arguments (deciding parameters arguments)
       in
       (match failed with
+      | Some _ when tell_mapped ctx e ~head arguments -> ()
+      | Some _ when tell_fold expressions ctx ~head arguments -> ()
       | Some failed when errors ctx = before + 1 ->
           let given = List.rev types in
           tell expressions ctx e ~head arguments ~given ~parameters ~failed start.ty

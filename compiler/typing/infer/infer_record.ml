@@ -460,6 +460,10 @@ let with_units ctx (constructor : Environment.constructor) ?wanted fields =
           | Some unit_ -> Units.equal unit_ u
           | None -> String.equal literal digits
         in
+        (* a right unit stays as it is written: `60[deg/s]` is not `60[1/s]` *)
+        let literal =
+          if is_right then Option.value (Show.quote words at) ~default:literal else literal
+        in
         let edit = if is_right then None else Some (at, literal) in
         Some (Printf.sprintf "%s = %s%s" name.text (if negative then "-" else "") literal, edit)
     | _ -> None

@@ -78,6 +78,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
         node e.span s.whole (Let (bindings, rest ()))
   | Task { pattern; task = written } :: others ->
       let result = Context.fresh ctx in
+      Early_return.warn_of_end ctx written ~next:(next others last);
       if pattern = None then Early_return.warn ctx written ~next:(next others last);
       let before = errors ctx in
       let value =

@@ -379,6 +379,30 @@ let takes_a_robot fact =
         "%s is for a robot's input or output, not for %s: is the robot the last argument?" by
         fact.culprit
 
+(* `mkTask cruise`, where `cruise` returns only an output *)
+let mode_without_event fact =
+  let at = fact.required.at in
+  let before = "mkTask " in
+  let column = Span.column at.start - String.length before in
+  match Type.expand fact.lack.culprit with
+  | Tuple [ _; e ] when Environment.is_event e && column >= 1 ->
+      let start = Span.position ~line:(Span.line at.start) ~column in
+      let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+      if Show.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop) = Some (before ^ name)
+      then
+        let cure = Printf.sprintf "(%s &&& after 10[s])" name in
+        Some
+          (fun d ->
+            Diagnostic.hint
+              (Printf.sprintf
+                 "`mkTask` needs an event that ends the task, beside the output: write `mkTask \
+                  %s`, or another event"
+                 cure)
+              d
+            |> Diagnostic.write at cure)
+      else None
+  | _ -> None
+
 (* Another value in place of a robot's input or output. *)
 let of_no_robot fact =
   match fact.lack.lacking with
@@ -430,6 +454,7 @@ let rules =
     not_comparable;
     output_not_made;
     composed_without_parentheses;
+    mode_without_event;
     of_no_robot;
     not_declared;
     other_instances;

@@ -24,6 +24,7 @@ type fact = {
   words : Show.words;
   head : Resolve.Ir.expr;
   position : int;  (** of the argument, counted from 1 *)
+  argument : Resolve.Ir.expr;
   at : Span.t;  (** the argument *)
   left : Type.t;  (** the type of the head after the arguments before this one *)
 }
@@ -232,6 +233,26 @@ let task fact =
     Some (hint "use `runTask t` to turn a task into a signal function")
   else None
 
+(* `near implies (v == 0)`, a function of two arguments without its backquotes *)
+let infix fact =
+  let takes_two g =
+    match Option.map Type.expand (Show.declared_type fact.words g) with
+    | Some (Function (_, result)) -> (
+        match Type.expand result with Function _ -> true | _ -> false)
+    | _ -> false
+  in
+  match (fact.head.desc, fact.argument.desc, Show.quote fact.words fact.head.span) with
+  | (Local _ | Number _), Global g, Some left when fact.position = 1 && takes_two g ->
+      let cure = Printf.sprintf "`%s`" g.name in
+      Some
+        (fun d ->
+          hint
+            (Printf.sprintf "between its arguments, a function needs backquotes: ``%s %s …``" left
+               cure)
+            d
+          |> write fact.argument.span cure)
+  | _ -> None
+
 (* A local name, which may hide the function that was meant. *)
 let local fact =
   match fact.head.desc with
@@ -279,12 +300,13 @@ let rules =
     without_do;
     signature_of_task;
     task;
+    infix;
     local;
     signature;
   ]
 
-let not_a_function words ~head ~position ~at left =
-  let fact = { words; head; position; at; left } in
+let not_a_function words ~head ~position ~(argument : Resolve.Ir.expr) left =
+  let fact = { words; head; position; argument; at = argument.span; left } in
   let complete = List.find_map (fun rule -> rule fact) rules in
   Option.value complete ~default:Fun.id (not_taken fact)
 

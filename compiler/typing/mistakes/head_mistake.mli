@@ -4,7 +4,12 @@
 open Basis
 
 val not_a_function :
-  Show.words -> head:Resolve.Ir.expr -> position:int -> at:Span.t -> Type.t -> Diagnostic.t
+  Show.words ->
+  head:Resolve.Ir.expr ->
+  position:int ->
+  argument:Resolve.Ir.expr ->
+  Type.t ->
+  Diagnostic.t
 (** The message about a head that cannot take the argument at this position. The last argument is
     the type of the head after the preceding arguments. *)
 

@@ -40,3 +40,57 @@ let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
     |> Diagnostic.hint
          "move the remaining statements into the other branch: `if c then return x else do`"
     |> Diagnostic.emit ctx.reader.sink
+
+(* The function and all its arguments. *)
+let rec application (e : Resolve.Ir.expr) arguments =
+  match e.desc with
+  | Apply { head; argument; _ } -> application head (argument :: arguments)
+  | _ -> (e, arguments)
+
+(* Does the type allow any result, so that there can be none? No argument has a value of that type
+   either. *)
+let never_ends (ctx : Context.t) (e : Resolve.Ir.expr) =
+  let head, arguments = application e [] in
+  let rec result taken (t : Type.t) = function
+    | [] -> Some (taken, t)
+    | _ :: others -> (
+        match Type.expand t with
+        | Function (parameter, t) -> result (parameter :: taken) t others
+        | _ -> None)
+  in
+  let rec mentions v (t : Type.t) =
+    match Type.expand t with
+    | Flexible v' -> v == v'
+    | Tuple ts | Data { arguments = ts; _ } -> List.exists (mentions v) ts
+    | Function (a, b) | Signal_function (a, b) -> mentions v a || mentions v b
+    | Rigid _ | Number _ | Bool | String | Size _ | Alias _ | Erroneous -> false
+  in
+  match head.desc with
+  | Global g -> (
+      match Resolve.Global_table.find_opt ctx.globals g with
+      | None -> false
+      | Some { scheme; _ } -> (
+          let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
+          match result [] instance.ty arguments with
+          | Some (taken, t) -> (
+              match Type.expand t with
+              | Data { tycon; arguments = [ input; output; x ]; _ } when tycon = Environment.task
+                -> (
+                  match Type.expand x with
+                  | Flexible v -> not (List.exists (mentions v) (input :: output :: taken))
+                  | _ -> false)
+              | _ -> false)
+          | None -> false))
+  | _ -> false
+
+let warn_of_end (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
+  match (next : Span.t option) with
+  | Some next when never_ends ctx e ->
+      let head, _ = application e [] in
+      Diagnostic.warning ~code:"W0318" ~at:next "this statement is never reached"
+      |> Diagnostic.label ~at:head.span "this task never ends"
+      |> Diagnostic.hint
+           "remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with \
+            an event"
+      |> Diagnostic.emit ctx.reader.sink
+  | Some _ | None -> ()

@@ -94,12 +94,59 @@ let fields w (c : constructor) given =
     (check w ~of_:c.constructor.name ~name ~argument)
     (Doc_facts.requirements w.facts c.constructor)
 
+(* `max 1 (min (-1) x)` is always 1, and `min (-1) (max 1 x)` always -1. *)
+let limits w (e : expr) =
+  let known (e : expr) = Option.map (fun x -> (x, e)) (number w e) in
+  let operands name e =
+    match Constant.operation e with
+    | Some (other, [ a; b ]) when String.equal name other -> (
+        match (known a, known b) with
+        | Some a, None -> Some (a, b)
+        | None, Some b -> Some (b, a)
+        | _ -> None)
+    | _ -> None
+  in
+  let check outer inner ~is_outside =
+    match operands outer e with
+    | Some ((limit, at), inside) -> (
+        match operands inner inside with
+        | Some ((other, other_at), _) when is_outside limit other ->
+            Diagnostic.(
+              warning ~code:"W0316" ~at:at.span
+                "the lower limit is above the upper one, so the value is always the one of `%s`"
+                outer
+              |> label ~at:other_at.span "the other limit"
+              |> hint "swap the two limits" |> emit w.sink)
+        | _ -> ())
+    | None -> ()
+  in
+  check "max" "min" ~is_outside:(fun low high -> low > high);
+  check "min" "max" ~is_outside:(fun high low -> high < low)
+
+(* `clamp x 0 1` limits the constant 1. *)
+let limited_constant w (name : Resolve.Ir.Global.t) arguments =
+  match (name.name, name.module_, arguments) with
+  | "clamp", "Control", [ low; high; y ] -> (
+      match (number w low, number w high, number w y) with
+      | None, Some high_, Some x when high_ <= x ->
+          Diagnostic.(
+            warning ~code:"W0316" ~at:low.span
+              "this is the lower limit of `clamp`, and the value that it limits is a constant"
+            |> label ~at:(y : expr).span "the limited value"
+            |> label ~at:(high : expr).span "the upper limit"
+            |> hint "write the limits first: `clamp low high x`"
+            |> emit w.sink)
+      | _ -> ())
+  | _ -> ()
+
 let rec expr w (e : expr) =
+  limits w e;
   (match e.desc with
   | Record (c, given) | Update (_, c, given) -> fields w c given
   | _ -> (
       match Constant.spine e with
       | { desc = Global (g, _) | Primitive (g, _); _ }, (_ :: _ as arguments) ->
+          limited_constant w g arguments;
           List.iter
             (check w ~of_:g.name ~name:(fun _ -> g.name) ~argument:(List.nth_opt arguments))
             (Doc_facts.requirements w.facts g)

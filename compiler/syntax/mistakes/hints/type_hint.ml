@@ -65,6 +65,16 @@ let size found =
       Some "put arithmetic on sizes in parentheses, as in `Array (N - 1) Float`"
   | _ -> None
 
+(* `top-speed :: Velocity` *)
+let hyphenated line =
+  let is_a_word text =
+    text <> "" && Basis.Character.is_lower text.[0] && String.for_all Basis.Character.is_name text
+  in
+  match String.split_on_char '-' (String.trim line) with
+  | first :: (_ :: _ as others) when List.for_all is_a_word (first :: others) ->
+      Some (String.concat "" (first :: List.map String.capitalize_ascii others))
+  | _ -> None
+
 let misplaced found =
   let general = "put the expression and its type in parentheses: `(e :: T)`" in
   let at = found.token.start.pos_cnum in
@@ -72,6 +82,8 @@ let misplaced found =
   let ty = between found found.token.stop.pos_cnum (end_of_line found at) in
   let words = List.filter (( <> ) "") (String.split_on_char ' ' line) in
   match found.before with
+  | Some { token = LOWER _; _ } when hyphenated line <> None ->
+      Printf.sprintf "a name cannot contain `-`: write `%s`" (Option.get (hyphenated line))
   | Some ({ token = LOWER _; _ } as before)
     when is_adjacent found before && Basis.Character.is_lower (after found) ->
       Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`"

@@ -54,6 +54,30 @@ let is_a_reading fact =
       Show.is_input fact.words x.name
   | Some _ | None -> false
 
+(* `a * x` for a matrix and a vector, or for two matrices *)
+let product fact =
+  let element t =
+    match Type.expand t with
+    | Data { tycon; arguments = [ _; element ]; _ } when tycon = Environment.array -> Some element
+    | _ -> None
+  in
+  let is_a_row t =
+    match Option.map Type.expand (element t) with Some (Number _) -> true | _ -> false
+  in
+  let is_a_matrix t = Option.fold (element t) ~none:false ~some:is_a_row in
+  match (arithmetic fact.expected, fact.expected.because, second_operand fact) with
+  | Some "*", Parameter { given = [ first; second ]; _ }, Some other
+    when is_a_matrix fact.found && (is_a_row other || is_a_matrix other) ->
+      let a, b = operands fact in
+      let text = Printf.sprintf "%s %s %s" (if is_a_row other then "matVec" else "matMul") a b in
+      Some
+        (hinted fact
+           (Printf.sprintf "to multiply a matrix by a %s, write `%s`, with `import Matrix`"
+              (if is_a_row other then "vector" else "matrix")
+              text)
+        |> write (Span.merge first.span second.span) ("(" ^ text ^ ")"))
+  | _ -> None
+
 let computed fact =
   let is_of_two = Option.fold (second_operand fact) ~none:false ~some:is_array in
   let of_both operator =

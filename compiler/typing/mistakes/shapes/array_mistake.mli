@@ -3,6 +3,9 @@
 val extreme : Shape_fact.rule
 (** [max xs], where [max] takes two values. *)
 
+val product : Shape_fact.rule
+(** A matrix times a vector or a matrix. *)
+
 val computed : Shape_fact.rule
 (** A numeric operator applied to an array. *)
 

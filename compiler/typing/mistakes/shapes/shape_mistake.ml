@@ -37,6 +37,7 @@ let of_functions =
     Array_mistake.extreme;
     Tuple_mistake.of_all_arguments;
     Tuple_mistake.mapped_range;
+    Tuple_mistake.without_winner;
     Argument_mistake.missing;
     Argument_mistake.more_missing_than_expected;
     Argument_mistake.missing_before;
@@ -47,6 +48,7 @@ let of_functions =
 let of_values =
   [
     Vector_mistake.of_an_operator;
+    Array_mistake.product;
     Array_mistake.computed;
     Array_mistake.mapped_over_a_value;
     Signal_function_mistake.conditions;
@@ -69,6 +71,7 @@ let of_values =
     Array_mistake.mapped;
     Task_mistake.without_count;
     Task_mistake.only_returned;
+    Task_mistake.in_place_of_a_program;
     Task_mistake.in_place_of_its_result;
     Conversion_mistake.by_a_constructor;
     Vector_mistake.of_a_number;

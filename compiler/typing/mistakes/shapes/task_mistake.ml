@@ -238,6 +238,17 @@ let is_beside_a_task fact =
       Option.fold (Show.declared_type fact.words g) ~none:false ~some:takes_a_task
   | _ -> false
 
+(* `main = watching tour` *)
+let in_place_of_a_program fact =
+  match (fact.wanted, fact.subject) with
+  | Data { tycon; _ }, Some e
+    when tycon = Environment.built_in "Program" && Environment.is_task fact.given ->
+      let text = Option.map Source.grouped (Show.quote fact.words e.span) in
+      let cure = "reactimateTask " ^ Option.value text ~default:"(…)" in
+      let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" cure) in
+      Some (if text = None then d else write e.span cure d)
+  | _ -> None
+
 (* `let d = ask frontSonar`, or the task itself, where its result is meant *)
 let in_place_of_its_result fact =
   match (fact.wanted, fact.subject) with

@@ -17,6 +17,9 @@ val of_an_array : Shape_fact.rule
 val beside_each_other : Shape_fact.rule
 (** Tasks combined by a Boolean operator. *)
 
+val in_place_of_a_program : Shape_fact.rule
+(** A task as the program [main]. *)
+
 val in_place_of_its_result : Shape_fact.rule
 (** A task where its result is expected. *)
 

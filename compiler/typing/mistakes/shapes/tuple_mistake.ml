@@ -220,6 +220,24 @@ let mapped_range fact =
       |> Option.some
   | _ -> None
 
+(* `latch (set, reset)` *)
+let without_winner fact =
+  match (fact.given, fact.expected.because, fact.subject) with
+  | ( Tuple [ _; _ ],
+      Parameter { callee = Some "latch"; position = 1; given = [ _ ]; _ },
+      Some { desc = Tuple _; span } ) ->
+      let text = Option.value (Show.quote fact.words span) ~default:"(set, reset)" in
+      let d =
+        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of 2" (expected_text fact)
+        |> hint
+             (Printf.sprintf
+                "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins \
+                 %s`"
+                text text)
+      in
+      Some d
+  | _ -> None
+
 let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
 
 let separated_by_commas fact =

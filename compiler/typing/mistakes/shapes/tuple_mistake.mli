@@ -18,6 +18,9 @@ val of_all_arguments : Shape_fact.rule
 val mapped_range : Shape_fact.rule
 (** [map(x, 0, 1023, 0, 5)], as in the language of Arduino. *)
 
+val without_winner : Shape_fact.rule
+(** [latch (set, reset)] without its first argument. *)
+
 val separated_by_commas : Shape_fact.rule
 (** The C-style call [f(x, y)]. *)
 

@@ -227,8 +227,27 @@ let program_without_input (fact : Shape_fact.t) =
       |> write span "_" |> Option.some
   | _ -> None
 
+(* `neverTouches && endsWithin 15[s]` as the judge of a trial *)
+let two_judges (fact : Shape_fact.t) =
+  let is_a_verdict t =
+    match Type.expand t with Type.Data { tycon; _ } -> tycon.name = "Verdict" | _ -> false
+  in
+  match (fact.given, fact.expected.because) with
+  | Signal_function (_, output), Parameter { callee = Some "&&"; given = [ a; b ]; position = 1; _ }
+    when is_a_verdict output -> (
+      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+      match (quote a, quote b) with
+      | Some f, Some g ->
+          let text = Printf.sprintf "bothOf %s %s" f g in
+          Some
+            (Shape_fact.hinted fact (Printf.sprintf "to require two verdicts, write `%s`" text)
+            |> write (Span.merge a.span b.span) text)
+      | _ -> None)
+  | _ -> None
+
 let unrun (fact : Shape_fact.t) =
   match (fact.wanted, fact.given) with
+  | Bool, Signal_function _ when two_judges fact <> None -> two_judges fact
   | Data _, Signal_function _ when is_program fact.expected.ty -> Some (program fact)
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
       message fact.words ~subject:fact.subject ~at:fact.at ~wanted:fact.expected.ty ~input
