@@ -113,8 +113,7 @@ let limits w (e : expr) =
         | Some ((other, other_at), _) when is_outside limit other ->
             Diagnostic.(
               warning ~code:"W0316" ~at:at.span
-                "the lower limit is above the upper one, so the value is always the one of `%s`"
-                outer
+                "the lower limit is above the upper one, so the result is always this limit"
               |> label ~at:other_at.span "the other limit"
               |> hint "swap the two limits" |> emit w.sink)
         | _ -> ())

@@ -186,6 +186,12 @@ let if_in_a_guard found =
 
 let otherwise found =
   match (found.token.token, found.before) with
+  | ELSE, _
+    when String.starts_with ~prefix:"-> "
+           (String.trim
+              (between found found.token.stop.pos_cnum
+                 (end_of_line found found.token.stop.pos_cnum))) ->
+      Some "write `_` in place of `else` for all other values"
   | ELSE, Some { token = BAR; _ } -> Some "write the last guard as `| otherwise`"
   | _ -> None
 

@@ -82,7 +82,13 @@ let element_by_element found (point : Layout.token) operator =
       else if operator = '^' then Printf.sprintf "zipWith (\\x y -> x ** y) %s %s" left right
       else Printf.sprintf "zipWith (\\x y -> x %c y) %s %s" operator left right
     in
-    Some (Printf.sprintf "operators take numbers, not arrays: write `%s`" text)
+    Some
+      (Printf.sprintf
+         "for numbers, write `%s %s %s`; operators take numbers, not arrays: for arrays, write `%s`"
+         left
+         (if operator = '^' && not (Basis.Character.is_digit right.[0]) then "**"
+          else String.make 1 operator)
+         right text)
 
 (* The numbers around the `..` of `seeds = [1..10]`. *)
 let seeds found (point : Layout.token) =
@@ -113,6 +119,14 @@ let foreign_operator found (before : Layout.token) =
         Some
           "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, \
            `zipWith (*) xs ys` for two"
+    | "<<" ->
+        let bits = word_before found before.start.pos_cnum in
+        let by = rest_of_line found found.token.stop.pos_cnum in
+        let is_word text = text <> "" && String.for_all Basis.Character.is_name text in
+        Some
+          (if is_word bits && is_word by then
+             Printf.sprintf "to shift the bits of an Int, write `shiftL %s %s`" bits by
+           else "to shift the bits of an Int, write `shiftL bits n`")
     | "<>" -> Some "use `/=` to compare for inequality"
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
     | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
@@ -204,6 +218,13 @@ let negation found =
 
 let before_point found =
   match found.token.token with
+  | OPERATOR "."
+    when after found = '.'
+         && String.trim
+              (between found found.token.stop.pos_cnum
+                 (end_of_line found found.token.stop.pos_cnum))
+            = ".." ->
+      Some "remove `...`: an indented line continues the line above"
   | OPERATOR "." when Basis.Character.is_digit (after found) ->
       Some "write a digit before the point, as in `0.5`"
   | _ -> None

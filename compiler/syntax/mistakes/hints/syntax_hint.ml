@@ -127,6 +127,7 @@ let declarations =
       capital;
       Choice_hint.branch;
       Type_hint.with_parameters;
+      Type_hint.contexts;
       Type_hint.split_arrow;
       Type_hint.parameters;
       Choice_hint.in_braces;

@@ -30,6 +30,22 @@ let with_parameters found =
       Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
   | _ -> None
 
+(* `HasSonar i => DiffDrive o => SF i o`, as in Haskell *)
+let contexts found =
+  match found.token.token with
+  | DOUBLE_ARROW -> (
+      let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+      let is_closed text = not (String.contains text '(' || String.contains text '=') in
+      match String.split_on_char '=' line with
+      | [ before; second ] when String.starts_with ~prefix:">" second -> (
+          let second = String.trim (String.sub second 1 (String.length second - 1)) in
+          match String.split_on_char ':' before with
+          | [ _; ""; first ] when is_closed first && is_closed second ->
+              Some (Printf.sprintf "write one context: `(%s, %s) =>`" (String.trim first) second)
+          | _ -> None)
+      | _ -> None)
+  | _ -> None
+
 let split_arrow found =
   match (found.token.token, found.before) with
   | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->

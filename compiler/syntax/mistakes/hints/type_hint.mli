@@ -3,6 +3,9 @@
 val with_parameters : Found.rule
 (** [vector<float>], as in C++. *)
 
+val contexts : Found.rule
+(** Two contexts with a [=>] each, as in Haskell. *)
+
 val split_arrow : Found.rule
 (** [Float - > Float], with a space inside the arrow. *)
 

@@ -72,7 +72,7 @@ let product fact =
       let text = Printf.sprintf "%s %s %s" (if is_a_row other then "matVec" else "matMul") a b in
       Some
         (hinted fact
-           (Printf.sprintf "to multiply a matrix by a %s, write `%s`, with `import Matrix`"
+           (Printf.sprintf "to multiply a matrix by a %s, write `%s`"
               (if is_a_row other then "vector" else "matrix")
               text)
         |> write (Span.merge first.span second.span) ("(" ^ text ^ ")"))

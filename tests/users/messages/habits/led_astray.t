@@ -36,12 +36,12 @@ source, and checks the line with which the hint replaces it.
 
   $ try 'Matrix 1 2 -> Vector 2 -> Vector 1' 'f a x = a * x' 'f a x = matVec a x'
   error[E0301]: expected a number, found `Matrix 1 2`
-    = hint: to multiply a matrix by a vector, write `matVec a x`, with `import Matrix`
+    = hint: to multiply a matrix by a vector, write `matVec a x`
   [1]
 
   $ try 'Matrix 1 2 -> Matrix 2 3 -> Matrix 1 3' 'f a b = a * b' 'f a b = matMul a b'
   error[E0301]: expected a number, found `Matrix 1 2`
-    = hint: to multiply a matrix by a matrix, write `matMul a b`, with `import Matrix`
+    = hint: to multiply a matrix by a matrix, write `matMul a b`
   [1]
 
   $ try 'Array 5 Angle' 'f = map (\k -> k * 30[deg]) (1:5)' 'f = map (\k -> k * 30[deg]) [1, 2, 3, 4, 5]'
@@ -55,12 +55,12 @@ source, and checks the line with which the hint replaces it.
   [1]
 
   $ try 'SF Float Float' 'f = proc x -> max 1 (min (-1) x)' 'f = proc x -> max (-1) (min 1 x)'
-  warning[W0316]: the lower limit is above the upper one, so the value is always the one of `max`
+  warning[W0316]: the lower limit is above the upper one, so the result is always this limit
     = hint: swap the two limits
   [1]
 
   $ try 'SF Float Float' 'f = proc x -> min (-1) (max x 1)' 'f = proc x -> min 1 (max x (-1))'
-  warning[W0316]: the lower limit is above the upper one, so the value is always the one of `min`
+  warning[W0316]: the lower limit is above the upper one, so the result is always this limit
     = hint: swap the two limits
   [1]
 
@@ -127,3 +127,24 @@ Robots, tasks and trials:
     = hint: remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with an event
   [1]
 
+
+Notations of other languages:
+
+  $ check () { # PROGRAM
+  >   printf "$1" > program.frob; frobc check program.frob 2>&1 | grep '^error\|hint'
+  > }
+  $ check 'mask :: Int -> Int\nmask pin = 1 << pin\n'
+  error[E0110]: Frob has no `<<`
+    = hint: to shift the bits of an Int, write `shiftL 1 pin`
+  $ check 'total :: Float -> Float -> Float\ntotal x y = x + ...\n    y\n'
+  error[E0110]: expected an operand after the operator, found `.`
+    = hint: remove `...`: an indented line continues the line above
+  $ check 'heat :: Float -> Float\nheat a = 4 * a .^ 2\n'
+  error[E0110]: Frob has no `.^`
+    = hint: for numbers, write `a ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) a`
+  $ check 'speed :: Int -> Float\nspeed key = case key of\n    119 -> 0.4\n    else -> 0\n'
+  error[E0110]: expected a branch of the `case`, found `else`
+    = hint: write `_` in place of `else` for all other values
+  $ check 'import Robot\nmain :: HasSonar i => DiffDrive o => Program i o\nmain = f\n'
+  error[E0110]: expected `->` or the end of this type, found `=>`
+    = hint: write one context: `(HasSonar i, DiffDrive o) =>`

@@ -181,7 +181,7 @@ MATLAB:
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs`
+    = hint: for numbers, write `xs ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) xs`
   
   1 error
   [1]

@@ -1104,7 +1104,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: operators take numbers, not arrays: write `map (\x -> x ^ 2) xs`
+    = hint: for numbers, write `xs ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) xs`
   
   1 error
   # 098_array_without_commas.frob
