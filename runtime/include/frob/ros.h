@@ -10,7 +10,10 @@
 #define FROB_EVENT_INT_NO_EVENT_DEFINED
 
 /* Event Int */
-enum { FROB_EVENT_INT_NO_EVENT, FROB_EVENT_INT_EVENT };
+enum {
+    FROB_EVENT_INT_NO_EVENT,
+    FROB_EVENT_INT_EVENT
+};
 
 #endif
 

@@ -238,7 +238,7 @@ The limits:
 The examples in the doc comments compile: tasks, and signal functions of a robot's input:
 
   $ awk '
-  >     /^-- Example of a task: `.*`\.$/ { gsub(/^[^`]*`|`\.$/, ""); tasks = tasks "    " $0 "\n"; n++ }
+  >     /^-- Example of a task: `.*`\.$/ { gsub(/^[^`]*`|`\.$/, ""); tasks = tasks "    (" $0 ") `timeOut` 30[s]\n"; n++ }
   >     /^-- Example on a robot: `.*`\.$/ { gsub(/^[^`]*`|`\.$/, ""); tasks = tasks "    ask (proc i -> " $0 ")\n"; n++ }
   >     END {
   >         printf "import Behaviour\nimport Driving\nimport Geometry\nimport Imu\nimport Lidar\nimport Motion\nimport Robot\n"

@@ -1,4 +1,5 @@
-A camera in ROS 2: here with the fake ROS 2, whose camera sees only red.
+A camera in ROS 2: here with the fake ROS 2, whose camera sees only red, so all its frames
+are identical.
 
   $ . ./ros.sh
   $ cat >red.frob <<END
@@ -10,7 +11,7 @@ A camera in ROS 2: here with the fake ROS 2, whose camera sees only red.
   > main = reactimateRobot (proc i -> roMake (setVelTR (hold 0 (mapE (\f -> if (findBlob f.image (everywhere f.image) red).pixels == 1200 then 0.2[m/s] else 0.1[m/s]) (camera i))) 0))
   > END
   $ speeds="0 0.2 0"; faults=
-  $ run_ros red.frob --for 1s; cat messages velocities
+  $ run_ros red.frob --for 1s --set camera.frozen=0; cat messages velocities
   warning: the instants of red are not published, because they contain images; use --record
   0.000 0.000
   0.200 0.000
@@ -18,7 +19,7 @@ A camera in ROS 2: here with the fake ROS 2, whose camera sees only red.
 
 Another topic, and another name of the node:
 
-  $ run_ros red.frob --for 1s --camera ros:front/image --ros-args -r __node:=eye --; cat messages
+  $ run_ros red.frob --for 1s --set camera.frozen=0 --camera ros:front/image --ros-args -r __node:=eye --; cat messages
   warning: the instants of red are not published, because they contain images; use --record
 
 An encoding that is not supported:
