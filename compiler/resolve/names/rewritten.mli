@@ -1,0 +1,25 @@
+(** What an unknown name stands for in another language, with the words around it in the source
+    text, rewritten in Frob. Results with a {!Basis.Span.t} are a place in the text and its
+    replacement. *)
+
+open Basis
+
+val unit_after_number : Scope.t -> 'a Interface.space -> Syntax.Ir.name -> Name_in_text.unit_ option
+(** The unit of [0.5 m/s], where the name is in a unit without brackets. *)
+
+val integral : Scope.t -> Syntax.Ir.name -> (string * string * Span.t) option
+(** For a time step in the equation [x = x + v * dt]: [x], its integral, and the place of the right
+    side. *)
+
+val member : Scope.t -> Syntax.Ir.name -> (Span.t * string) option
+(** [k] for [self.k]. *)
+
+val controller : Scope.t -> Syntax.Ir.name -> (Span.t * string) option
+(** A use of [pid] for [PID 0.5 0.1 0 e]. *)
+
+val call : Scope.t -> 'a Interface.space -> Syntax.Ir.name -> (Span.t * string) option
+(** The application of a function with its arguments, such as [x ^ 2] for [pow(x, 2)]. *)
+
+val import_of : Scope.t -> Syntax.Ir.name -> string -> string
+(** The end of a hint that names the import which this rewritten application needs; empty if it
+    needs none. *)
