@@ -327,7 +327,7 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
   let sink = ctx.reader.Annotation.sink in
   match (head.desc, Diagnostic.last sink) with
   | Field { record; field; _ }, Some d
-    when Span.compare d.at field.span = 0 && Infer_record.is_of_arrays ctx field ->
+    when Span.compare d.at field.span = 0 && Missing_field.is_of_arrays ctx field ->
       let words = words ctx in
       let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
       let texts = List.map quote (List.map (fun a -> a.value) arguments @ [ record ]) in
@@ -349,7 +349,7 @@ let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
     when String.equal d.code "E0310" && Span.compare d.at field.span = 0 && failed = 1 -> (
       let words = words ctx in
       match
-        ( Infer_record.path ctx result field.text,
+        ( Missing_field.path ctx result field.text,
           Show.quote words head.span,
           Show.quote words record.span )
       with

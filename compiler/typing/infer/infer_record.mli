@@ -2,16 +2,9 @@
 
     The type of [e] determines which record [e.f] belongs to, at the latest at the end of the
     top-level group. If the type of [e] is unknown even then, and only one type in scope has the
-    field, that type is chosen. Codes: [E0310] no such field · [E0311] the record's type is unknown.
-*)
+    field, that type is chosen. *)
 
 open Context
-
-val is_of_arrays : t -> Syntax.Ir.name -> bool
-(** Is there a function of that name that takes an array? *)
-
-val path : t -> Type.t -> string -> string option
-(** The field of this name in a value of the type, or in a record that is one of its fields. *)
 
 val construct :
   expressions ->
