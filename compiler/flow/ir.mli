@@ -235,11 +235,11 @@ type machine = {
     mode; the state of previous modes is lost.
 
     In each instant, the machine first takes the first of [controls] that occurs, unless that one is
-    delayed. Then the running mode takes a step. As long as one of the running mode's own
-    transitions occurs, the machine enters the target of the first one that occurs, and this mode
-    takes a step. A delayed control is taken after that. When the machine enters a mode, it assigns
-    all parameters of the mode simultaneously, and the mode's local time starts at 0. After a
-    delayed transition, the outputs of the new mode are dropped, but its events count. *)
+    delayed. Then the running mode takes a step. If one of the running mode's own transitions
+    occurs, the machine enters the target of the first such transition, and that mode takes a step;
+    this repeats until none occurs. A delayed control is taken after that. When the machine enters a
+    mode, it assigns all parameters of the mode simultaneously, and the mode's local time starts at
+    0. After a delayed transition, the outputs of the new mode are dropped, but its events count. *)
 
 type node = {
   name : string;  (** from the source; unique in the program *)

@@ -63,6 +63,14 @@ let expr v (e : Ir.expr) =
       v.expr record;
       List.iter (fun (_, e) -> v.expr e) fields
 
+let application e =
+  let rec go (e : Ir.expr) arguments =
+    match e.desc with
+    | Apply { head; argument; _ } -> go head (argument :: arguments)
+    | _ -> (e, arguments)
+  in
+  go e []
+
 let own_modules (program : Ir.program) =
   let is_own (m : Ir.module_) = (not m.library) || String.equal m.name program.main_module in
   List.filter is_own program.modules

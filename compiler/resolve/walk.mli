@@ -13,6 +13,10 @@ val expr : visitor -> Ir.expr -> unit
 val binding : visitor -> Ir.binding -> unit
 (** Visits the parts of a binding: its parameters, its [where] and its right-hand side. *)
 
+val application : Ir.expr -> Ir.expr * Ir.expr list
+(** The function of nested applications, and all its arguments, first to last. An expression that is
+    not an application has no arguments. *)
+
 val own_modules : Ir.program -> Ir.module_ list
 (** The modules outside the library, and the main module. *)
 

@@ -41,16 +41,10 @@ let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
          "move the remaining statements into the other branch: `if c then return x else do`"
     |> Diagnostic.emit ctx.reader.sink
 
-(* The function and all its arguments. *)
-let rec application (e : Resolve.Ir.expr) arguments =
-  match e.desc with
-  | Apply { head; argument; _ } -> application head (argument :: arguments)
-  | _ -> (e, arguments)
-
 (* Does the type allow any result, so that there can be none? No argument has a value of that type
    either. *)
 let never_ends (ctx : Context.t) (e : Resolve.Ir.expr) =
-  let head, arguments = application e [] in
+  let head, arguments = Resolve.Walk.application e in
   let rec result taken (t : Type.t) = function
     | [] -> Some (taken, t)
     | _ :: others -> (
@@ -86,7 +80,7 @@ let never_ends (ctx : Context.t) (e : Resolve.Ir.expr) =
 let warn_of_end (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
   match (next : Span.t option) with
   | Some next when never_ends ctx e ->
-      let head, _ = application e [] in
+      let head, _ = Resolve.Walk.application e in
       Diagnostic.warning ~code:"W0318" ~at:next "this statement is never reached"
       |> Diagnostic.label ~at:head.span "this task never ends"
       |> Diagnostic.hint

@@ -72,28 +72,13 @@ let of_numbers found =
 let added_up words (subject : Resolve.Ir.expr option) =
   let quoted (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
   let event =
-    match subject with
-    | Some
-        {
-          desc =
-            Apply
-              {
-                head =
-                  {
-                    desc =
-                      Apply { head = { desc = Global { name = "tag"; _ }; _ }; argument = e; _ };
-                    _;
-                  };
-                argument = x;
-                _;
-              };
-          _;
-        } -> (
+    match (Option.map Resolve.Walk.application subject, subject) with
+    | Some ({ desc = Global { name = "tag"; _ }; _ }, [ e; x ]), _ -> (
         match (quoted e, quoted x) with
         | Some e, Some x -> Some (Printf.sprintf "tag %s (\\n -> n + %s)" e x)
         | _ -> None)
-    | Some e -> Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
-    | None -> None
+    | _, Some e -> Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
+    | _, None -> None
   in
   Printf.sprintf
     "each event must carry a function of the previous value: to add up the numbers, write `%s`"

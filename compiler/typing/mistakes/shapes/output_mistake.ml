@@ -119,23 +119,8 @@ let speeds (fact : Shape_fact.t) =
 (* `sleepT 2[s] (setVelTR v omega)`, and `sleepT` with its arguments exchanged, in a task for any
    output *)
 let of_sleeping words ~(subject : Resolve.Ir.expr option) other =
-  match subject with
-  | Some
-      {
-        desc =
-          Apply
-            {
-              head =
-                {
-                  desc =
-                    Apply { head = { desc = Global { name = "sleepT"; _ }; _ }; argument = time; _ };
-                  _;
-                };
-              argument = output;
-              _;
-            };
-        span;
-      } -> (
+  match Option.map (fun (e : Resolve.Ir.expr) -> (e.span, Resolve.Walk.application e)) subject with
+  | Some (span, ({ desc = Global { name = "sleepT"; _ }; _ }, [ time; output ])) -> (
       match (Type.expand other, Show.quote words time.span, Show.quote words output.span) with
       | Function _, _, Some text when changed other <> None && is_of_a_capability output ->
           let made = Printf.sprintf "roMake (%s)" text in

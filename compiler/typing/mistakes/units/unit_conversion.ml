@@ -7,17 +7,12 @@ let is_per_second words u = String.equal (Show.measure words u) "1/s"
    result. *)
 let numbers_without_units words (e : Resolve.Ir.expr option) =
   let e = Option.map (Bare_number.value words) e in
-  let rec arguments found (e : Resolve.Ir.expr) =
-    match e.desc with
-    | Apply { head; argument; style = Juxtaposed } -> arguments (argument :: found) head
-    | _ -> (e, found)
-  in
   let plain e =
     match Bare_number.literal words e with
     | Some { digits; unit_ = None; name = None; negative = false; _ } -> Some digits
     | Some _ | None -> None
   in
-  match Option.map (arguments []) e with
+  match Option.map Resolve.Walk.application e with
   | Some ({ desc = Global { name = "knob" | "min" | "max" | "clamp" | "limit" | "abs"; _ }; _ }, es)
     ->
       List.filter_map plain es
