@@ -128,25 +128,7 @@ const rosidl_message_type_support_t fake_lifecycle_msgs_TransitionEvent = {
     "lifecycle_msgs/msg/TransitionEvent"
 };
 
-#define SERVICE_FUNCTIONS(Name)                                      \
-    bool lifecycle_msgs__srv__##Name##_Request__init(void *message)  \
-    {                                                                \
-        return message != NULL;                                      \
-    }                                                                \
-    bool lifecycle_msgs__srv__##Name##_Response__init(void *message) \
-    {                                                                \
-        return message != NULL;                                      \
-    }                                                                \
-    void lifecycle_msgs__srv__##Name##_Request__fini(void *message)  \
-    {                                                                \
-        (void)message;                                               \
-    }                                                                \
-    void lifecycle_msgs__srv__##Name##_Response__fini(void *message) \
-    {                                                                \
-        (void)message;                                               \
-    }                                                                \
-    const rosidl_service_type_support_t fake_lifecycle_msgs_srv_##Name = { #Name };
-SERVICE_FUNCTIONS(ChangeState)
-SERVICE_FUNCTIONS(GetState)
-SERVICE_FUNCTIONS(GetAvailableStates)
-SERVICE_FUNCTIONS(GetAvailableTransitions)
+FAKE_SERVICE(lifecycle_msgs, ChangeState)
+FAKE_SERVICE(lifecycle_msgs, GetState)
+FAKE_SERVICE(lifecycle_msgs, GetAvailableStates)
+FAKE_SERVICE(lifecycle_msgs, GetAvailableTransitions)

@@ -698,31 +698,12 @@ const rosidl_message_type_support_t fake_diagnostic_msgs_DiagnosticArray = {
     "diagnostic_msgs/msg/DiagnosticArray", NULL, NULL
 };
 
-#define SERVICE_FUNCTIONS(Name)                                      \
-    bool rcl_interfaces__srv__##Name##_Request__init(void *message)  \
-    {                                                                \
-        return message != NULL;                                      \
-    }                                                                \
-    bool rcl_interfaces__srv__##Name##_Response__init(void *message) \
-    {                                                                \
-        return message != NULL;                                      \
-    }                                                                \
-    void rcl_interfaces__srv__##Name##_Request__fini(void *message)  \
-    {                                                                \
-        (void)message;                                               \
-    }                                                                \
-    void rcl_interfaces__srv__##Name##_Response__fini(void *message) \
-    {                                                                \
-        (void)message;                                               \
-    }                                                                \
-    const rosidl_service_type_support_t fake_rcl_interfaces_srv_##Name = { #Name };
-
-SERVICE_FUNCTIONS(SetParameters)
-SERVICE_FUNCTIONS(SetParametersAtomically)
-SERVICE_FUNCTIONS(GetParameters)
-SERVICE_FUNCTIONS(GetParameterTypes)
-SERVICE_FUNCTIONS(DescribeParameters)
-SERVICE_FUNCTIONS(ListParameters)
+FAKE_SERVICE(rcl_interfaces, SetParameters)
+FAKE_SERVICE(rcl_interfaces, SetParametersAtomically)
+FAKE_SERVICE(rcl_interfaces, GetParameters)
+FAKE_SERVICE(rcl_interfaces, GetParameterTypes)
+FAKE_SERVICE(rcl_interfaces, DescribeParameters)
+FAKE_SERVICE(rcl_interfaces, ListParameters)
 
 bool rcl_interfaces__msg__ParameterEvent__init(rcl_interfaces__msg__ParameterEvent *event)
 {

@@ -502,6 +502,26 @@ extern const rosidl_message_type_support_t fake_rosgraph_msgs_Clock;
 extern const rosidl_message_type_support_t fake_rcl_interfaces_ParameterEvent;
 #define ROSIDL_GET_MSG_TYPE_SUPPORT(package, kind, name) (&fake_##package##_##name)
 
+/* Defines the type support of a service and the functions for its messages. */
+#define FAKE_SERVICE(package, Name)                             \
+    bool package##__srv__##Name##_Request__init(void *message)  \
+    {                                                           \
+        return message != NULL;                                 \
+    }                                                           \
+    bool package##__srv__##Name##_Response__init(void *message) \
+    {                                                           \
+        return message != NULL;                                 \
+    }                                                           \
+    void package##__srv__##Name##_Request__fini(void *message)  \
+    {                                                           \
+        (void)message;                                          \
+    }                                                           \
+    void package##__srv__##Name##_Response__fini(void *message) \
+    {                                                           \
+        (void)message;                                          \
+    }                                                           \
+    const rosidl_service_type_support_t fake_##package##_srv_##Name = { #Name };
+
 #include "fake_lifecycle.h"
 
 #endif
