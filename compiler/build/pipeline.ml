@@ -52,8 +52,9 @@ let front ?(seen = ignore) (r : Request.t) sink sources =
   let* () = parse r sink sources in
   let* resolved = resolve r sink sources in
   seen (Resolved resolved);
+  let facts = Advice.Of_typing.into ~sources sink in
   let reached = reachable resolved in
-  let* typed = Typing.Of_resolved.program ~sources sink ~real:r.options.real reached in
+  let* typed = Typing.Of_resolved.program ~sources sink facts ~real:r.options.real reached in
   seen (Typed typed);
   Warnings.emit r sink ~resolved:reached typed;
   Option.iter (Robots.check_own sink typed) (Request.own_robot r);

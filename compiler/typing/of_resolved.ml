@@ -4,12 +4,12 @@ let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
 
 (* The checks of levels and patterns rely on types. After a type error they would only repeat the
    error in other words. *)
-let program ?sources sink ~real resolved =
+let program ?sources sink facts ~real resolved =
   Option.bind
     (sound sink (Infer.program ?sources sink ~real resolved))
     (fun typed ->
       let typed = Levels.program ?sources sink typed in
-      Patterns.check ?sources sink typed;
+      Patterns.check facts typed;
       sound sink typed)
 
 let partial ~real resolved =

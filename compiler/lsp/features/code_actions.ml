@@ -56,7 +56,7 @@ let signature ws (doc : Document.t) view facts (a : Analysis.t) (start, stop) =
       when (not (List.mem name.text signed))
            && offset d.span.start <= start
            && stop <= offset d.span.stop -> (
-        match Facts.global facts { module_; name = name.text } with
+        match Place_types.global facts { module_; name = name.text } with
         | None -> None
         | Some scheme ->
             let at = offset d.span.start in

@@ -45,7 +45,7 @@ let of_main ws (doc : Document.t) view range =
         let main : Resolve.Ir.Global.t =
           { module_ = (View.program view).main_module; name = "main" }
         in
-        match Facts.global facts main with
+        match Place_types.global facts main with
         | Some { ty = Data { tycon = { name = "Program"; _ }; _ }; _ } -> true
         | Some _ | None -> false)
   in

@@ -86,7 +86,7 @@ let expressions (doc : Document.t) offset =
   | Some seen -> (
       match (View.facts seen.view, View.position seen offset) with
       | Some facts, Some position ->
-          List.filter_map (View.range seen) (Facts.spans_at facts position)
+          List.filter_map (View.range seen) (Place_types.spans_at facts position)
       | _ -> [])
 
 let selections ws (doc : Document.t) params : Json.t =

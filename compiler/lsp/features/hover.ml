@@ -24,7 +24,7 @@ let of_expression ws (doc : Document.t) offset (seen : View.seen) =
   let open Basis.Let_syntax.Option in
   let* position = View.position seen offset in
   let* facts = View.facts seen.view in
-  let* span, ty = Facts.type_at facts position in
+  let* span, ty = Place_types.type_at facts position in
   let* range = View.range seen span in
   let* range = if fst range <= offset && offset <= snd range then Some range else None in
   Some (hover ws doc range (Printf.sprintf "```frob\n:: %s\n```" (Typing.Show.ty ty)))

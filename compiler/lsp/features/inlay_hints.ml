@@ -44,7 +44,7 @@ let of_version ws (doc : Document.t) (seen : View.seen) facts (start, stop) =
         in
         match o.symbol.what with
         | Local ->
-            Option.bind (Facts.local facts o.symbol.at) (fun (l : Facts.local) ->
+            Option.bind (Place_types.local facts o.symbol.at) (fun (l : Place_types.local) ->
                 let level =
                   match l.level with
                   | Level Constant -> Some ", constant"
@@ -55,7 +55,7 @@ let of_version ws (doc : Document.t) (seen : View.seen) facts (start, stop) =
                 Option.bind level (fun level ->
                     shown ~level (Typing.Show.scheme l.scheme) (Description.level l.level)))
         | Value g ->
-            Option.bind (Facts.global facts g) (fun scheme ->
+            Option.bind (Place_types.global facts g) (fun scheme ->
                 shown (Typing.Show.scheme scheme) "inferred")
         | Constructor _ | Type _ | Class _ | Unit _ | Field _ | Module -> None)
     | _ -> None

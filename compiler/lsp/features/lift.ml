@@ -252,7 +252,7 @@ let at ws (doc : Document.t) view place =
           Some (at_the_edge ~column (String.sub text start (stop - start)))
       | _ ->
           let inferred scheme = Printf.sprintf "%s :: %s" name (Typing.Show.scheme scheme) in
-          Option.map inferred (Facts.global facts global)
+          Option.map inferred (Place_types.global facts global)
     in
     let signed = Option.bind (written ()) (fun signature -> attempt (signature ^ "\n")) in
     Some { name; edits = tidy text (Option.fold signed ~none:edits ~some:fst) }

@@ -43,7 +43,7 @@ let kind (view : View.t) (o : Index.occurrence) =
   in
   match o.symbol.what with
   | Local -> (
-      match Option.bind facts (fun facts -> Facts.local facts o.symbol.at) with
+      match Option.bind facts (fun facts -> Place_types.local facts o.symbol.at) with
       | None -> ("variable", [])
       | Some { scheme; level } -> (
           let word = if is_function scheme.ty then "function" else "variable" in
@@ -53,7 +53,7 @@ let kind (view : View.t) (o : Index.occurrence) =
           | Level Static -> (word, [ "static" ])
           | Level Constant -> (word, [ "readonly" ])))
   | Value g -> (
-      match Option.bind facts (fun facts -> Facts.global facts g) with
+      match Option.bind facts (fun facts -> Place_types.global facts g) with
       | Some { ty; _ } when not (is_function ty) -> ("variable", "readonly" :: of_library g)
       | Some _ | None -> ("function", of_library g))
   | Field _ -> ("property", [])

@@ -79,7 +79,7 @@ let find (program : Resolve.Ir.program) (g : Resolve.Ir.Global.t) =
 let written view (scheme : Resolve.Ir.scheme) = Option.map squeezed (quote view scheme.span)
 
 let inferred view g =
-  Option.map Typing.Show.scheme (Option.bind (View.facts view) (fun f -> Facts.global f g))
+  Option.map Typing.Show.scheme (Option.bind (View.facts view) (fun f -> Place_types.global f g))
 
 let signature view g =
   match Option.bind (find (View.program view) g) (fun d -> d.scheme) with
@@ -90,7 +90,7 @@ let doc view g = Option.bind (find (View.program view) g) (fun d -> d.doc)
 
 (* {1 Symbols} *)
 
-let level : Facts.level -> string = function
+let level : Place_types.level -> string = function
   | Level Constant -> "constant"
   | Level Static -> "static: known when the enclosing signal function starts"
   | Level Signal -> "signal"
@@ -128,14 +128,15 @@ let of_symbol view (s : Index.symbol) =
   in
   match s.what with
   | Local ->
-      let of_local (l : Facts.local) =
+      let of_local (l : Place_types.local) =
         {
           code = Printf.sprintf "%s :: %s" s.name (Typing.Show.scheme l.scheme);
           notes = [ level l.level ];
           doc = None;
         }
       in
-      Option.map of_local (Option.bind (View.facts view) (fun facts -> Facts.local facts s.at))
+      Option.map of_local
+        (Option.bind (View.facts view) (fun facts -> Place_types.local facts s.at))
   | Value g ->
       let code =
         match signature view g with

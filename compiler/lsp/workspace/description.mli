@@ -16,4 +16,4 @@ val doc : View.t -> Resolve.Ir.Global.t -> string option
 val parameters : string -> string list
 (** Splits a type at its top-level arrows; the result type comes last. *)
 
-val level : Facts.level -> string
+val level : Place_types.level -> string

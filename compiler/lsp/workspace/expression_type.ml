@@ -4,12 +4,13 @@ open Basis
    it. *)
 let local (seen : View.seen) facts ~offset name =
   let source = (View.analysis seen.view).sources in
-  let is_it ((span : Span.t), (l : Facts.local)) =
+  let is_it ((span : Span.t), (l : Place_types.local)) =
     match (Source.quote source span, View.place seen span) with
     | Some text, Some (start, _) when String.equal text name -> Some (abs (offset - start), l)
     | _ -> None
   in
-  List.filter_map is_it (Facts.locals facts) |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
+  List.filter_map is_it (Place_types.locals facts)
+  |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
   |> function
   | (_, l) :: _ -> Some l.scheme.ty
   | [] -> None
@@ -25,14 +26,15 @@ let of_name (doc : Document.t) ~offset name =
           | Some ty -> Some ty
           | None ->
               let module_ = (View.program seen.view).main_module in
-              Option.map (fun (s : Typing.Ir.scheme) -> s.ty) (Facts.global facts { module_; name })
-          ))
+              Option.map
+                (fun (s : Typing.Ir.scheme) -> s.ty)
+                (Place_types.global facts { module_; name })))
 
 let fields (doc : Document.t) (ty : Typing.Ir.ty) =
   match (ty, Option.bind (Document.types doc) (fun seen -> View.facts seen.view)) with
   | Data { tycon; _ }, Some facts -> (
       let is_it (d : Typing.Ir.data) = d.tycon = tycon in
-      match List.find_opt is_it (Facts.data facts) with
+      match List.find_opt is_it (Place_types.data facts) with
       | Some { constructors = [ { record = true; fields; _ } ]; _ } -> fields
       | Some _ | None -> [])
   | _ -> []

@@ -4,14 +4,14 @@ type t = {
   analysis : Analysis.t;
   program : Resolve.Ir.program;
   tree : Syntax.Ir.program;
-  facts : Facts.t option Lazy.t;
+  facts : Place_types.t option Lazy.t;
   index : Index.t Lazy.t;
 }
 
 let of_analysis (a : Analysis.t) =
   match (a.resolved, a.tree) with
   | Some program, Some tree ->
-      let facts = lazy (Option.map (Facts.of_program ~main:program.main_module) a.typed) in
+      let facts = lazy (Option.map (Place_types.of_program ~main:program.main_module) a.typed) in
       let index = lazy (Index.of_analysis a ~typed:a.typed tree) in
       Some { analysis = a; program; tree; facts; index }
   | _ -> None

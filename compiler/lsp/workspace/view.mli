@@ -12,7 +12,7 @@ val analysis : t -> Analysis.t
 val tree : t -> Syntax.Ir.program
 val index : t -> Index.t
 
-val facts : t -> Facts.t option
+val facts : t -> Place_types.t option
 (** [None] if type checking failed. *)
 
 val program : t -> Resolve.Ir.program

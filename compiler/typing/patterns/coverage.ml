@@ -14,7 +14,7 @@ let create data =
   { constructors = table; most = 3 }
 
 type row = { pattern : pattern; guarded : bool }
-type missing = { named : string list; more : int }
+type missing = Pattern_fact.missing = { named : string list; more : int }
 type result = { missing : missing option; guarded_only : int option; useless : int list }
 
 (* {1 Uncovered values} *)

@@ -14,11 +14,7 @@ type row = {
   guarded : bool;  (** all its guards may fail, so it covers nothing *)
 }
 
-type missing = {
-  named : string list;
-      (** some of the values, in source syntax, with [_] for any value; at least one *)
-  more : int;  (** number of further patterns like these *)
-}
+type missing = Pattern_fact.missing = { named : string list; more : int }
 
 type result = {
   missing : missing option;  (** the uncovered values *)

@@ -4,4 +4,4 @@
     ([E0351]), and guards outside a [case] that can all be false ([E0352]). Warns about unreachable
     branches ([W0301]). *)
 
-val check : ?sources:Basis.Source.t -> Basis.Diagnostic.sink -> Ir.program -> unit
+val check : Fact.t Basis.Facts.t -> Ir.program -> unit

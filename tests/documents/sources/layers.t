@@ -16,12 +16,15 @@ cause it.
       levels -> types: levels.ml
       types -> infer: unify.ml
 
-The compiler's stages do not depend on the layers above them: `build` computes the result of a
-request, `tools` implements the commands, and `language_server` and `frobc` are the programs.
+The compiler's stages do not depend on the layers above them: `advice` turns the facts that they
+report into messages, `build` computes the result of a request, `tools` implements the commands, and
+`language_server` and `frobc` are the programs.
 
   $ uses() { sed -n 's/^ *(libraries \(.*\))$/\1/p' ../../../compiler/$1/dune | tr -d ')' | tr ' ' '\n'; }
   $ for stage in basis syntax resolve typing core specialize flow step cgen interp; do
-  >   uses $stage | grep -wE 'probe|report|build|tools|language_server' | sed "s/^/$stage: /"; done
+  >   uses $stage | grep -wE 'advice|probe|report|build|tools|language_server' | sed "s/^/$stage: /"; done
+  $ uses advice | grep -wE 'probe|report|build|tools|language_server'
+  [1]
   $ uses build | grep -wE 'tools|language_server'
   [1]
   $ uses lsp | grep -wE 'tools'

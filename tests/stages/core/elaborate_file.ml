@@ -19,7 +19,7 @@ let () =
   let typed =
     Option.bind
       (Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file)
-      (Typing.Of_resolved.program sink ~real:Double)
+      (Typing.Of_resolved.program sink (Advice.Of_typing.into sink) ~real:Double)
   in
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
   Option.iter (print stage) typed

@@ -3,7 +3,7 @@
 open Trees
 
 let check expected definitions =
-  let checked sink program = Typing.Patterns.check sink program in
+  let checked sink program = Typing.Patterns.check (Advice.Of_typing.into sink) program in
   Alcotest.(check string) "messages" expected (messages checked definitions)
 
 let m = local 1 "m"

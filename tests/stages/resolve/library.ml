@@ -11,7 +11,8 @@ let diagnostics file =
   | None -> ()
   | Some resolved ->
       Resolve.Lint.program resolved;
-      ignore (Typing.Of_resolved.program sink ~real:Double resolved));
+      let facts = Advice.Of_typing.into sink in
+      ignore (Typing.Of_resolved.program sink facts ~real:Double resolved));
   List.map
     (fun (d : Diagnostic.t) -> Format.asprintf "%a: %s: %s" Span.pp d.at d.code d.message)
     (Diagnostic.all sink)

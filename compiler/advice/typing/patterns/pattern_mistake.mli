@@ -1,0 +1,7 @@
+(** Messages about patterns: a `case` that does not cover every value ([E0350]) or is too complex to
+    check ([E0413]), a pattern that must match every value ([E0351]), guards that can all be false
+    ([E0352]), and a branch that is never taken ([W0301]). *)
+
+open Basis
+
+val diagnostic : Source.t -> Typing.Pattern_fact.t -> Diagnostic.t

@@ -1,0 +1,44 @@
+(** The facts that a stage of the compiler reports.
+
+    A stage reports what is wrong as a value of its own type of facts, with spans and the trees and
+    types involved, and without any text. The library [advice] turns each fact into a diagnostic. It
+    does this as soon as the fact is reported, so the diagnostic describes the state of the compiler
+    at that time. For example, type inference need not copy the types in its facts, although it
+    later changes their variables. *)
+
+type 'fact t
+(** The place to which a stage reports its facts. *)
+
+val into : Diagnostic.sink -> ('fact -> Diagnostic.t) -> 'fact t
+(** Emits the diagnostic of each fact into the sink. *)
+
+val ignored : unit -> 'fact t
+(** Discards all facts. *)
+
+val report : 'fact t -> 'fact -> unit
+
+val has_errors : 'fact t -> bool
+(** Does the sink contain an error? Facts that are held do not count. Always false for {!ignored}.
+*)
+
+(** {1 Holding facts}
+
+    A caller that knows more about a problem than the code that finds it can hold the facts that
+    this code reports, and then pass each of them on, drop it, or report another fact in its place.
+    The new fact may contain the held one. *)
+
+type 'fact held
+(** A reported fact that is not passed on yet, with the diagnostic that was made from it when it was
+    reported. *)
+
+val hold : 'fact t -> (unit -> 'a) -> 'a * 'fact held list
+(** Runs the function, and returns the facts that it reported, in this order, instead of passing
+    them on. If the function raises an exception, passes them on. *)
+
+val fact : 'fact held -> 'fact
+
+val pass_on : 'fact t -> 'fact held -> unit
+(** Reports the held fact, with the diagnostic that it already has. *)
+
+val diagnostic : 'fact held -> Diagnostic.t
+(** The diagnostic of the held fact. Only [advice] uses it, to extend it. *)

@@ -1,0 +1,39 @@
+(** Facts about the patterns of a typed program; {!Patterns} reports them. *)
+
+open Basis
+
+type missing = {
+  named : string list;
+      (** some of the values, in source syntax, with [_] for any value; at least one *)
+  more : int;  (** number of further patterns like these *)
+}
+(** Values that no pattern covers. *)
+
+type case = {
+  at : Span.t;
+  scrutinee : Ir.expr;
+  branches : Ir.branch list;
+  data : Ir.data list;  (** the program's data types *)
+}
+
+type refutable =
+  | Equation
+  | Bind
+  | Function
+  | Proc  (** constructs whose pattern must always match *)
+
+type t =
+  | Too_complex of case  (** its patterns have too many combinations *)
+  | Missing of {
+      case : case;
+      missing : missing;
+      guarded_only : int option;
+          (** a branch that would cover the first of these values if it had no guards *)
+      listed : missing option;
+          (** more of the values; only if no branch is [guarded_only], and there are not too many
+              combinations to list them *)
+    }
+  | Unreachable of { case : case; branch : Ir.branch }
+  | Refutable of { pattern : Ir.pattern; of_ : refutable; missing : missing }
+  | Guards_fail of { guards : Ir.expr; guarded : (Ir.expr * Ir.expr) list }
+      (** guards outside a [case] that can all be false *)
