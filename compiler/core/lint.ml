@@ -112,7 +112,8 @@ let primitive s (e : expr) p types =
       | Some ty -> is e ty
       | None -> fail e.span "`%s` is not imported" f.foreign_name)
   | None, _ ->
-      fail e.span "primitive `%s` has %d type arguments" (Primitive.name p) (List.length types)
+      fail e.span "primitive `%s` has %d type arguments" (Primitive_table.name p)
+        (List.length types)
 
 let method_ s (e : expr) ty types =
   List.iter (closed s e.span) (ty :: types);

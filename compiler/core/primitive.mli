@@ -1,8 +1,8 @@
-(** The table of built-in primitives.
+(** The built-in primitives.
 
     Each primitive is declared with its type in the standard library
-    ([primitive sin :: Float -> Float]) and has a row here. {!Specialize} and the interpreter
-    implement its meaning. *)
+    ([primitive sin :: Float -> Float]) and has a row in {!Primitive_table}. {!Specialize} and the
+    interpreter implement its meaning. *)
 
 type t =
   (* on numbers of any representation *)
@@ -126,14 +126,3 @@ and foreign = {
 and foreign_kind =
   | Stateless of int  (** a function with this number of arguments, at least one *)
   | Stateful  (** a signal function *)
-
-val of_name : string -> t option
-(** Finds a primitive by the name declared in the library. *)
-
-val name : t -> string
-
-val key : t -> string
-(** A key that is unique for each primitive. The name is not unique, because a foreign primitive may
-    have the same name as another one. *)
-
-val arity : t -> int

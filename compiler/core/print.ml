@@ -129,7 +129,7 @@ let rec expr c level (e : expr) =
   match e.desc with
   | Local x -> put c (local c x)
   | Global (g, types) -> name c level (global c g) types
-  | Primitive (p, types) -> name c level (operator (Primitive.name p)) types
+  | Primitive (p, types) -> name c level (operator (Primitive_table.name p)) types
   | Method m -> name c level m.name (m.ty :: m.types)
   | Number value -> number c level value
   | Boolean b -> put c (if b then "True" else "False")
@@ -163,11 +163,11 @@ let rec expr c level (e : expr) =
             arguments;
           close c)
   | Apply ({ desc = Apply ({ desc = Primitive (p, _); _ }, a); _ }, b)
-    when operator (Primitive.name p) <> Primitive.name p ->
+    when operator (Primitive_table.name p) <> Primitive_table.name p ->
       parenthesized c (level > 0) (fun () ->
           Format.pp_open_hovbox c.out 0;
           expr c 1 a;
-          put c (" " ^ Primitive.name p);
+          put c (" " ^ Primitive_table.name p);
           space c;
           expr c 1 b;
           close c)

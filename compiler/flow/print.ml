@@ -57,10 +57,10 @@ let operator : Ir.operator -> string = function
   | Maximum -> "max"
   | Divide -> "/"
   | Pow -> "**"
-  | Elementary e -> Core.Primitive.name (Elementary e)
+  | Elementary e -> Core.Primitive_table.name (Elementary e)
   | Div -> "div"
   | Mod -> "mod"
-  | Bitwise b -> Core.Primitive.name (Bitwise b)
+  | Bitwise b -> Core.Primitive_table.name (Bitwise b)
   | To_float -> "toFloat"
   | Round -> "round"
   | Floor -> "floor"

@@ -186,7 +186,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       | [ _; _; result ] -> Ending { signal_function; result }
       | _ -> bug "`ending` has three types")
   | _, _ -> (
-      let arity = Core.Primitive.arity p in
+      let arity = Core.Primitive_table.arity p in
       if List.length arguments < arity then
         Function (fun argument -> primitive env p types (arguments @ [ argument ]))
       else if List.length arguments > arity then

@@ -43,7 +43,7 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   | Elementary Ceiling_float -> Cost.one (Calls "ceil")
   | Elementary Nanoseconds ->
       Cost.(sum [ one Multiplications; several 2 Choices; several 2 Additions ])
-  | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
+  | Elementary f -> Cost.one (Calls (Core.Primitive_table.name (Elementary f)))
 
 (* The slowest path of the conversion; see the helpers of the generated C. *)
 let in_nanoseconds =

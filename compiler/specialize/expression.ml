@@ -245,7 +245,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       apply_lambda c s target ~span ~result closure captured binder body first others
   | Primitive { primitive; types; arguments = before; owner = _; at = _ }, _ -> (
       let all = List.rev_append arguments before in
-      let missing = Core.Primitive.arity primitive - List.length all in
+      let missing = Core.Primitive_table.arity primitive - List.length all in
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | Node, [ _; _ ] ->
@@ -420,9 +420,9 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
     | Function (_, ty), first :: others when count > 0 -> split (count - 1) ty (first :: own) others
     | _, _ -> (ty, List.rev own, others)
   in
-  let arity = Core.Primitive.arity primitive in
+  let arity = Core.Primitive_table.arity primitive in
   match Core.Signature.of_primitive primitive types with
-  | None -> bug "`%s` has unexpected type arguments" (Core.Primitive.name primitive)
+  | None -> bug "`%s` has unexpected type arguments" (Core.Primitive_table.name primitive)
   | Some ty ->
       let own_result, own, others = split arity ty [] arguments in
       let target = if others = [] then target else Node.Unnamed in

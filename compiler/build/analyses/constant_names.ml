@@ -24,7 +24,7 @@ let known t (e : Ir.expr) =
   | _ -> None
 
 let operator (primitive : Ir.Global.t) : Flow.Ir.operator option =
-  match Core.Primitive.of_name primitive.name with
+  match Core.Primitive_table.of_name primitive.name with
   | Some Add -> Some Add
   | Some Subtract -> Some Subtract
   | Some Multiply -> Some Multiply

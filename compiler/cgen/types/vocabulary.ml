@@ -326,7 +326,7 @@ let elementary (f : Core.Primitive.elementary) =
   | Ceiling_float -> "ceil"
   | Nanoseconds -> "frob_nanoseconds"
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 ->
-      "frob_" ^ Core.Primitive.name (Elementary f)
+      "frob_" ^ Core.Primitive_table.name (Elementary f)
 
 (* A helper is generated when it is first called. *)
 let helper t key make =

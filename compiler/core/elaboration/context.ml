@@ -26,7 +26,7 @@ let create data instances (foreign : Ir.foreign) =
   { last = 0; data = table; instances; foreign = values; newest_first = [] }
 
 let primitive t (g : Ir.Global.t) : Primitive.t =
-  match (Global_table.find_opt t.foreign g, Primitive.of_name g.name) with
+  match (Global_table.find_opt t.foreign g, Primitive_table.of_name g.name) with
   | Some foreign, _ -> Foreign foreign
   | None, Some p -> p
   | None, None ->

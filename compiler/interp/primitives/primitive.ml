@@ -2,7 +2,7 @@ exception Foreign_code of string
 
 let bug (p : Core.Primitive.t) =
   Basis.Diagnostic.bug ~stage:"Interp" "`%s` is applied to values of unexpected types"
-    (Core.Primitive.name p)
+    (Core.Primitive_table.name p)
 
 let float : Value.t -> float = function
   | Float x -> x

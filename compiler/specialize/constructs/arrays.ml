@@ -86,7 +86,7 @@ let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : V
     List.map (fun _ -> next) results
   in
   let targets = List.rev (target :: List.map (fun _ -> Node.Unnamed) (List.tl results)) in
-  let key = Core.Primitive.name primitive in
+  let key = Core.Primitive_table.name primitive in
   Loop.run p targets
     { name = name_of f.value key; kind; count; key; captured = [ f ]; arguments; final; elements }
     round
@@ -97,7 +97,7 @@ let apply_here (p : position) (evaluator : Evaluator.t) ~result (f : Value.argum
 
 (* Records that an array of functions or signal functions is expanded element by element. *)
 let one_by_one (p : position) ~by count =
-  let by = Core.Primitive.name by in
+  let by = Core.Primitive_table.name by in
   { p with trail = Context.expanding p.context p.trail ~by ~elements:count ~span:p.span }
 
 (* The array of the results of [f] on each element of [arrays], and on the element's index if
@@ -211,7 +211,7 @@ let apply (p : position) evaluator target (primitive : Core.Primitive.t) ~result
   | Imap, [ f; array ] -> elementwise ~numbered:true f [ array ]
   | Zip_with, [ f; a; b ] -> elementwise ~numbered:false f [ a; b ]
   | (Foldl | Scanl), [ f; first; array ] -> fold p evaluator primitive target f first array
-  | _ -> bug "`%s` on %d arguments" (Core.Primitive.name primitive) (List.length arguments)
+  | _ -> bug "`%s` on %d arguments" (Core.Primitive_table.name primitive) (List.length arguments)
 
 let parallel (p : position) (evaluator : Evaluator.t) ~result signal_functions array =
   let count, element = size_and_element result in

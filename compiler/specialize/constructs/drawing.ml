@@ -3,7 +3,7 @@ module Ir = Flow.Ir
 
 let bug primitive =
   Diagnostic.bug ~stage:"Specialize.Drawing" "`%s` has unexpected arguments"
-    (Core.Primitive.name primitive)
+    (Core.Primitive_table.name primitive)
 
 type drawing = { count : Ir.atom; marks : Ir.atom }
 

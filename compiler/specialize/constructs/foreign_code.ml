@@ -69,7 +69,7 @@ let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result argument
 let node (p : Evaluator.position) f ~result arguments =
   let c = p.context in
   let walk = Specialization_key.walk c.keys p.node Holes in
-  Specialization_key.add_text walk (Core.Primitive.key (Foreign f));
+  Specialization_key.add_text walk (Core.Primitive_table.key (Foreign f));
   let key = Specialization_key.key walk in
   match Variables.Table.find_opt c.specializations key with
   | Some { callee = Node known; _ } -> known

@@ -254,7 +254,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         _;
       } ->
       let result : Core.Ir.ty = Tuple [ m.result; Core.Signature.event ty ] in
-      let name = Core.Primitive.name primitive in
+      let name = Core.Primitive_table.name primitive in
       let outputs = run_in m node mode ~name ~result before.value input in
       let delayed = primitive = Delayed_switch in
       let event = Leaves.component outputs 1 in

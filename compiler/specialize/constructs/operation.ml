@@ -25,7 +25,8 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =
   let bug () =
     Diagnostic.bug ~stage:"Specialize.Operation" "`%s` on %d arguments"
-      (Core.Primitive.name primitive) (List.length arguments)
+      (Core.Primitive_table.name primitive)
+      (List.length arguments)
   in
   let atom (a : Value.argument) = Leaves.atom p.types p.node ~span:p.span a.ty a.value in
   let leaf : Ir.ty =

@@ -126,7 +126,7 @@ let rec add_at w local path ty (value : Value.t) =
     | (Function closure | Signal_function closure), _ -> add_closure w closure
     | Primitive { primitive; types; arguments; owner = _; at = _ }, _ ->
         add_number w tag_primitive;
-        add_number w (text_number w.table (Core.Primitive.key primitive));
+        add_number w (text_number w.table (Core.Primitive_table.key primitive));
         add_number w (List.length types);
         List.iter (fun ty -> add_number w (type_id w ty)) types;
         add_number w (List.length arguments);

@@ -99,7 +99,7 @@ let kept_name rhs =
     operator ^ "_" ^ match atom_name operand with "" -> "value" | name -> name
   in
   match rhs with
-  | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
+  | Op (Elementary e, operand :: _) -> after (Core.Primitive_table.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
   | _ -> "start_value"
 

@@ -1,99 +1,4 @@
-type t =
-  | Add
-  | Subtract
-  | Multiply
-  | Negate
-  | Absolute
-  | Signum
-  | Divide
-  | Power
-  | Power_literal of int
-  | Elementary of elementary
-  | Div
-  | Mod
-  | Bitwise of bitwise
-  | To_float
-  | Round
-  | Floor
-  | Ceiling
-  | Truncate
-  | Equal
-  | Not_equal
-  | Less
-  | Less_equal
-  | Greater
-  | Greater_equal
-  | Minimum
-  | Maximum
-  | And
-  | Or
-  | At
-  | Length
-  | Replace
-  | Generate
-  | Map
-  | Imap
-  | Zip_with
-  | Foldl
-  | Scanl
-  | Delay
-  | Time
-  | Time_since
-  | Step_time
-  | Ticks
-  | Integral
-  | Derivative
-  | Switch
-  | Delayed_switch
-  | Recurring_switch
-  | Delayed_recurring_switch
-  | Map_sf
-  | Parallel
-  | Initially
-  | On_event
-  | Make_task
-  | Until_right
-  | Return
-  | Sequence
-  | Run_task
-  | Reactimate
-  | Node
-  | Ending
-  | Console of console
-  | Text_of
-  | Blank
-  | Drawn
-  | Together
-  | Foreign of foreign
-
-and elementary =
-  | Sqrt
-  | Floor_float
-  | Ceiling_float
-  | Nanoseconds
-  | Hypot
-  | Exp
-  | Log
-  | Sin
-  | Cos
-  | Tan
-  | Asin
-  | Acos
-  | Atan
-  | Atan2
-
-and console = Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu
-and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
-
-and foreign = {
-  module_ : string;
-  foreign_name : string;
-  symbol : string;
-  kind : foreign_kind;
-  span : Basis.Span.t;
-}
-
-and foreign_kind = Stateless of int | Stateful
+open Primitive
 
 (* name in the library, primitive, number of arguments *)
 let table =
@@ -203,7 +108,7 @@ let name t =
   | Power_literal k, _ -> Printf.sprintf "^%d" k
   | Foreign f, _ -> f.foreign_name
   | _, Some (name, _, _) -> name
-  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"
+  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "a primitive without a row"
 
 let key t =
   match t with Foreign f -> Printf.sprintf "foreign %s.%s" f.module_ f.foreign_name | _ -> name t
@@ -214,4 +119,4 @@ let arity t =
   | Foreign { kind = Stateless arity; _ }, _ -> arity
   | Foreign { kind = Stateful; _ }, _ -> 0
   | _, Some (_, _, arity) -> arity
-  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"
+  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "a primitive without a row"
