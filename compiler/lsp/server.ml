@@ -427,7 +427,7 @@ let collect () =
     }
 
 let run ?disk () =
-  match Build.Resources.find () with
+  match Build.Installation.find () with
   | Error text -> Build.Reporting.wrong_use text
   | Ok resources ->
       collect ();

@@ -1,5 +1,4 @@
-(** Finds the standard library, the runtime and the hosts: relative to [frobc], in an installation
-    or a build, or in [FROB_HOME]. *)
+(** The places of the standard library, the runtime and the hosts. *)
 
 type t = {
   prefix : string;  (** folder of the installation, which contains [lib] and [share] *)
@@ -21,6 +20,3 @@ type t = {
   demo : string;  (** folder of the example that {!Demo} copies *)
   python : string;  (** folder of the Python package [frob], for [PYTHONPATH] *)
 }
-
-val find : unit -> (t, string) result
-(** The error lists the places that were searched, and says what to do. *)

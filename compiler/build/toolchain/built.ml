@@ -84,7 +84,7 @@ type linked = {
 }
 
 let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = Program_file.all_exist sources in
   Compiled.to_c ?quiet ?batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in

@@ -19,7 +19,7 @@ let default_compiler () =
   match List.find_opt is_on_path [ "cc"; "gcc"; "clang" ] with
   | Some name -> name
   | None -> (
-      match Resources.find () with
+      match Installation.find () with
       | Ok { own_compiler; _ } when Sys.file_exists own_compiler -> own_compiler
       | Ok _ | Error _ -> "cc")
 

@@ -36,7 +36,7 @@ let check_all general ?robot ~library files =
   next (Program_file.with_tests files)
 
 let check general files =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* robot = Robots.known general.robot in
   let statuses = check_all general ?robot ~library:resources.library files in
   (* A program with errors determines the exit status even if another file is missing. *)
@@ -56,7 +56,7 @@ let not_a_file ~folder file =
 
 let compile general entry ~batch ~standalone folder file =
   let* () = not_a_file ~folder file in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   Compiled.to_c ~batch ~banner:true general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok
       else
@@ -90,7 +90,7 @@ let wire_of (program : Step.Ir.program) : Report.Wire.t option =
 type diagram = Dot | Svg
 
 let report general ~entry ~states file =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let draw print =
     Compiled.accepted Queries.flow general resources ~entry file (fun _ program ->
         Format.printf "%t@?" (fun ppf ->
@@ -115,7 +115,7 @@ let report general ~entry ~states file =
           Exit_status.ok)
 
 let header robot =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* robot = Robots.known (Some robot) in
   let text, sink, sources = Compiled.header_of resources (Option.get robot) in
   match text with

@@ -172,6 +172,6 @@ let convert resources ~dialect from path =
   | Mcap, Mcap -> Error (Printf.sprintf "%s is already an MCAP file" (Basis.Printable.name from))
 
 let run dialect from path =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = convert resources ~dialect from path in
   Exit_status.ok

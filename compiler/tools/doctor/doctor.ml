@@ -292,7 +292,7 @@ let looks (resources : Resources.t) =
 
 let run () =
   Reporting.(
-    let* resources = Resources.find () in
+    let* resources = Installation.find () in
     let found =
       List.map
         (fun (name, look) ->

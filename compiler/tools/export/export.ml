@@ -120,7 +120,7 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~folders gene
 
 let platformio (general : Common_options.t) ~entry ~sources ~folder file =
   let ( let* ) = Reporting.( let* ) in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = Program_file.all_exist sources in
   Compiled.to_c ~banner:true general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in

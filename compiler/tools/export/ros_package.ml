@@ -213,7 +213,7 @@ let for_ros (general : Common_options.t) =
 let export general ~entry ~sources ~folder file =
   let ( let* ) = Reporting.( let* ) in
   let* general = for_ros general in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = Program_file.all_exist sources in
   Compiled.to_c ~banner:true general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in

@@ -83,7 +83,7 @@ let has python modules =
   Result.is_ok (Process.output python ("-c" :: test :: modules))
 
 let package () =
-  Result.to_option (Resources.find ()) |> Option.map (fun (r : Resources.t) -> r.python)
+  Result.to_option (Installation.find ()) |> Option.map (fun (r : Resources.t) -> r.python)
 
 let with_package python =
   if not (has python [ "frob" ]) then

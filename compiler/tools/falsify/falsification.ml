@@ -1,20 +1,4 @@
-type search = {
-  params : string list;
-  inputs : string list;
-  disturbances : string list;
-  seeds : string option;
-  world : string option;
-  duration : float;
-  rate : float;
-  check_rate : float option;
-  points : int;
-  linear : bool;
-  only : string list;
-  runs : int;
-  seed : int;
-  method_ : string;
-  keep : string;
-}
+open Search
 
 let package = "frob.falsify_command"
 
@@ -64,7 +48,7 @@ let run general ~entry ~sources search file =
     (* Makes the Python package use this frobc and its hosts, whatever else is installed. *)
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
     if Sys.getenv_opt "FROB_HOME" = None then
-      Result.iter (fun (r : Resources.t) -> Unix.putenv "FROB_HOME" r.prefix) (Resources.find ());
+      Result.iter (fun (r : Resources.t) -> Unix.putenv "FROB_HOME" r.prefix) (Installation.find ());
     let modules = if search.method_ = "cma" then [ "numpy"; "cma" ] else [ "numpy" ] in
     match Extras.python ~modules with
     | None ->

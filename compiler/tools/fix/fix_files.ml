@@ -118,7 +118,7 @@ let one general ~diff choice ~library ~robot file =
       Reporting.status sink
 
 let run general ~diff choice files =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* robot = Robots.known general.Common_options.robot in
   let statuses = List.map (one general ~diff choice ~library:resources.library ~robot) files in
   if List.mem Exit_status.rejected statuses then Exit_status.rejected

@@ -6,7 +6,7 @@ let asks_for_list general = List.mem "list" general.probes
 (* Prints the list instead of running the program. *)
 let print_list general ~entry file =
   let general = { general with probes = []; asserts = Off } in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   Compiled.accepted Queries.probes general resources ~entry file (fun _ list ->
       print_string list;
       Exit_status.ok)

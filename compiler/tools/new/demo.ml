@@ -17,7 +17,7 @@ let copied (resources : Resources.t) path =
         (Printf.sprintf "%s is missing: reinstall frobc" (resources.demo / Filename.basename path))
 
 let create () =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* program = copied resources program in
   let* test = copied resources test in
   let* world = copied resources world in

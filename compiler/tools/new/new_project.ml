@@ -108,7 +108,7 @@ let run path =
   let name = if path = "" then path else Filename.basename path in
   let program = name ^ ".frob" in
   let made =
-    let* resources = Resources.find () in
+    let* resources = Installation.find () in
     let* () = check_name resources name in
     let* () = check_free path in
     let* texts =

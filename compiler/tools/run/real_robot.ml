@@ -68,7 +68,7 @@ let served_in_ros resources ~robot serve =
   | Some _ | None -> Ok ([], [])
 
 let serve ~robot ~sources serve =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* robot, own = served resources ~robot ~sources in
   let* world = Where.find resources [ Here ] (Option.value serve.world ~default:"room.toml") in
   let outputs =
@@ -128,7 +128,7 @@ let run general ~entry ~sources run file =
   let* general = for_way (Probed.with_claims general) run.way in
   let outputs = List.map (Output.asked Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   Compiled.with_params general resources ~entry file @@ fun params ->
   let control = match run.look with Some { control; _ } -> control | None -> false in
   Viewing.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file

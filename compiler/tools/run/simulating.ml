@@ -11,7 +11,7 @@ type run = {
 
 let run general ~entry ~sources run file =
   let general = Probed.with_claims general in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = Program_file.check file in
   let* world = Where.world_of run.world resources file in
   let* general = Where.for_world general resources world in

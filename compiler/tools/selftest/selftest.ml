@@ -277,7 +277,7 @@ let verdict t = function
   | Error (Untried text) -> Reporting.wrong_use text
 
 let run compiler =
-  match Resources.find () with
+  match Installation.find () with
   | Error text -> Reporting.wrong_use text
   | Ok resources ->
       let folder = Temporary.folder () in

@@ -21,7 +21,3 @@ type t = {
   sampling_seed : int;
   params : (string * variation) placed list;
 }
-
-val read : Resources.t -> string -> (t, string) result
-(** Reads a plan file with the help of the simulator. The error contains one line for each mistake,
-    in the format of other messages. *)

@@ -1,4 +1,4 @@
-(** Prepares a sweep and reports errors before its first run. *)
+(** A sweep that is ready to run. *)
 
 type place = {
   world : string;  (** the world's name in the plan *)
@@ -23,8 +23,3 @@ type t = {
   points : string array array;
   measures : Measures.t list;
 }
-
-val of_plan : Common_options.t -> sources:string list -> string -> (t, int) result
-(** Reads a plan file. Errors are reported with their place in the plan; the result is then the exit
-    status. Each place is tried for one instant, so that the sweep does not start if a run is
-    impossible. *)

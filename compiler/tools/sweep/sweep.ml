@@ -122,7 +122,7 @@ let count_only (t : Setup.t) options rows =
 let run general ~sources options plan =
   let folder = Option.value options.rows ~default:(stem plan ^ ".rows") in
   let result =
-    let* resources = wrong (Resources.find ()) in
+    let* resources = wrong (Installation.find ()) in
     let table, outputs = outputs options plan in
     let* () = wrong (Output.check ~reads:[ plan ] outputs) in
     let* () =
@@ -131,7 +131,7 @@ let run general ~sources options plan =
           Error (Reporting.wrong_use (path ^ " must end in .svg: a sweep is drawn as SVG"))
       | _ -> Ok ()
     in
-    let* t = Setup.of_plan general ~sources plan in
+    let* t = Preparation.of_plan general ~sources plan in
     let* rows = loaded (folder :: options.also) in
     if options.dry then Ok (count_only t options rows)
     else

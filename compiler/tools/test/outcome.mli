@@ -1,4 +1,4 @@
-(** The results of tests, for the terminal, other tools, and CI servers. *)
+(** The results of tests. *)
 
 type fate =
   | Held
@@ -68,24 +68,3 @@ type skipped = {
   command : string;  (** the command that runs the test *)
 }
 (** A test that was skipped because its requirements must be given on the command line. *)
-
-val failures : t -> run list
-val has_failed : t -> bool
-
-val decided : t -> int option
-(** The number of runs after which the required chance was decided; [None] if it is not decided, or
-    no chance is required. *)
-
-val print : t -> unit
-(** Prints one line on standard output, and details if the test has failed. *)
-
-val print_skipped : skipped -> unit
-val print_total : t list -> skipped:int -> unit
-
-val json : t -> string
-(** One JSON object on a single line. *)
-
-val skipped_json : skipped -> string
-
-val junit : t list -> skipped list -> string
-(** A document in the JUnit format, for CI servers. *)

@@ -237,12 +237,12 @@ let run context file (check : Checks.t) { Checks.world; first; last; chance } : 
         match chance with
         | None -> runs p progress first last
         | Some _ ->
-            let decided known = Outcome.decided (outcome (Ok known) None) in
+            let decided known = Results.decided (outcome (Ok known) None) in
             until_decided p progress ~decided ~first ~last []
       in
       Progress.finish progress;
       let t = outcome ~measures:p.measures result None in
-      match shortest (Outcome.failures t) with
-      | Some ({ seed = Some seed; _ } as run) when Outcome.has_failed t ->
+      match shortest (Results.failures t) with
+      | Some ({ seed = Some seed; _ } as run) when Results.has_failed t ->
           { t with evidence = Some (evidence p run seed) }
       | _ -> t)

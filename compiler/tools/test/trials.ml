@@ -64,15 +64,15 @@ let interrupted (options : Checking.options) () =
 
 let tell (options : Checking.options) outcome =
   incr told;
-  if options.json then print_endline (Outcome.json outcome) else Outcome.print outcome
+  if options.json then print_endline (Results.json outcome) else Results.print outcome
 
 (* The results of a file. *)
 type result = { status : int; ran : Outcome.t list; skipped : Outcome.skipped list }
 
 let skip (options : Checking.options) path ({ what; command } : Needs.t) (check : Checks.t) =
   let skipped = { Outcome.path; name = check.label; what; command } in
-  if options.json then print_endline (Outcome.skipped_json skipped)
-  else Outcome.print_skipped skipped;
+  if options.json then print_endline (Results.skipped_json skipped)
+  else Results.print_skipped skipped;
   skipped
 
 (* A test in a file that was found in a folder may be skipped; a test in a file that the user names
@@ -109,20 +109,20 @@ let of_file (context : Checking.t) { path = file; named } =
   | Some needs -> { status; ran = []; skipped = List.map (skip context.options file needs) wanted }
 
 let finish (options : Checking.options) all skipped =
-  if not (options.json || all = []) then Outcome.print_total all ~skipped:(List.length skipped);
+  if not (options.json || all = []) then Results.print_total all ~skipped:(List.length skipped);
   match options.junit with
   | None -> Ok ()
   | Some path -> (
       match open_out path with
       | channel ->
-          output_string channel (Outcome.junit all skipped);
+          output_string channel (Results.junit all skipped);
           close_out channel;
           Ok ()
       | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason))
 
 let run (general : Common_options.t) ~sources (options : Checking.options) paths =
   let paths = if paths = [] then [ "." ] else paths in
-  match (Resources.find (), List.find_opt (fun path -> not (Sys.file_exists path)) paths) with
+  match (Installation.find (), List.find_opt (fun path -> not (Sys.file_exists path)) paths) with
   | Error reason, _ -> Reporting.wrong_use reason
   | _, Some path ->
       Reporting.wrong_use (Printf.sprintf "there is no file %s" (Basis.Printable.name path))
@@ -149,7 +149,7 @@ let run (general : Common_options.t) ~sources (options : Checking.options) paths
       | _, _, _ -> (
           match finish options all skipped with
           | Error reason -> Reporting.wrong_use reason
-          | Ok () when List.exists Outcome.has_failed all -> Exit_status.rejected
+          | Ok () when List.exists Results.has_failed all -> Exit_status.rejected
           | Ok () when all = [] && rejected = None ->
               Reporting.wrong_use "no test was run; see above for how to run the skipped tests"
           | Ok () -> Option.value rejected ~default:Exit_status.ok))

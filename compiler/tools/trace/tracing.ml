@@ -14,7 +14,7 @@ let compiled_trace general ~goes_on ~dialect ~params ~entry ~sources ~modes ~inp
 
 (* Runs the interpreter, with the same messages as the host of compiled programs. *)
 let interpreted_trace general ~dialect ~params ~entry ~input ~output file =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   Compiled.accepted Queries.interpretable general resources ~entry file
     (fun _ (core, entry, marks) ->
       let params = List.map (fun (p : Params.set) -> (p.param, p.value)) params in
@@ -41,7 +41,7 @@ let units_of_columns general (resources : Resources.t) ~entry file =
   fun name -> Option.value (Hashtbl.find_opt table name) ~default:""
 
 let draw general ~entry ~trace ~picture file =
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let units = units_of_columns general resources ~entry file in
   let* drawn = Drawn.picture ~units trace in
   let* () = Output.write [ (picture, drawn) ] in
@@ -51,7 +51,7 @@ let trace general engine ~dialect ~entry ~sources ~modes ~input ~output ~picture
   let general = Bag.for_its_robot general input in
   let run ~input ~output =
     let* input = Bag.recording ~program:file input in
-    let* resources = Resources.find () in
+    let* resources = Installation.find () in
     Compiled.with_params general resources ~entry file @@ fun params ->
     match engine with
     | C ->

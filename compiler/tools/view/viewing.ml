@@ -57,7 +57,7 @@ let shown ?(params = []) general ~entry ~sources look ~record ~world file contin
   match look with
   | None -> continue []
   | Some { browser; control = _ } ->
-      let* resources = Resources.find () in
+      let* resources = Installation.find () in
       let* () = Program_file.check file in
       let general, generated = with_all_probes general resources ~entry file in
       Built.shared general ~generated ~options:(effort None) ~entry ~sources file (fun _ program ->
@@ -88,7 +88,7 @@ let view general ~entry ~sources view file =
     | Some port when not (is_port port) -> Error "--port takes a number from 1 to 65535"
     | Some _ | None -> Ok ()
   in
-  let* resources = Resources.find () in
+  let* resources = Installation.find () in
   let* () = Program_file.check file in
   let general = Bag.for_its_robot general view.recording in
   let* recording =

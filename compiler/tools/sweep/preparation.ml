@@ -1,27 +1,6 @@
 open Basis
 open Basis.Let_syntax.Result
-
-type place = {
-  world : string;
-  path : string;
-  robot : string;
-  program : string;
-  judge : string;
-  digest : string;
-}
-
-type t = {
-  plan : Plan.t;
-  label : string;
-  lasts : float;
-  rate : float;
-  first : int;
-  last : int;
-  places : place array;
-  axes : Points.axis list;
-  points : string array array;
-  measures : Measures.t list;
-}
+open Setup
 
 let most_runs = 10_000_000
 let refuse text = Error (Reporting.wrong_use text)
@@ -295,7 +274,7 @@ let complete context (plan : Plan.t) path =
     }
 
 let of_plan general ~sources path =
-  let* resources = Result.map_error Reporting.wrong_use (Resources.find ()) in
+  let* resources = Result.map_error Reporting.wrong_use (Installation.find ()) in
   let* () =
     if Sys.file_exists path then Ok ()
     else refuse (Printf.sprintf "there is no file %s" (Printable.name path))
@@ -305,7 +284,7 @@ let of_plan general ~sources path =
       (fun text ->
         prerr_string text;
         Exit_status.wrong_use)
-      (Plan.read resources path)
+      (Plan_file.read resources path)
   in
   let general = { general with Common_options.asserts = Count } in
   complete (Checking.alone general ~sources resources) plan path

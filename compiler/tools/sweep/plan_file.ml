@@ -1,20 +1,4 @@
-type 'a placed = { place : string; value : 'a }
-type variation = Range of { low : string; high : string; steps : int } | Values of string list
-type sampling = Grid | Random | Latin
-
-type t = {
-  program : string placed;
-  trial : string placed option;
-  seeds : (int * int) option;
-  lasts : float option;
-  rate : float option;
-  worlds : string placed list;
-  robots : string placed list;
-  sampling : sampling;
-  points : int;
-  sampling_seed : int;
-  params : (string * variation) placed list;
-}
+open Plan
 
 let nothing =
   {

@@ -1,33 +1,4 @@
-type fate = Held | Violated | Undecided | Unasked | Void
-type collision = { time : float; x : float; y : float; clearance : float; with_ : string }
-
-type run = {
-  seed : int option;
-  fate : fate;
-  at : float;
-  by : string;
-  truth : float list;
-  collisions : int;
-  first : collision option;
-  measured : (string * float) list;
-}
-
-type look = { around : string list; picture : string; view : string }
-type simpler = { needs : string list; world : string; again : run; seen : look }
-type evidence = { run : run; look : look; simpler : simpler option; note : string }
-
-type t = {
-  file : string;
-  label : string;
-  lasts : float;
-  measures : Measures.t list;
-  chance : Chance.t option;
-  note : string;
-  result : (run list, string) result;
-  evidence : evidence option;
-}
-
-type skipped = { path : string; name : string; what : string; command : string }
+open Outcome
 
 let is_failure r = match r.fate with Violated | Undecided -> true | Held | Unasked | Void -> false
 let runs t = Result.value t.result ~default:[]

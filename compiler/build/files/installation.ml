@@ -1,22 +1,4 @@
-type t = {
-  prefix : string;
-  library : string;
-  headers : string;
-  runtime : string;
-  robot_host : string;
-  runtime_sources : string;
-  elementary : string;
-  own_compiler : string;
-  trace_host : string;
-  viewer : string;
-  simulator : string;
-  server : string;
-  worlds : string;
-  selftest : string;
-  template : string;
-  demo : string;
-  python : string;
-}
+open Resources
 
 let ( / ) = Filename.concat
 

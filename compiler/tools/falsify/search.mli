@@ -1,0 +1,19 @@
+(** The options of [frobc falsify]. *)
+
+type t = {
+  params : string list;  (** each [NAME=LOW to HIGH] *)
+  inputs : string list;  (** each [NAME=LOW to HIGH] or [NAME=VALUE] *)
+  disturbances : string list;  (** each [TABLE.KEY=LOW to HIGH], with a key of the world file *)
+  seeds : string option;  (** [LOW to HIGH], range of the seeds for noise *)
+  world : string option;
+  duration : float;  (** s *)
+  rate : float;  (** instants per second *)
+  check_rate : float option;
+  points : int;
+  linear : bool;
+  only : string list;  (** labels of assertions; empty for all *)
+  runs : int;
+  seed : int;
+  method_ : string;  (** [cma] or [random] *)
+  keep : string;
+}
