@@ -12,7 +12,7 @@ type t = {
   machines : Machine_table.t list;
 }
 
-let state_comment (v : V.t) (field : M.field) =
+let state_comment (v : Program_names.t) (field : M.field) =
   let what =
     match field.content with
     | Value _ | Running_mode | Modes _ | Component _ -> field.purpose
@@ -23,7 +23,7 @@ let state_comment (v : V.t) (field : M.field) =
   let unit_ = match v.units.field field with "" -> "" | unit_ -> unit_ ^ ", " in
   String.concat "" [ unit_; what; " at "; file; ":"; line ]
 
-let rec member (v : V.t) (m : V.member) : Ir.member =
+let rec member (v : Program_names.t) (m : Program_names.member) : Ir.member =
   let { Step.State_struct.node = k; field; _ } = m.stores in
   let state node = Ir.Struct v.nodes.(node).state in
   let ty : Ir.ty =
@@ -40,11 +40,13 @@ let rec member (v : V.t) (m : V.member) : Ir.member =
 and mode v (name, members) : Ir.member =
   { name; ty = Members (Basis.Long_list.map (member v) members); comment = "" }
 
-let mode_numbers (v : V.t) k (node : M.node) =
+let mode_numbers (v : Program_names.t) k (node : M.node) =
   match node.modes with
   | [] | [ _ ] -> []
   | _ :: _ :: _ ->
-      let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
+      let names =
+        List.map (fun (m : Program_names.mode) -> m.constant) (Array.to_list v.nodes.(k).modes)
+      in
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
 (* Modes that exclude each other share memory in a union, and the step of each receives a pointer to
@@ -61,7 +63,7 @@ let overlaid =
 #endif
 |}
 
-let state_struct (v : V.t) ~overlaid k =
+let state_struct (v : Program_names.t) ~overlaid k =
   let members =
     match v.nodes.(k).members with
     | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
@@ -69,7 +71,7 @@ let state_struct (v : V.t) ~overlaid k =
   in
   Ir.Struct_definition { name = v.nodes.(k).state; overlaid; members; comment = "" }
 
-let states (v : V.t) =
+let states (v : Program_names.t) =
   let overlaid = V.has_modes v in
   let of_node k (node : M.node) =
     let has_struct = V.home v k = k && (V.has_state v k || V.is_root v k) in
@@ -79,7 +81,7 @@ let states (v : V.t) =
   List.concat (List.mapi of_node (Array.to_list v.program.nodes))
 
 (* Leaves out the types of a robot, which the robot's header defines. *)
-let definitions (v : V.t) =
+let definitions (v : Program_names.t) =
   let ours : Value_types.owner -> bool = function
     | Program | Foreign_code -> true
     | Robot -> false
@@ -93,12 +95,12 @@ let definitions (v : V.t) =
 
 (* {1 The user's C} *)
 
-let foreign_headers (v : V.t) =
+let foreign_headers (v : Program_names.t) =
   List.sort_uniq String.compare
     (List.map (fun (h : Flow.Ir.header) -> Printf.sprintf "\"%s\"" h.header) v.program.headers)
 
 (* Structs that are only passed by address may be incomplete types. *)
-let foreign_structs (v : V.t) =
+let foreign_structs (v : Program_names.t) =
   let imported (f : Flow.Ir.import) = f.result :: f.arguments in
   let shapes = v.program.input :: v.program.output :: List.concat_map imported v.program.imports in
   let types = List.concat_map Flow.Shape.leaves shapes in
@@ -112,7 +114,7 @@ let foreign_structs (v : V.t) =
 
 (* A program may also be used as a component of another program. Its header then replaces the
    definitions that the importing program would generate. *)
-let own_records (v : V.t) =
+let own_records (v : Program_names.t) =
   let mark (d : Ir.declaration) =
     match d with
     | Struct_definition { name; _ } when List.mem name [ v.input.struct_name; v.output.struct_name ]
@@ -124,7 +126,7 @@ let own_records (v : V.t) =
   | [] -> v.records
   | marks -> Ir.Text (String.concat "" marks) :: v.records
 
-let foreign_records (v : V.t) =
+let foreign_records (v : Program_names.t) =
   List.concat_map
     (fun (d : Ir.declaration) ->
       match d with Struct_definition { name; _ } -> Value_types.once name [ d ] | d -> [ d ])
@@ -138,7 +140,7 @@ let declared_by_math =
      log1p log2 logb pow sqrt cbrt hypot erf erfc tgamma lgamma ceil floor nearbyint rint round \
      trunc fmod remainder copysign nextafter fdim fmax fmin fma fabs"
 
-let foreign_prototypes (v : V.t) =
+let foreign_prototypes (v : Program_names.t) =
   let prototypes (f : Foreign_interface.t) =
     if List.mem f.symbol declared_by_math then [] else Foreign_interface.prototypes f
   in
@@ -147,7 +149,7 @@ let foreign_prototypes (v : V.t) =
   | all -> Ir.Text "/* Imported functions. */\n" :: List.map (fun p -> Ir.Prototype p) all
 
 (* Variables whose addresses are placeholders for missing foreign values. *)
-let absent (v : V.t) =
+let absent (v : Program_names.t) =
   let add (f : Flow.Ir.foreign_type) name all = (name, f.c_type) :: all in
   let variables = Hashtbl.fold add v.absent [] in
   List.map
@@ -155,7 +157,7 @@ let absent (v : V.t) =
     (List.sort compare variables)
 
 (* The named constants, in source order. *)
-let constants (v : V.t) =
+let constants (v : Program_names.t) =
   let order ((a : Named_constants.constant), _) ((b : Named_constants.constant), _) =
     Basis.Span.compare a.place b.place
   in
@@ -166,7 +168,7 @@ let constants (v : V.t) =
   | [] -> []
   | all -> [ Ir.Text (String.concat "" (List.map definition all)) ]
 
-let params (v : V.t) text =
+let params (v : Program_names.t) text =
   List.map (fun params -> Ir.Text (text params v.program)) (Option.to_list v.params)
 
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
@@ -180,7 +182,7 @@ type types = {
   of_source : Ir.declaration list;
 }
 
-let types_of (v : V.t) (functions : Ir.function_ list) =
+let types_of (v : Program_names.t) (functions : Ir.function_ list) =
   let records = foreign_records v @ own_records v in
   let prototypes = foreign_prototypes v in
   let states = states v in
@@ -208,7 +210,7 @@ let comment_lines = function
   | lines ->
       "\n *" ^ String.concat "" (List.map (fun line -> "\n * " ^ without_marks line) lines) ^ "\n"
 
-let header (v : V.t) { types; records; prototypes; states; of_source = _ }
+let header (v : Program_names.t) { types; records; prototypes; states; of_source = _ }
     (functions : Ir.function_ list) ~banner ~(batch : Batch.t option) : Ir.file =
   let guard = String.uppercase_ascii v.name ^ "_H" in
   let root = v.nodes.(Array.length v.nodes - 1) in

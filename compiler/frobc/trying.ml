@@ -48,7 +48,7 @@ let test =
         Reporting.wrong_use "--rate must be a number from 0.1 to 10000"
     | Ok (), Ok () ->
         Tools.Trials.run general ~sources
-          { Tools.Checking.pattern; seeds; jobs; rate; json; junit; update; keep }
+          { Tools.Session.pattern; seeds; jobs; rate; json; junit; update; keep }
           paths
   in
   let man =

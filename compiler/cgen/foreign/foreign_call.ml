@@ -172,7 +172,7 @@ let call_function v names (node : M.node) symbol arguments (passing : Foreign_in
       into (variable (V.ty v ty)) pointer (fun name -> Whole (Name name))
   | Elements _, _ -> bug "an array of several leaves"
 
-let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
+let step (v : Program_names.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let node = v.program.nodes.(k) in
   let foreign =
     match node.foreign with

@@ -5,4 +5,4 @@
     example for an event that did not occur. A C function never receives a null pointer; it is not
     called in that case. *)
 
-val step : Vocabulary.t -> int -> Foreign_interface.t -> Ir.function_
+val step : Program_names.t -> int -> Foreign_interface.t -> Ir.function_

@@ -1,8 +1,6 @@
-module V = Vocabulary
-
 type t = { prototype : string; definition : string }
 
-let of_program (v : V.t) =
+let of_program (v : Program_names.t) =
   let root = v.nodes.(Array.length v.nodes - 1) in
   let name = Name.fresh v.file_scope (v.name ^ "_steps") in
   let real = match v.program.real with Double -> "double" | Single -> "float" in

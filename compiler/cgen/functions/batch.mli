@@ -9,5 +9,5 @@ type t = {
   definition : string;  (** for the source, after the step *)
 }
 
-val of_program : Vocabulary.t -> t
+val of_program : Program_names.t -> t
 (** Generates [NAME_steps]. *)

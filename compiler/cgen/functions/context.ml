@@ -3,7 +3,7 @@ module M = Step.Ir
 module V = Vocabulary
 
 type t = {
-  v : V.t;
+  v : Program_names.t;
   names : Expression.names;
   index : int;
   node : M.node;

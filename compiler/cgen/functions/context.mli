@@ -4,7 +4,7 @@ open Basis
 module M = Step.Ir
 
 type t = {
-  v : Vocabulary.t;
+  v : Program_names.t;
   names : Expression.names;
   index : int;
   node : M.node;
@@ -30,7 +30,7 @@ val declared : t -> (M.variable * string) list -> Ir.statement list
 val uninitialized : t -> M.variable list -> Ir.statement list
 (** The same for the variables' own names, with the last declaration first. *)
 
-val in_seconds : Vocabulary.t -> Ir.expr -> Ir.expr
+val in_seconds : Program_names.t -> Ir.expr -> Ir.expr
 (** Converts 64-bit nanoseconds to seconds. *)
 
 val step_call :

@@ -3,7 +3,7 @@ module M = Step.Ir
 module V = Vocabulary
 
 type names = {
-  v : V.t;
+  v : Program_names.t;
   node : int;
   scope : Name.scope;
   variables : Ir.expr Int_table.t;
@@ -14,7 +14,7 @@ type names = {
 
 let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
 
-let names (v : V.t) ~node =
+let names (v : Program_names.t) ~node =
   let given = if Option.is_some v.params then "params" :: given else given in
   {
     v;

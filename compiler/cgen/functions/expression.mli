@@ -3,9 +3,9 @@
 type names
 (** The names that a function uses for its variables and the state of its node. *)
 
-val names : Vocabulary.t -> node:int -> names
+val names : Program_names.t -> node:int -> names
 val scope : names -> Name.scope
-val vocabulary : names -> Vocabulary.t
+val vocabulary : names -> Program_names.t
 
 val index : names -> int -> string
 (** The index variable of a loop at this nesting depth. *)

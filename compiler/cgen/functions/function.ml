@@ -133,7 +133,7 @@ let name_variables names body =
 
 (* The variables that are read. A variable that is only passed on through the pointer to the input
    does not count. *)
-let variables_read (v : V.t) (node : M.node) body =
+let variables_read (v : Program_names.t) (node : M.node) body =
   let reads = Int_table.create 16 in
   let count n (variable : M.variable) =
     let before = Option.value (Int_table.find_opt reads variable.id) ~default:0 in
@@ -148,7 +148,7 @@ let variables_read (v : V.t) (node : M.node) body =
 let self v k = (Ir.Pointer (Struct (V.state_struct v k)), "self")
 
 (* The pointer to the program's parameters, if they exist and are read. *)
-let params (v : V.t) is_read =
+let params (v : Program_names.t) is_read =
   match v.params with
   | Some params when is_read ->
       [ (Ir.Pointer_to_const (Struct (Param_struct.struct_name params)), "params") ]
@@ -167,7 +167,7 @@ let place_of (node : M.node) =
 
 let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
 
-let reset (v : V.t) k : Ir.function_ =
+let reset (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
   let is_read = Step.Param_use.in_reset v.param_use k in
@@ -189,7 +189,7 @@ let reset (v : V.t) k : Ir.function_ =
 
 (* A member of the input that has a name in the source is read where it is used. A member that is
    only called [f1] is first copied to a variable with the programmer's name. *)
-let read_member (v : V.t) names read (variable : M.variable) steps =
+let read_member (v : Program_names.t) names read (variable : M.variable) steps =
   let place = Access.path (Name "in") steps [] in
   if Interface.direct v.program.input || String.equal variable.name "" then (
     Expression.read_as names variable place;
@@ -203,10 +203,10 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
 let read_elements names variable steps =
   Expression.read_elements_as names variable (Access.path (Name "in") steps)
 
-let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
+let input (v : Program_names.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
 (* Limits the times that the caller of the root's step passes. *)
-let limited_times (v : V.t) k =
+let limited_times (v : Program_names.t) k =
   let limit name function_ = [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] in
   (match Step.Dt_limits.nanoseconds v.dt_limits k with
   | Unlimited -> []
@@ -221,7 +221,7 @@ let limited_times (v : V.t) k =
 (* Maximum number of operations of a function that is marked inline. *)
 let inline_size = 12
 
-let own_step (v : V.t) k : Ir.function_ =
+let own_step (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
   let read = variables_read v node node.step.body in
@@ -293,7 +293,7 @@ let inputs c (node : M.node) =
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
-let root_step (v : V.t) k : Ir.function_ =
+let root_step (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
@@ -344,7 +344,7 @@ let root_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-let steps (v : V.t) k =
+let steps (v : Program_names.t) k =
   if not (V.is_root v k) then [ own_step v k ]
   else
     let step = root_step v k in

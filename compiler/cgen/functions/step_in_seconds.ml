@@ -4,13 +4,13 @@ open Context
 let dt = Ir.Name "dt"
 let set_dt value = plain (Ir.Assign (dt, value))
 
-let at_first (v : V.t) ~root zero value =
+let at_first (v : Program_names.t) ~root zero value =
   match v.program.started with
   | None -> value
   | Some { field; own = _ } ->
       Ir.Conditional (Expression.field (Expression.names v ~node:root) field, value, zero)
 
-let mark (v : V.t) ~root =
+let mark (v : Program_names.t) ~root =
   match v.program.started with
   | None | Some { own = false; _ } -> []
   | Some { field; own = true } ->
@@ -18,7 +18,7 @@ let mark (v : V.t) ~root =
 
 (* The statements that convert dt, and the arguments for the step's parameters dt_ns and dt. A time
    that the step does not read is 0. *)
-let times (v : V.t) ~root =
+let times (v : Program_names.t) ~root =
   let node = v.program.nodes.(root) in
   let none = V.float v 0. in
   if node.nanoseconds || (node.seconds && v.program.real = Single) then
@@ -35,7 +35,7 @@ let times (v : V.t) ~root =
     | first -> ([ set_dt first ], (Ir.Integer 0l, whole))
   else ([ plain (Ir.Do (Cast (Void, dt))) ], (Ir.Integer 0l, none))
 
-let of_step (v : V.t) ~root (step : Ir.function_) : Ir.function_ =
+let of_step (v : Program_names.t) ~root (step : Ir.function_) : Ir.function_ =
   let conversions, (dt_ns, dt) = times v ~root in
   let argument (_, name) = match name with "dt_ns" -> dt_ns | "dt" -> dt | name -> Ir.Name name in
   let call = plain (Ir.Do (Call (step.name, List.map argument step.parameters))) in

@@ -12,7 +12,12 @@ type t = {
 (* Longer arrays of machines are omitted, because so many columns would not be readable. *)
 let longest_array = 64
 
-type search = { v : V.t; names : Basis.Names.t; mutable found : t list; mutable count : int }
+type search = {
+  v : Program_names.t;
+  names : Basis.Names.t;
+  mutable found : t list;
+  mutable count : int;
+}
 
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
@@ -33,7 +38,10 @@ let rec node s k ~path ~element ~within =
             name = Basis.Names.unique s.names (node_.origin ^ element);
             path = path_of field;
             wide = Array.length s.v.nodes.(k).modes > 256;
-            modes = List.map (fun (m : V.mode) -> m.member) (Array.to_list s.v.nodes.(k).modes);
+            modes =
+              List.map
+                (fun (m : Program_names.mode) -> m.member)
+                (Array.to_list s.v.nodes.(k).modes);
             within;
           }
           :: s.found;
@@ -61,7 +69,7 @@ let rec node s k ~path ~element ~within =
   in
   List.iter (field ~within) node_.state
 
-let of_program (v : V.t) =
+let of_program (v : Program_names.t) =
   let s = { v; names = Basis.Names.create (); found = []; count = 0 } in
   node s (Array.length v.program.nodes - 1) ~path:"" ~element:"" ~within:None;
   List.rev s.found

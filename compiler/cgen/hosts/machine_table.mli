@@ -10,6 +10,6 @@ type t = {
           this machine *)
 }
 
-val of_program : Vocabulary.t -> t list
+val of_program : Program_names.t -> t list
 (** Each machine follows the one that contains it. Machines with a single mode, and those in long
     arrays, are omitted. *)

@@ -1,64 +1,13 @@
+open Program_names
 module F = Flow.Ir
 module M = Step.Ir
 
-type mode = { constant : string; member : string }
-
-type member = {
-  name : string;
-  stores : Step.State_struct.member;
-  modes : (string * member list) list;
-}
-
-type node = {
-  state : string;
-  reset : string;
-  step : string;
-  members : member list;
-  paths : string list Basis.Int_table.t;
-  modes : mode array;
-  foreign : Foreign_interface.t option;
-}
-
-type helper =
-  | Maker of { sum : int; constructor : int }
-  | Projection of { sum : int; constructor : int; leaf : int }
-  | On_arrays of Array_type.operation * M.ty
-
 (* The collected struct types of the program's interface. *)
 type structs = {
-  program : M.program;
+  source : M.program;
   units : Units.t;
   own : Interface.types;
   shared : Interface.types;  (** the types of robots and foreign code *)
-}
-
-type t = {
-  program : M.program;
-  structs : Step.State_struct.t;
-  units : Units.t;
-  named : Named_constants.t;
-  name : string;
-  file_scope : Name.scope;
-  types : Value_types.t;
-  foreign_types : Value_types.t;
-  sums : Sum_type.t array;
-  nodes : node array;
-  in_seconds : string;
-  input : Interface.t;
-  output : Interface.t;
-  params : Param_struct.t option;
-  param_use : Step.Param_use.t;
-  dt_limits : Step.Dt_limits.t;
-  by_pointer : Program_input.t;
-  records : Ir.declaration list;
-  robot_records : Ir.declaration list;
-  foreign_records : Ir.declaration list;
-  imports : Foreign_interface.t list;
-  robots : Robot.t list;
-  helpers : (helper, string) Hashtbl.t;
-  mutable pending : Ir.function_ list;
-  absent : (F.foreign_type, string) Hashtbl.t;
-  constants : (Named_constants.constant, string * float) Hashtbl.t;
 }
 
 let is_root t k = k = Array.length t.program.nodes - 1
@@ -170,16 +119,16 @@ let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) re
         Some (Interface.of_record structs.shared ~name product)
     | _, _ -> None
   in
-  match (structs.program.real, robots, result) with
+  match (structs.source.real, robots, result) with
   | Double, Some robots, None -> robots
   | Double, Some robots, Some result ->
       Interface.with_others structs.own ~name ~first:"command" robots [ ("result", result) ]
   | Double, None, _ | Single, _, _ -> Interface.of_shape structs.own ~units ~name whole
 
 let input_interface (structs : structs) ~name ~robot ~sensed ~(console : Robot.console option) =
-  let whole = structs.program.input in
+  let whole = structs.source.input in
   let plain = interface structs robot ~name ~units:structs.units.input ~whole ~part:sensed None in
-  match (structs.program.real, robot, console) with
+  match (structs.source.real, robot, console) with
   | Double, Some _, Some { part; at } ->
       Interface.with_others structs.own ~name ~first:"robot" plain [ part ]
       |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
@@ -187,13 +136,13 @@ let input_interface (structs : structs) ~name ~robot ~sensed ~(console : Robot.c
 
 let output_interface (structs : structs) ~fresh ~name ~robot ~command ~result =
   let output name =
-    let whole = structs.program.output in
+    let whole = structs.source.output in
     interface structs robot ~name ~units:structs.units.output ~whole ~part:command result
   in
-  match structs.program.probes with
+  match structs.source.probes with
   | [] -> output name
   | probes ->
-      let plain = output (fresh (Name.identifier structs.program.name ^ "_command")) in
+      let plain = output (fresh (Name.identifier structs.source.name ^ "_command")) in
       let probes = [ ("probes", Interface.record_of probes) ] in
       Interface.with_others structs.own ~name ~first:"command" plain probes
 
@@ -239,7 +188,7 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   in
   let own = interface_types types ~real:program.real ~prefix:name in
   let shared = interface_types foreign_types ~real:Double ~prefix:"frob" in
-  let structs = { program; units; own; shared } in
+  let structs = { source = program; units; own; shared } in
   let input = input_interface structs ~name:input_name ~robot:input_robot ~sensed ~console in
   let output =
     let fresh = Name.fresh scope in

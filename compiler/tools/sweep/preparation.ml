@@ -22,7 +22,7 @@ let beside plan name =
 (* {1 The trial} *)
 
 (* The trials of a program and its test file, each with the file that contains it. *)
-let rec trials (context : Checking.t) = function
+let rec trials (context : Session.t) = function
   | [] -> Ok []
   | file :: others ->
       let* own = trials_in context file in
@@ -65,7 +65,7 @@ let trial_of (plan : Plan.t) file trials =
 
 (* {1 Parameters} *)
 
-let value (context : Checking.t) file (p : _ Plan.placed) ~name text =
+let value (context : Session.t) file (p : _ Plan.placed) ~name text =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = Request.make ~options:context.general ~library:context.resources.library file in
   match Queries.params sink sources { request with settings = [ { name; text } ] } with
@@ -129,7 +129,7 @@ let worlds context (plan : Plan.t) file (trial : Checks.trial) =
   | worlds ->
       each (fun (w : string Plan.placed) -> path (fun text -> refuse_at w "%s" text) w.value) worlds
 
-let digest_of (context : Checking.t) general ~entry file =
+let digest_of (context : Session.t) general ~entry file =
   let text = ref "" in
   ignore
     (Compiled.to_c ~quiet:true general context.resources ~entry file (fun files ->
@@ -155,7 +155,7 @@ type subject = {
   measures : Measures.t list;
 }
 
-let place (context : Checking.t) subject (world, path) robot =
+let place (context : Session.t) subject (world, path) robot =
   let { file; judging_file; check; measures } = subject in
   let general = context.general in
   let general = if robot = "" then general else { general with robot = Some robot } in
@@ -188,7 +188,7 @@ let place (context : Checking.t) subject (world, path) robot =
 (* {1 Trying each place} *)
 
 (* Performs the first run of each place, for one instant. *)
-let tried (context : Checking.t) (t : t) =
+let tried (context : Session.t) (t : t) =
   let settings =
     List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ t.points.(0).(k)) t.axes
   in
@@ -211,7 +211,7 @@ let units_of context file names =
   else
     let sink = Diagnostic.sink () and sources = Source.create () in
     let request =
-      Request.make ~options:context.Checking.general ~library:context.resources.library file
+      Request.make ~options:context.Session.general ~library:context.resources.library file
     in
     match Queries.units_of_params sink sources request with
     | Some units -> Ok (fun name -> Option.value (List.assoc_opt name units) ~default:"")

@@ -1,4 +1,5 @@
 open Checking
+open Session
 
 let instants context ~lasts path =
   let channel = open_out path in

@@ -1,4 +1,4 @@
 (** Tests without a robot: a signal function without input, which runs for a certain time. *)
 
-val run : Checking.t -> string -> Checks.t -> Outcome.t
+val run : Session.t -> string -> Checks.t -> Outcome.t
 (** Runs a test of the program in this file. *)

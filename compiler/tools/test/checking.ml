@@ -1,23 +1,4 @@
-type options = {
-  pattern : string option;
-  seeds : int option;
-  jobs : int option;
-  rate : float;
-  json : bool;
-  junit : string option;
-  update : bool;
-  keep : string;
-}
-
-type t = {
-  general : Common_options.t;
-  sources : string list;
-  options : options;
-  resources : Resources.t;
-  jobs : int;
-  rejected : (string * string, string) Hashtbl.t;
-  names : (string, string * string) Hashtbl.t;
-}
+open Session
 
 let alone general ~sources resources =
   let jobs = None and pattern = None and seeds = None and junit = None in

@@ -1,4 +1,5 @@
 open Checking
+open Session
 open Basis.Let_syntax.Result
 
 (* The first line that differs; [""] past the end. *)

@@ -1,4 +1,5 @@
 open Checking
+open Session
 
 type t = { what : string; command : string }
 

@@ -6,7 +6,7 @@ type t = {
   command : string;  (** the command that runs the tests *)
 }
 
-val of_file : Checking.t -> string -> Checks.t list -> t option
+val of_file : Session.t -> string -> Checks.t list -> t option
 (** The missing requirements of these tests, if the files for them are next to the program: a
     robot's module and the C files with its body, C files that define functions that the program
     calls, and headers that it includes. Any other missing file is reported when the tests run. *)

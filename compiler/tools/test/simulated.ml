@@ -1,4 +1,5 @@
 open Checking
+open Session
 open Basis.Let_syntax.Result
 
 let world_of context file name = Where.find context.resources [ Beside file ] name
@@ -14,7 +15,7 @@ let chunks ~jobs first last =
   from first
 
 type prepared = {
-  context : Checking.t;
+  context : Session.t;
   file : string; (* the program's file *)
   check : Checks.t;
   world : string; (* its path *)
@@ -36,7 +37,7 @@ let prepared context file (check : Checks.t) world =
   Ok { context; file = main; check; world; program; judge; measures }
 
 let command p ?(world = p.world) (first, last) more =
-  let { Checking.resources; options; _ } = p.context in
+  let { Session.resources; options; _ } = p.context in
   ( resources.simulator,
     [
       p.program;
@@ -57,7 +58,7 @@ let command p ?(world = p.world) (first, last) more =
 
 (* The command that repeats the run with one seed. *)
 let run_again p ~world seed =
-  let { Checking.options; _ } = p.context in
+  let { Session.options; _ } = p.context in
   let rate = if options.rate = 50. then "" else Printf.sprintf " --rate %.9g" options.rate in
   Printf.sprintf "frobc run %s%s --world %s --seed %d --for %s%s" (Basis.Printable.path p.file)
     (program_words p.context) (Basis.Printable.path world) seed (Time_span.print p.check.lasts) rate

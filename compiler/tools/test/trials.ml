@@ -38,7 +38,7 @@ let contains text part =
 
 (* {1 The command} *)
 
-let one (context : Checking.t) file (check : Checks.t) =
+let one (context : Session.t) file (check : Checks.t) =
   match check.plan with
   | Alone -> Alone.run context file check
   | Traced { input; output } -> Golden.run context file check ~input ~output
@@ -52,7 +52,7 @@ let one (context : Checking.t) file (check : Checks.t) =
 
 let told = ref 0
 
-let interrupted (options : Checking.options) () =
+let interrupted (options : Session.options) () =
   match !told with
   | 0 -> "no test has finished, so no results were saved; run the same command to start again"
   | n ->
@@ -62,14 +62,14 @@ let interrupted (options : Checking.options) () =
         (if n = 1 then "1 test" else Printf.sprintf "%d tests" n)
         options.keep
 
-let tell (options : Checking.options) outcome =
+let tell (options : Session.options) outcome =
   incr told;
   if options.json then print_endline (Results.json outcome) else Results.print outcome
 
 (* The results of a file. *)
 type result = { status : int; ran : Outcome.t list; skipped : Outcome.skipped list }
 
-let skip (options : Checking.options) path ({ what; command } : Needs.t) (check : Checks.t) =
+let skip (options : Session.options) path ({ what; command } : Needs.t) (check : Checks.t) =
   let skipped = { Outcome.path; name = check.label; what; command } in
   if options.json then print_endline (Results.skipped_json skipped)
   else Results.print_skipped skipped;
@@ -77,7 +77,7 @@ let skip (options : Checking.options) path ({ what; command } : Needs.t) (check 
 
 (* A test in a file that was found in a folder may be skipped; a test in a file that the user names
    must run. *)
-let of_file (context : Checking.t) { path = file; named } =
+let of_file (context : Session.t) { path = file; named } =
   let found = ref [] in
   let status =
     Compiled.accepted Queries.checks context.general context.resources ~entry:"main" file
@@ -108,7 +108,7 @@ let of_file (context : Checking.t) { path = file; named } =
       { status; ran; skipped }
   | Some needs -> { status; ran = []; skipped = List.map (skip context.options file needs) wanted }
 
-let finish (options : Checking.options) all skipped =
+let finish (options : Session.options) all skipped =
   if not (options.json || all = []) then Results.print_total all ~skipped:(List.length skipped);
   match options.junit with
   | None -> Ok ()
@@ -120,7 +120,7 @@ let finish (options : Checking.options) all skipped =
           Ok ()
       | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason))
 
-let run (general : Common_options.t) ~sources (options : Checking.options) paths =
+let run (general : Common_options.t) ~sources (options : Session.options) paths =
   let paths = if paths = [] then [ "." ] else paths in
   match (Installation.find (), List.find_opt (fun path -> not (Sys.file_exists path)) paths) with
   | Error reason, _ -> Reporting.wrong_use reason
@@ -130,7 +130,7 @@ let run (general : Common_options.t) ~sources (options : Checking.options) paths
       let jobs = match options.jobs with Some n -> n | None -> Workers.processors () in
       let general = { general with Common_options.asserts = Count } in
       let rejected = Hashtbl.create 8 and names = Hashtbl.create 8 in
-      let context = { Checking.general; sources; options; resources; jobs; rejected; names } in
+      let context = { Session.general; sources; options; resources; jobs; rejected; names } in
       let results =
         Interruption.reported (interrupted options) (fun () ->
             List.map (of_file context) (unique (List.concat_map (fun path -> files path) paths)))

@@ -5,7 +5,7 @@ let f = Printf.sprintf
 let lines = String.concat ""
 
 (* Statements that mix the value of type [ty] at the C expression [at] into the hash. *)
-let rec value (v : V.t) ~depth at (ty : M.ty) =
+let rec value (v : Cgen.Program_names.t) ~depth at (ty : M.ty) =
   match ty with
   | Bool | Int | Nanoseconds -> f "    mix_int(hash, (int64_t)%s);\n" at
   | Float -> f "    mix_real(hash, (double)%s);\n" at
@@ -32,10 +32,10 @@ and sum v ~depth at k =
   ^ lines (List.map scalar scalars)
   ^ lines (List.map2 (fun (name, _) ty -> value v ~depth (f "%s.%s" at name) ty) arrays types)
 
-let place (v : V.t) k (field : M.field) =
+let place (v : Cgen.Program_names.t) k (field : M.field) =
   "s->" ^ String.concat "." (Basis.Int_table.find v.nodes.(k).paths field.id)
 
-let rec field (v : V.t) k (field_ : M.field) =
+let rec field (v : Cgen.Program_names.t) k (field_ : M.field) =
   let at () = place v k field_ in
   match field_.content with
   | Value ty -> value v ~depth:0 (at ()) ty
@@ -62,7 +62,7 @@ and of_modes v k modes =
         (lines (List.mapi case modes))
   | _, None -> invalid_arg "State.of_modes: modes without a number"
 
-let node (v : V.t) k (node : M.node) =
+let node (v : Cgen.Program_names.t) k (node : M.node) =
   if Option.is_some node.foreign || not (V.has_state v k) then ""
   else
     f

@@ -1,0 +1,59 @@
+(** The file-level names of a program, which are all chosen in advance, and the types and helpers
+    that the generated code uses. *)
+
+type mode = { constant : string;  (** its number *) member : string  (** of the modes' union *) }
+
+type member = {
+  name : string;
+  stores : Step.State_struct.member;
+  modes : (string * member list) list;  (** the structs of a union, with their names in the union *)
+}
+(** A member of a state struct. *)
+
+type node = {
+  state : string;  (** its struct; [""] if it has no struct of its own *)
+  reset : string;
+  step : string;
+  members : member list;  (** the members of its struct *)
+  paths : string list Basis.Int_table.t;
+      (** paths to the node's fields, by id, in the struct that contains them *)
+  modes : mode array;  (** modes of its machine *)
+  foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C *)
+}
+
+(** A small helper function on values of one type. *)
+type helper =
+  | Maker of { sum : int; constructor : int }
+  | Projection of { sum : int; constructor : int; leaf : int }
+  | On_arrays of Array_type.operation * Step.Ir.ty
+
+type t = {
+  program : Step.Ir.program;
+  structs : Step.State_struct.t;
+  units : Units.t;
+  named : Named_constants.t;
+  name : string;  (** the prefix of all names *)
+  file_scope : Name.scope;
+  types : Value_types.t;
+  foreign_types : Value_types.t;  (** types for the user's C *)
+  sums : Sum_type.t array;  (** the program's own sums *)
+  nodes : node array;
+  in_seconds : string;  (** name of the root's step that takes dt in seconds and rounds it *)
+  input : Interface.t;
+  output : Interface.t;
+  params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)
+  param_use : Step.Param_use.t;
+  dt_limits : Step.Dt_limits.t;
+  by_pointer : Program_input.t;  (** steps that read the input through the pointer *)
+  records : Ir.declaration list;  (** the program's own interface structs *)
+  robot_records : Ir.declaration list;  (** structs of a robot's header *)
+  foreign_records : Ir.declaration list;  (** structs that the user's C uses *)
+  imports : Foreign_interface.t list;
+  robots : Robot.t list;  (** robots whose headers are included *)
+  helpers : (helper, string) Hashtbl.t;
+  mutable pending : Ir.function_ list;  (** helpers not yet emitted, last one first *)
+  absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
+      (** variables whose addresses are placeholders for missing values *)
+  constants : (Named_constants.constant, string * float) Hashtbl.t;
+      (** the constants that the code uses, with their names and values in C *)
+}
