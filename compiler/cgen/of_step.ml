@@ -10,6 +10,7 @@ type t = {
   params : Param_struct.t option;
   sums : Sum_type.t array;
   machines : Machine_table.t list;
+  is_valid : string option;
 }
 
 let state_comment (v : Program_names.t) (field : M.field) =
@@ -210,8 +211,17 @@ let comment_lines = function
   | lines ->
       "\n *" ^ String.concat "" (List.map (fun line -> "\n * " ^ without_marks line) lines) ^ "\n"
 
+let about_validity = function
+  | None -> ""
+  | Some is_valid ->
+      Printf.sprintf
+        "\n\
+        \ * %s tells whether each running mode has a number that exists. If not, memory\n\
+        \ * was damaged: bring the outputs to rest, and call no step before the next reset."
+        is_valid
+
 let header (v : Program_names.t) { types; records; prototypes; states; of_source = _ }
-    (functions : Ir.function_ list) ~banner ~(batch : Batch.t option) : Ir.file =
+    (functions : Ir.function_ list) ~is_valid ~banner ~(batch : Batch.t option) : Ir.file =
   let guard = String.uppercase_ascii v.name ^ "_H" in
   let root = v.nodes.(Array.length v.nodes - 1) in
   let robots = List.map Robot.included v.robots in
@@ -225,10 +235,11 @@ let header (v : Program_names.t) { types; records; prototypes; states; of_source
              \ * The caller owns the state and calls %s once, then at each instant one of\n\
              \ *   %s with the seconds since the previous instant, or\n\
              \ *   %s with the same time in nanoseconds and in seconds, which is faster;\n\
-             \ *       both must be 0 in the first instant.%s */\n\
+             \ *       both must be 0 in the first instant.%s%s */\n\
               #ifndef %s\n\
               #define %s\n"
-             v.program.name root.reset v.in_seconds root.step (comment_lines banner) guard guard);
+             v.program.name root.reset v.in_seconds root.step (about_validity is_valid)
+             (comment_lines banner) guard guard);
         Text (includes (robots @ [ "<stdbool.h>"; "<stdint.h>" ] @ foreign_headers v));
         Text "#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
       ];
@@ -269,9 +280,11 @@ let program ?own ?units ?named ?(batch = false) ?(banner = []) (program : M.prog
         let reset = if is_called then made (fun () -> [ Function.reset v k ]) else [] in
         named_once (reset @ made (fun () -> Function.steps v k))
   in
-  let functions = List.concat (List.init (root + 1) of_node) in
+  let validity = Validity.functions v in
+  let functions = List.concat (List.init (root + 1) of_node) @ validity in
   let interface = List.filter (fun (f : Ir.function_) -> f.linkage = External) functions in
   let types = types_of v functions in
+  let is_valid = match validity with [] -> None | _ :: _ -> Some v.is_valid in
   let source =
     List.concat
       [
@@ -295,11 +308,12 @@ let program ?own ?units ?named ?(batch = false) ?(banner = []) (program : M.prog
   in
   {
     name = v.name;
-    header = header v types interface ~banner ~batch;
+    header = header v types interface ~is_valid ~banner ~batch;
     source;
     input = v.input;
     output = v.output;
     params = v.params;
     sums = v.sums;
     machines = Machine_table.of_program v;
+    is_valid;
   }

@@ -10,6 +10,7 @@ type t = {
   params : Param_struct.t option;
   sums : Sum_type.t array;
   machines : Machine_table.t list;
+  is_valid : string option;  (** the function of {!Validity}, if there is one *)
 }
 
 val program :

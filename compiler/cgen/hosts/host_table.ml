@@ -305,6 +305,12 @@ let params out (program : Step.Ir.program) params =
       sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
         (List.length program.params)
 
+(* The table's function that checks the state. *)
+let validity (files : Of_step.t) =
+  match files.is_valid with
+  | None -> "    (void)state;\n    return true;\n"
+  | Some is_valid -> sprintf "    return %s((const struct %s_state *)state);\n" is_valid files.name
+
 let text ?own ?node (program : Step.Ir.program) (files : Of_step.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
@@ -316,7 +322,8 @@ let text ?own ?node (program : Step.Ir.program) (files : Of_step.t) =
     "#include \"%s.h\"\n\
      %s#include <frob/arithmetic.h>\n\
      #include <frob/program.h>\n\
-     %s#include <stddef.h>\n\n"
+     %s#include <stdbool.h>\n\
+     #include <stddef.h>\n\n"
     program.name
     (Border.includes [ input_side; output_side ])
     rounds_dt;
@@ -337,6 +344,10 @@ static void reset(void *state, const void *params)
 {
 %s    %s_reset((struct %s_state *)state%s);
 }
+
+static bool is_valid(const void *state)
+{
+%s}
 %s
 extern const struct frob_program frob_program;
 const struct frob_program frob_program = {
@@ -350,6 +361,7 @@ const struct frob_program frob_program = {
     &%s,
     reset,
     step,
+    is_valid,
     %s,
     %s,
     %s,
@@ -362,7 +374,7 @@ const struct frob_program frob_program = {
     %s,
 };
 |}
-    unread name name passed
+    unread name name passed (validity files)
     (Border.step ~params:files.params program files.sums ~name ~input:input_side ~output:output_side)
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output

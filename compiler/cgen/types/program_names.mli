@@ -39,6 +39,7 @@ type t = {
   sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
   in_seconds : string;  (** name of the root's step that takes dt in seconds and rounds it *)
+  is_valid : string;  (** name of the function that checks the state *)
   input : Interface.t;
   output : Interface.t;
   params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)

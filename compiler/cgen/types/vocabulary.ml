@@ -59,6 +59,7 @@ type root = {
   root_reset : string;
   root_step : string;
   root_in_seconds : string;
+  root_is_valid : string;
 }
 
 let name_root scope ~name =
@@ -67,7 +68,8 @@ let name_root scope ~name =
   let root_reset = take "_reset" in
   let root_in_seconds = take "_step" in
   let root_step = take "_step_ns" in
-  { root_state; root_reset; root_step; root_in_seconds }
+  let root_is_valid = take "_is_valid" in
+  { root_state; root_reset; root_step; root_in_seconds; root_is_valid }
 
 let name_nodes scope ~name ~root ~foreign ~structs (nodes : M.node array) =
   let last = Array.length nodes - 1 in
@@ -219,6 +221,7 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
     sums = Value_types.sums types;
     nodes;
     in_seconds = root.root_in_seconds;
+    is_valid = root.root_is_valid;
     input;
     output;
     params;

@@ -160,6 +160,11 @@ void loop_stop(void)
 static void instant(int64_t now)
 {
     const int64_t dt_ns = before_ns == 0 ? 0 : now - before_ns;
+    if (!frob_program.is_valid(frob_program_state)) {
+        counts.damaged++;
+        frob_robot_halt(&robot);
+        return;
+    }
     frob_robot_sense(&robot, &input);
     memset(&output, 0, sizeof output);
     frob_program.step(frob_program_state, frob_program.default_params, dt_ns, (double)dt_ns / 1e9,

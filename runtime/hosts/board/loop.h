@@ -47,6 +47,8 @@ void *loop_input(void);
 
 struct loop_counts {
     uint32_t steps, overruns, late, stale, connections;
+    uint32_t damaged; /* instants without a step, because the program's state was not valid; the
+                       * robot stays at rest until the board restarts */
 };
 
 struct loop_counts loop_count(void);

@@ -12,9 +12,13 @@
 
 #include "../common/child.h"
 #include "realtime.h"
+#include <frob/program.h>
 
 /* As the dt of a message: reset the program, without an answer. */
 #define RESETS INT64_MIN
+
+/* Exit status of the controller process if the program's state is not valid. */
+enum { STATE_IS_DAMAGED = 3 };
 
 /* The controller process: runs a step for each message, until the supervisor is gone. */
 static void serve(const struct controller *c, int socket, const struct params *params)
@@ -48,6 +52,8 @@ static void serve(const struct controller *c, int socket, const struct params *p
             dt_ns = 0;
         is_first = false;
         memset(output, 0, program->output_size);
+        if (!program->is_valid(state))
+            _exit(STATE_IS_DAMAGED);
         program->step(state, params->values, dt_ns, (double)dt_ns / 1e9, input, output);
         while (send(socket, output, c->output_size, MSG_NOSIGNAL) < 0)
             if (errno != EINTR)
@@ -131,7 +137,7 @@ enum controller_answer controller_take(struct controller *c, void *output)
 
 const char *controller_end(struct controller *c, int patience_ms)
 {
-    static char fate[64];
+    static char fate[256];
     int status = 0;
     pid_t gone = 0;
     if (c->pid == 0)
@@ -156,6 +162,8 @@ const char *controller_end(struct controller *c, int patience_ms)
                  strsignal(WTERMSIG(status)));
     else if (WIFSIGNALED(status))
         snprintf(fate, sizeof fate, "was killed");
+    else if (WEXITSTATUS(status) == STATE_IS_DAMAGED)
+        snprintf(fate, sizeof fate, "found its state damaged: " FROB_DAMAGED_STATE);
     else
         snprintf(fate, sizeof fate, "ended with status %d", WEXITSTATUS(status));
     return fate;

@@ -215,6 +215,12 @@ bool controllers_step(struct controllers *c, int64_t now_ns, const struct touche
         ok = look(c, k, now_ns) && ok;
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
+        if (!program->is_valid(one->state)) {
+            command_rest(c, k, now_ns);
+            fprintf(stderr, "error: the state of %s is damaged: " FROB_DAMAGED_STATE "\n",
+                    program->name);
+            return false;
+        }
         program->step(one->state, c->params, dt_ns, dt, one->input, one->output);
         if (c->rests)
             command_rest(c, k, now_ns);

@@ -408,6 +408,11 @@ static int run(struct trace *t, const char *output_name)
             if (!ok)
                 break;
             dt_ns = first ? 0 : now - before;
+            if (!program->is_valid(state)) {
+                complain(t, 0, "the state of %s is damaged: " FROB_DAMAGED_STATE, program->name);
+                ok = false;
+                break;
+            }
             program->step(state, t->params.values, dt_ns, (double)dt_ns / 1e9, input, output);
             if ((t->parts & FROB_TRACE_MODES) != 0)
                 frob_trace_row_with_modes(&text, program, t->parts, now, NULL, output, state);

@@ -9,6 +9,7 @@
 #ifndef FROB_PROGRAM_H
 #define FROB_PROGRAM_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -144,6 +145,9 @@ struct frob_program {
      * seconds, dt_ns / 1e9. Both must be 0 in the first instant after a reset. */
     void (*step)(void *state, const void *params, int64_t dt_ns, double dt, const void *input,
                  void *output);
+    /* Whether the number of each running mode is one that exists. If not, memory was damaged: hosts
+     * bring the robot to rest, and call no step before the next reset. */
+    bool (*is_valid)(const void *state);
     /* frob_arithmetic_faults, compiled with the program's options; checks floats too if the program
      * computes with them. */
     unsigned (*arithmetic)(void);
@@ -171,7 +175,12 @@ struct frob_program {
     const struct frob_node *node; /* NULL for a program without topics of its own */
 };
 
-#define FROB_PROGRAM_ABI 11u
+#define FROB_PROGRAM_ABI 12u
+
+/* What hosts say of a state that is not valid, after the name of the program or of its process. */
+#define FROB_DAMAGED_STATE                                                               \
+    "the number of a running mode does not exist; if the program calls functions in C, " \
+    "check that they write only to their own memory"
 
 /* Symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

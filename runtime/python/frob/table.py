@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes as c
 
-ABI = 11
+ABI = 12
 SYMBOL = "frob_program"
 
 BOOL, INT, FLOAT, SINGLE, ROUNDED, PRODUCT, SUM, ARRAY, IMAGE = range(9)
@@ -78,6 +78,7 @@ class Program(c.Structure):
         ("output", c.POINTER(Value)),
         ("reset", c.CFUNCTYPE(None, c.c_void_p, c.c_void_p)),
         ("step", c.CFUNCTYPE(None, *[c.c_void_p] * 2, c.c_int64, c.c_double, *[c.c_void_p] * 2)),
+        ("is_valid", c.CFUNCTYPE(c.c_bool, c.c_void_p)),
         ("arithmetic", c.CFUNCTYPE(c.c_uint)),
         ("result", c.POINTER(Value)),
         ("machines", c.c_void_p),

@@ -55,6 +55,14 @@ static void step(void *s, const void *params, int64_t dt_ns, double dt, const vo
     o->turn = 0.0;
 }
 
+static bool is_damaged;
+
+static bool is_valid(const void *state)
+{
+    (void)state;
+    return !is_damaged;
+}
+
 static unsigned arithmetic_faults;
 
 static unsigned arithmetic(void)
@@ -70,6 +78,7 @@ const struct frob_program frob_program = { .abi = FROB_PROGRAM_ABI,
                                            .output_size = sizeof(struct frob_pioneer_output),
                                            .reset = reset,
                                            .step = step,
+                                           .is_valid = is_valid,
                                            .arithmetic = arithmetic };
 
 /* ---- The robot */
@@ -205,6 +214,15 @@ int main(void)
     robot.in_session = false;
     run(4000);
     check(loop_count().connections == 2 && robot.speed == 300, "it connects again");
+
+    is_damaged = true;
+    before = loop_count();
+    run(500);
+    check(robot.speed == 0 && loop_count().steps == before.steps && loop_count().damaged > 20,
+          "no step runs on a damaged state, and the robot rests");
+    is_damaged = false;
+    run(500);
+    check(robot.speed == 300, "it drives again");
     loop_stop();
     let_robot_act();
     check(robot.speed == 0, "a fault stops the robot");

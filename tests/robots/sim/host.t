@@ -53,6 +53,7 @@ A collision with a wall is reported, and with --strict it is a fault.
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
   > static void reset(void *self, const void *params) { (void)self; (void)params; }
+  > static bool is_valid(const void *self) { (void)self; return true; }
   > static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in, void *out)
   > {
   >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
@@ -61,7 +62,7 @@ A collision with a wall is reported, and with --strict it is a fault.
   > }
   > const struct frob_program frob_program = {
   >     FROB_PROGRAM_ABI, "ahead", ROBOT, 0, sizeof(struct frob_pioneer_input),
-  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step,
+  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step, is_valid,
   >     frob_arithmetic_faults };
   > EOF
   $ compile () { gcc -shared -fPIC -I../../../runtime/include "-DROBOT=\"$1\"" ahead.c -o $2; }

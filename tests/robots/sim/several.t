@@ -68,6 +68,7 @@ If a robot runs into another one, both have collided.
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
   > static void reset(void *self, const void *params) { (void)self; (void)params; }
+  > static bool is_valid(const void *self) { (void)self; return true; }
   > static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in, void *out)
   > {
   >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
@@ -76,7 +77,7 @@ If a robot runs into another one, both have collided.
   > }
   > const struct frob_program frob_program = {
   >     FROB_PROGRAM_ABI, "ahead", "pioneer", 0, sizeof(struct frob_pioneer_input),
-  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step,
+  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step, is_valid,
   >     frob_arithmetic_faults };
   > EOF
   $ gcc -shared -fPIC -I../../../runtime/include ahead.c -o ahead.so

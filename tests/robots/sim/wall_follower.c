@@ -51,6 +51,12 @@ static double to_the_side(double range, double y, double angle)
     return y + range * sin(angle) - 0.136;
 }
 
+static bool is_valid(const void *self)
+{
+    (void)self;
+    return true;
+}
+
 static void step(void *self, const void *params, int64_t dt_ns, double dt, const void *in,
                  void *out)
 {
@@ -150,5 +156,6 @@ const struct frob_program frob_program = {
     .output = &pioneer_output,
     .reset = reset,
     .step = step,
+    .is_valid = is_valid,
     .arithmetic = frob_arithmetic_faults,
 };

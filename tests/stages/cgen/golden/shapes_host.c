@@ -2,6 +2,7 @@
 #include "shapes.h"
 #include <frob/arithmetic.h>
 #include <frob/program.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 static const struct frob_value in_value_2 = {
@@ -164,6 +165,12 @@ static void reset(void *state, const void *params)
     shapes_reset((struct shapes_state *)state);
 }
 
+static bool is_valid(const void *state)
+{
+    (void)state;
+    return true;
+}
+
 static void step(void *state, const void *params, int64_t dt_ns, double dt, const void *in,
                  void *out)
 {
@@ -183,6 +190,7 @@ const struct frob_program frob_program = {
     &out_value_25,
     reset,
     step,
+    is_valid,
     frob_arithmetic_faults,
     NULL,
     NULL,
