@@ -148,6 +148,44 @@ let distrust ctx declared (b : Resolve.Ir.binding) =
       Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some at }
   | _ -> ()
 
+(* Does the definition fit this signature? Checks it without reporting anything. *)
+let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
+  let name, _ = top b in
+  let reader = { ctx.reader with sink = Diagnostic.sink () } in
+  let trial = in_group { ctx with reader; doubts = Hashtbl.copy ctx.doubts } in
+  let declared = Global_table.create 1 and entry = Global_table.find_opt ctx.globals name in
+  signature trial declared { b with signature = Some written };
+  ignore (check ~name:name.name b (expectation trial declared ~recursive:false b) : _ later);
+  settle trial;
+  ignore (Classes.solve trial Generalize.none);
+  check_sizes trial;
+  Option.iter (Global_table.replace ctx.globals name) entry;
+  errors trial = 0
+
+(* If the definition fits its signature with two types exchanged, says so, and stops checking uses
+   against the signature. *)
+let exchanged_signature (ctx : Context.t) (b : Resolve.Ir.binding) =
+  let explained (written : Resolve.Ir.scheme) told =
+    let name, _ = top b in
+    Exchanged_signature.candidates written
+    |> List.find_opt (fun e -> fits ctx b (Exchanged_signature.scheme e))
+    |> Fun.flip Option.bind (fun exchanged ->
+           Exchanged_signature.explain ctx.sources ~name:name.name b ~written exchanged told)
+  in
+  let emit = Diagnostic.emit ctx.reader.sink in
+  match b.signature with
+  | None -> ()
+  | Some written -> (
+      let told = Diagnostic.take ctx.reader.sink [ b.span; written.span ] in
+      match if told = [] then None else explained written told with
+      | None -> List.iter emit told
+      | Some d ->
+          emit d;
+          let entry =
+            { scheme = Type.monomorphic Erroneous; kind = Defined; at = Some written.span }
+          in
+          Global_table.replace ctx.globals (fst (top b)) entry)
+
 (* {1 Limits} *)
 
 (* The types in a few lines may need more memory than is available, and inference may visit parts of
@@ -194,6 +232,7 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
   settle ctx;
   generalize ctx declared g.bindings expectations;
   check_sizes ctx;
+  if errors ctx > 0 then List.iter (exchanged_signature ctx) g.bindings;
   List.iter (warn_of_variables_like_types ctx declared) g.bindings;
   let definition (b : Resolve.Ir.binding) value =
     let { Context.scheme; _ } = Global_table.find ctx.globals (fst (top b)) in

@@ -19,12 +19,12 @@ hint replaces it.
   $ try 'SF Distance Velocity' 'f = proc x -> integral x' 'f = proc x -> derivative x'
   error[E0320]: expected the unit `m/s`, found `m s`
     = hint: for the rate of change, write `derivative x`
-    = hint: if this is the right result, write the signature as `f :: SF Distance Float[m s]`
+    = hint: if the types of the signature are in the wrong order, write it as `f :: SF Velocity Distance`
   [1]
   $ try 'SF Velocity Distance' 'f = proc v -> derivative v' 'f = proc v -> integral v'
   error[E0320]: expected the unit `m`, found `m/s^2`
     = hint: for the sum over time, write `integral v`
-    = hint: if this is the right result, write the signature as `f :: SF Velocity Float[m/s^2]`
+    = hint: if the types of the signature are in the wrong order, write it as `f :: SF Distance Velocity`
   [1]
   $ try 'SF Velocity Velocity' 'f = proc v -> delay 0.5[s] v' 'f = proc v -> delayBy 0.5[s] v'
   error[E0320]: expected the unit `s`, found `m/s`
