@@ -6,7 +6,7 @@ let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
    error in other words. *)
 let program ?sources sink facts ~real resolved =
   Option.bind
-    (sound sink (Infer.program ?sources sink ~real resolved))
+    (sound sink (Infer.program ?sources sink facts ~real resolved))
     (fun typed ->
       let typed = Levels.program ?sources sink typed in
       Patterns.check facts typed;
@@ -14,5 +14,5 @@ let program ?sources sink facts ~real resolved =
 
 let partial ~real resolved =
   let sink = Diagnostic.sink () in
-  let typed = Infer.program sink ~real resolved in
+  let typed = Infer.program sink (Facts.ignored ()) ~real resolved in
   match Levels.program sink typed with leveled -> leveled | exception Diagnostic.Bug _ -> typed

@@ -1,6 +1,49 @@
 open Basis
 
+let inference words (fact : Typing.Inference_fact.t) =
+  match fact with
+  | Mismatch mismatch -> Mistake.mismatch words mismatch
+  | Exchanged_pair { at; expected; first; second } ->
+      Mistake.exchanged_pair words ~at expected first second
+  | Not_a_function { head; position; argument; ty } ->
+      Head_mistake.not_a_function words ~head ~position ~argument ty
+  | Negative_argument { minus; operand; function_; ty } ->
+      Head_mistake.negative_argument words ~minus ~operand function_ ty
+  | Not_a_signal_function { head; ty } -> Head_mistake.not_a_signal_function words ~head ty
+  | Too_many_parameters { name; at; parameters; expected; result; allowed } ->
+      Parameter_mistake.too_many words ~name ~at ~parameters expected ~result allowed
+  | Parameters_in_a_tuple { name; at; parts; expected } ->
+      Parameter_mistake.in_a_tuple words ~name ~at parts expected
+  | Lacking_types { name; at; expected; lacking } ->
+      Parameter_mistake.lacking_types words ~name ~at expected lacking
+  | Matched_twice { constructor; first; second; missing } ->
+      Pattern_mistake.matched_twice constructor ~first ~second ~missing
+  | Parameters_in_other_order { head; name; first; second } ->
+      Application_mistake.parameters_in_other_order words ~head ~name first second
+  | Mapped_range { at; head; arguments } ->
+      Application_mistake.mapped_range words ~at ~head arguments
+  | Missing_field { field; record; ty; known } ->
+      Missing_field_mistake.of_record words field ~record ty known
+  | Unknown_field { field; record } -> Missing_field_mistake.of_no_type words field ~record
+  | Ambiguous_field { field; record; types } ->
+      Missing_field_mistake.of_several_types field ~record types
+  | Field_of_argument { at; field; record; function_ } ->
+      Missing_field_mistake.of_argument words ~at field ~record function_
+  | Variable_like_a_type { at; variable; type_ } ->
+      Signature_mistake.variable_like_a_type words ~at variable type_
+
 let diagnostic sources (fact : Typing.Fact.t) =
-  match fact with Pattern fact -> Pattern_mistake.diagnostic sources fact
+  match fact with
+  | Pattern fact -> Pattern_mistake.diagnostic sources fact
+  | Inference { words; fact } -> inference words fact
+  | Instance { words; fact } -> Instance_mistake.diagnostic words fact
+  | Misapplied { words; call; mistake } ->
+      Application_mistake.explain words call (Facts.diagnostic mistake)
+  | Called_as_method { words; call; mistake } ->
+      Missing_field_mistake.called_as_method words call (Facts.diagnostic mistake)
+  | Refutable_input { pattern; input; mistake } ->
+      Parameter_mistake.refutable_input ~pattern input (Facts.diagnostic mistake)
+  | Too_large { at; construct } -> Mistake.too_large ~at construct
+  | Exponent_too_large at -> Mistake.exponent_too_large ~at
 
 let into ?(sources = Source.create ()) sink = Facts.into sink (diagnostic sources)

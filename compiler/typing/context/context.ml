@@ -5,15 +5,13 @@ type 'a later = unit -> 'a
 type entry = { scheme : Type.scheme; kind : kind; at : Span.t option }
 and kind = Defined | Recursive | Primitive | Method of Ir.Global.t
 
-type constraint_ = int * Ir.class_
-
-type required = {
+type required = Instance_fact.required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
   by : string;
-  because : (Span.t * (Show.words -> string)) option;
-  from : constraint_ option;
+  because : (Span.t * Instance_fact.cause) option;
+  from : Instance_fact.constraint_ option;
 }
 
 type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
@@ -37,18 +35,19 @@ type group = {
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
   mutable sizes : size list;  (** newest first *)
-  mutable told : (int * string * string) list;
-      (** mismatches already reported: line, quoted source text, message *)
+  mutable told : told list;  (** mismatches already reported *)
 }
+
+and told = { line : int; text : string; operator : string option; wanted : Type.t; given : Type.t }
 
 type t = {
   reader : Annotation.t;
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   bindings : Resolve.Ir.binding Resolve.Global_table.t;
-  owners : (int, Signature_mistake.owned) Hashtbl.t;
+  owners : (int, Show.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
-  needs : (constraint_, required) Hashtbl.t;
+  needs : (Instance_fact.constraint_, required) Hashtbl.t;
   scope : Annotation.scope;
   depth : int;
   left_operand : (Resolve.Ir.expr * string) option;
@@ -176,6 +175,12 @@ let makers t ty ~of_ =
       | Alias _ | Builtin | Foreign -> [])
   | _ -> []
 
+let named t name =
+  let add (g : Ir.Global.t) (entry : entry) found =
+    if String.equal g.name name then entry.scheme.body :: found else found
+  in
+  List.rev (Resolve.Global_table.fold add t.globals [])
+
 let words t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
   let needs_class input = List.exists (asks input) t.group.required in
@@ -210,6 +215,7 @@ let words t =
   let place : Show.place =
     {
       sources = t.sources;
+      environment = t.reader.environment;
       inputs = t.inputs;
       unnamed_input = t.unnamed_input;
       parameter = parameter t;
@@ -221,32 +227,93 @@ let words t =
       field_of;
       choices = choices t;
       declared;
+      named = named t;
       binding;
       local_function;
       makers = makers t;
+      owner = (fun (v : Ir.variable) -> Hashtbl.find_opt t.owners v.id);
     }
   in
-  Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
+  Show.words place
 
 let report t diagnostic =
   t.group.errors <- t.group.errors + 1;
   Diagnostic.emit t.reader.sink (diagnostic (words t))
 
+let warn t fact = Facts.report t.reader.facts (Inference { words = words t; fact })
+
+let tell t fact =
+  t.group.errors <- t.group.errors + 1;
+  warn t fact
+
+let tell_of_instance t fact =
+  t.group.errors <- t.group.errors + 1;
+  Facts.report t.reader.facts (Instance { words = words t; fact })
+
+let hold t f = Facts.hold t.reader.facts f
+let pass_on t held = List.iter (Facts.pass_on t.reader.facts) held
+let replace t fact = Facts.report t.reader.facts fact
+
+let trial t f =
+  let before = t.group.errors and told = t.group.told in
+  let result, _ = hold t f in
+  t.group.told <- told;
+  (result, t.group.errors = before)
+
+let tell_too_large t ~at construct =
+  t.group.errors <- t.group.errors + 1;
+  Facts.report t.reader.facts (Too_large { at; construct })
+
+let tell_exponent t ~at =
+  t.group.errors <- t.group.errors + 1;
+  Facts.report t.reader.facts (Exponent_too_large at)
+
 let errors t = t.group.errors
+
+(* Does a message show these types in the same way? *)
+let rec alike a b =
+  let all = List.equal alike in
+  let units = List.equal (fun u v -> (Units.is_open u && Units.is_open v) || Units.equal u v) in
+  match (Type.expand a, Type.expand b) with
+  | Flexible _, Flexible _ | Bool, Bool | String, String | Erroneous, Erroneous -> true
+  | Rigid a, Rigid b -> a.variable.id = b.variable.id
+  | Size n, Size m -> n = m
+  | Number (r, u), Number (s, v) -> (
+      units [ u ] [ v ]
+      &&
+      match (Type.representation r, Type.representation s) with
+      | Int, Int | Float, Float | Flexible_representation _, Flexible_representation _ -> true
+      | Rigid_representation r, Rigid_representation s -> r.variable.id = s.variable.id
+      | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> false)
+  | Tuple a, Tuple b -> all a b
+  | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
+      all [ a; b ] [ c; d ]
+  | Data a, Data b -> a.tycon = b.tycon && units a.units b.units && all a.arguments b.arguments
+  | ( ( Flexible _ | Bool | String | Erroneous | Rigid _ | Size _ | Number _ | Tuple _ | Function _
+      | Signal_function _ | Data _ | Alias _ ),
+      _ ) ->
+      false
 
 (* Has the same mismatch already been reported for the same source text on this line? Numbers are
    exempt: each literal must be corrected separately. *)
-let is_told t (subject : Resolve.Ir.expr option) (d : Diagnostic.t) =
+let is_told t (subject : Resolve.Ir.expr option) (expected : Expected.t) found =
   match subject with
   | None | Some { desc = Number _ | Negate _; _ } -> false
   | Some { span; _ } -> (
       match Source.quote t.sources span with
       | None -> false
       | Some text ->
-          let key = (Span.line span.start, text, d.message) in
-          List.mem key t.group.told
+          let line = Span.line span.start and wanted = expected.ty in
+          let operator =
+            match expected.because with Operand { operator; _ } -> Some operator | _ -> None
+          in
+          let is_it told =
+            told.line = line && String.equal told.text text && told.operator = operator
+            && alike told.wanted wanted && alike told.given found
+          in
+          List.exists is_it t.group.told
           ||
-          (t.group.told <- key :: t.group.told;
+          (t.group.told <- { line; text; operator; wanted; given = found } :: t.group.told;
            false))
 
 (* Records a signature that its definition contradicts, with the declared and the actual unit. *)
@@ -284,10 +351,9 @@ let expect t ?subject ~at (expected : Expected.t) found =
   | Ok () -> ()
   | Error clash when is_doubted t ~subject expected clash -> t.group.errors <- t.group.errors + 1
   | Error clash ->
-      let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
-      let d = Mistake.mismatch (words t) owner ~subject ~at ~expected ~found clash in
       doubt t expected clash;
-      if is_told t subject d then t.group.errors <- t.group.errors + 1 else report t (fun _ -> d)
+      if is_told t subject expected found then t.group.errors <- t.group.errors + 1
+      else tell t (Mismatch { subject; at; expected; found; clash })
 
 let require t required = t.group.required <- required :: t.group.required
 
@@ -311,13 +377,7 @@ let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
 let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
   let demand (class_, argument) (_, parameter) =
     let because =
-      Option.map
-        (fun place ->
-          ( place,
-            fun words ->
-              Printf.sprintf "`%s` requires `%s` here" name
-                (Show.constraint_ words class_ parameter) ))
-        said
+      Option.map (fun place -> (place, Instance_fact.Signature { name; class_; parameter })) said
     in
     let from =
       match Type.expand parameter with Rigid r -> Some (r.variable.id, class_) | _ -> None
@@ -387,14 +447,14 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
 let with_variables t ~by (written : Resolve.Ir.scheme) =
   let depth = t.depth + 1 in
   let scheme, scope = Annotation.signature t.reader t.scope ~depth written in
-  let owned : Signature_mistake.owned = { by; place = written.span } in
+  let owned : Show.owned = { by; place = written.span } in
   let own (v : Ir.variable) = Hashtbl.replace t.owners v.id owned in
   List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
   List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);
   check_context t written scheme;
   (scheme, { t with scope; depth })
 
-let with_signature t ~name = with_variables t ~by:(Printf.sprintf "the signature of `%s`" name)
+let with_signature t ~name = with_variables t ~by:(Signature name)
 
 let ask t question =
   if not (question.attempt ()) then t.group.waiting <- question :: t.group.waiting

@@ -20,20 +20,15 @@ and kind =
   | Primitive
   | Method of Ir.Global.t  (** the class that declares it *)
 
-type constraint_ = int * Ir.class_
-(** The id of a quantified variable, and a class that the variable is required to have. *)
-
-type required = {
+type required = Instance_fact.required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
   by : string;
-  because : (Span.t * (Show.words -> string)) option;
-  from : constraint_ option;
+  because : (Span.t * Instance_fact.cause) option;
+  from : Instance_fact.constraint_ option;
 }
-(** A class that a use of a name requires. [by]: the name, in backticks, for messages. [because]:
-    the place that imposes the constraint, and the explanation to print there. [from]: the
-    constraint in the scheme of the name. *)
+(** See {!Instance_fact.required}. *)
 
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
@@ -49,10 +44,11 @@ type t = {
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   bindings : Resolve.Ir.binding Resolve.Global_table.t;  (** all top-level definitions *)
-  owners : (int, Signature_mistake.owned) Hashtbl.t;  (** see {!Signature_mistake.owner} *)
+  owners : (int, Show.owned) Hashtbl.t;
+      (** the construct that introduces each type variable, by the variable's id *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** classes that the enclosing signatures promise for their variables, by variable id *)
-  needs : (constraint_, required) Hashtbl.t;
+  needs : (Instance_fact.constraint_, required) Hashtbl.t;
       (** for each constraint in a definition's context, the use that requires it *)
   scope : Annotation.scope;
   depth : int;  (** number of enclosing signatures *)
@@ -98,6 +94,33 @@ val fresh_number : t -> Type.t
 val words : t -> Show.words
 val report : t -> (Show.words -> Diagnostic.t) -> unit
 
+val tell : t -> Inference_fact.t -> unit
+(** Reports an error. *)
+
+val warn : t -> Inference_fact.t -> unit
+(** Reports a warning. *)
+
+val tell_of_instance : t -> Instance_fact.t -> unit
+(** Reports an error. *)
+
+val hold : t -> (unit -> 'a) -> 'a * Fact.t Facts.held list
+(** See {!Facts.hold}. *)
+
+val pass_on : t -> Fact.t Facts.held list -> unit
+
+val replace : t -> Fact.t -> unit
+(** Reports a fact in place of an error that was held and has already been counted. *)
+
+val trial : t -> (unit -> 'a) -> 'a * bool
+(** Infers something only to know its type, and whether it is correct. Drops the facts, but counts
+    the errors, so that the enclosing expressions do not explain them as well. *)
+
+val tell_too_large : t -> at:Span.t -> Fact.construct -> unit
+(** Reports {!Final.Too_large}. *)
+
+val tell_exponent : t -> at:Span.t -> unit
+(** Reports a unit whose exponent is out of range. *)
+
 val errors : t -> int
 (** The number of errors reported in this group so far. *)
 
@@ -128,11 +151,11 @@ val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)
 
-val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
+val with_variables : t -> by:Show.construct -> Resolve.Ir.scheme -> Type.scheme * t
 (** The scheme as a type, and the state for inferring the code that has this type: the scheme's
     variables are in scope there, one level deeper. [by]: the construct that introduces the
-    variables, for messages. Reports a constraint on something other than a variable ([E0365]) and
-    on a variable that the type does not mention ([E0364]). *)
+    variables. Reports a constraint on something other than a variable ([E0365]) and on a variable
+    that the type does not mention ([E0364]). *)
 
 val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Like {!with_variables}, for the signature of a definition. *)

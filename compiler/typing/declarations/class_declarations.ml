@@ -75,7 +75,7 @@ let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
     }
   in
   Hashtbl.replace ctx.owners variable.variable.id
-    { by = Printf.sprintf "the class `%s`" written.class_.name; place = written.span };
+    { by = Class written.class_.name; place = written.span };
   let inside = { ctx with scope = Annotation.with_type written.variable.name variable ctx.scope } in
   {
     class_ = written.class_;
@@ -152,7 +152,7 @@ let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
   let as_scheme : Resolve.Ir.scheme =
     { context = written.context; ty = written.head; span = written.span }
   in
-  let by = Printf.sprintf "the instance of `%s`" written.class_.name in
+  let by = Show.Instance written.class_.name in
   let scheme, inner = Context.with_variables ctx ~by as_scheme in
   let head = scheme.body in
   match (Head.of_type head, Head.parameters head) with

@@ -40,7 +40,7 @@ let field_type (reader : Annotation.t) (f : Resolve.Ir.field) t =
   match Final.ty t with
   | ty -> ty
   | exception Final.Too_large ->
-      Diagnostic.emit reader.sink (Mistake.too_large ~at:f.ty.span "a field");
+      Facts.report reader.facts (Too_large { at = f.ty.span; construct = Field });
       Tuple []
 
 let constructor (reader : Annotation.t) tycon (parameters : Environment.parameters) scope result
@@ -79,8 +79,8 @@ let expansion (reader : Annotation.t) (declared : Resolve.Ir.type_declaration) s
   match Work.within most_steps (fun () -> Annotation.any reader scope body) with
   | Some found -> found
   | None ->
-      let what = Printf.sprintf "`%s`" declared.tycon.name in
-      Diagnostic.emit reader.sink (Mistake.too_large ~at:declared.span what);
+      Facts.report reader.facts
+        (Too_large { at = declared.span; construct = Declaration declared.tycon.name });
       Erroneous
 
 let type_ (reader : Annotation.t) (declared : Resolve.Ir.type_declaration) =

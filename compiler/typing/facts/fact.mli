@@ -1,3 +1,25 @@
 (** What typing reports, as a value without any text. [Advice] turns it into a diagnostic. *)
 
-type t = Pattern of Pattern_fact.t
+open Basis
+
+(** A construct whose type can be too large. *)
+type construct = Expression | Field | Instance | Declaration of string | Definition of string
+
+type t =
+  | Pattern of Pattern_fact.t
+  | Inference of { words : Show.words; fact : Inference_fact.t }
+  | Instance of { words : Show.words; fact : Instance_fact.t }
+  | Misapplied of { words : Show.words; call : Application_fact.call; mistake : t Facts.held }
+      (** the application as a whole may explain the mistake in one of its arguments *)
+  | Called_as_method of {
+      words : Show.words;
+      call : Application_fact.method_call;
+      mistake : t Facts.held;  (** the array does not have this field *)
+    }
+  | Refutable_input of {
+      pattern : Resolve.Ir.pattern;  (** [()] *)
+      input : Type.t;
+      mistake : t Facts.held;  (** the mismatch *)
+    }  (** the pattern [()] for another value *)
+  | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
+  | Exponent_too_large of Span.t  (** of a unit *)

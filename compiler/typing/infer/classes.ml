@@ -6,7 +6,7 @@ open Context
 type atom = { class_ : Ir.class_; of_ : variable }
 and variable = Quantified of Ir.variable * Type.t | Open
 
-exception Lacking of Instance_mistake.lack
+exception Lacking of Instance_fact.lack
 
 (* [compared]: which type parameters each data type compares. *)
 type search = { ctx : Context.t; compared : (Ir.Global.t, bool list) Hashtbl.t }
@@ -166,7 +166,7 @@ let solve ctx (generalized : Generalize.t) =
   let missing = ref [] and functions = ref [] in
   let answer required { class_; of_ } =
     match of_ with
-    | Open -> if errors ctx = 0 then Instance_mistake.undecided ctx required class_
+    | Open -> if errors ctx = 0 then tell_of_instance ctx (Undecided { required; class_ })
     | Quantified (variable, t) -> (
         match Hashtbl.find_opt own variable.id with
         | Some classes ->
@@ -176,7 +176,7 @@ let solve ctx (generalized : Generalize.t) =
         | None -> (
             let promises given = entails environment [ given ] class_ in
             match List.filter promises (given_of ctx variable) with
-            | [] -> missing := { Promise_mistake.required; class_; variable; of_ = t } :: !missing
+            | [] -> missing := { Instance_fact.required; class_; variable; of_ = t } :: !missing
             | given -> List.iter (fun given -> note ctx variable given required) given))
   in
   List.iter
@@ -188,14 +188,14 @@ let solve ctx (generalized : Generalize.t) =
              *)
           match Type.expand lack.culprit with
           | culprit
-            when Instance_mistake.is_no_robot culprit && List.exists (is_same culprit) !functions ->
+            when Missing_instance.is_no_robot culprit && List.exists (is_same culprit) !functions ->
               ()
-          | culprit when Instance_mistake.is_no_robot culprit ->
+          | culprit when Missing_instance.is_no_robot culprit ->
               functions := culprit :: !functions;
-              Instance_mistake.lacking ctx required lack
-          | _ -> Instance_mistake.lacking ctx required lack))
+              Missing_instance.report ctx required lack
+          | _ -> Missing_instance.report ctx required lack))
     (requirements ctx);
-  Promise_mistake.report ctx (List.rev !missing);
+  Missing_instance.report_unpromised ctx (List.rev !missing);
   List.concat_map
     (fun ((v : Ir.variable), t) ->
       let classes = smallest environment (List.rev (Hashtbl.find own v.id)) in

@@ -114,8 +114,8 @@ let generalize ctx declared bindings expectations =
    has been reported anyway. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
-  let refuse at what =
-    report ctx (fun _ -> Mistake.too_large ~at what);
+  let refuse at construct =
+    tell_too_large ctx ~at construct;
     None
   in
   match
@@ -123,9 +123,8 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
     (Final.scheme scheme, value)
   with
   | scheme, value -> Some { name; scheme; needs = []; value; doc = b.doc; span = b.span }
-  | exception Too_large at -> refuse at "this expression"
-  | exception Final.Too_large ->
-      refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
+  | exception Too_large at -> refuse at Fact.Expression
+  | exception Final.Too_large -> refuse b.span (Definition name.name)
 
 (* Warns only if the definition has the declared type; otherwise an error was reported already. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
@@ -133,8 +132,9 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   | Some { scheme; at; _ } when errors ctx = 0 ->
       List.map (fun (r : Type.rigid) -> r.variable) scheme.types
       @ List.map (fun (r : Units.rigid) -> r.variable) scheme.representations
-      |> List.filter_map (Signature_mistake.variable_like_a_type (words ctx) ~at)
-      |> List.iter (Diagnostic.emit ctx.reader.sink)
+      |> List.iter (fun (variable : Ir.variable) ->
+             Variable_name.type_meant variable.name
+             |> Option.iter (fun type_ -> warn ctx (Variable_like_a_type { at; variable; type_ })))
   | Some _ | None -> ()
 
 (* Stops checking uses against a signature that may be wrong: its definition is a signal function
@@ -196,7 +196,7 @@ let most_steps = 20_000_000
 (* Runs a check of one definition within its limit of steps; returns [otherwise] if its types are
    too large. When the program's steps are used up, skips the remaining checks, because an error has
    already been reported. *)
-let limited ctx left ~at what ~otherwise check =
+let limited ctx left ~at construct ~otherwise check =
   let before = Work.left () in
   let checked =
     if !left <= 0 then Some otherwise
@@ -205,19 +205,19 @@ let limited ctx left ~at what ~otherwise check =
       | checked -> checked
       | exception Final.Too_large -> None
       | exception Rational.Out_of_range ->
-          report ctx (fun _ -> Mistake.exponent_too_large ~at);
+          tell_exponent ctx ~at;
           Some otherwise
   in
   left := !left - (before - Work.left ());
   match checked with
   | Some checked -> checked
   | None ->
-      report ctx (fun _ -> Mistake.too_large ~at what);
+      tell_too_large ctx ~at construct;
       otherwise
 
 let of_binding ctx left (b : Resolve.Ir.binding) ~otherwise check =
   let { Ir.Global.name; _ } = fst (top b) in
-  limited ctx left ~at:b.span (Printf.sprintf "`%s` or of something in it" name) ~otherwise check
+  limited ctx left ~at:b.span (Definition name) ~otherwise check
 
 let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
@@ -276,11 +276,8 @@ let check_superclasses ctx (i : Class_declarations.instance) =
   let words = Context.words ctx in
   let by = Printf.sprintf "`%s`" (Show.constraint_ words (Declared i.of_class.class_) i.head) in
   let require_superclass (class_, span) =
-    let text _ =
-      Printf.sprintf "`%s` is a superclass of `%s`" (Show.class_ class_) i.of_class.class_.name
-    in
-    require ctx
-      { class_; argument = i.head; at = i.place; by; because = Some (span, text); from = None }
+    let because = Some (span, Instance_fact.Superclass { class_; of_ = i.of_class.class_ }) in
+    require ctx { class_; argument = i.head; at = i.place; by; because; from = None }
   in
   List.iter require_superclass i.of_class.superclasses;
   ignore (Classes.solve ctx Generalize.none)
@@ -335,9 +332,10 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   | [] -> d
   | context -> { d with needs = List.map of_constraint context }
 
-let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.program) : Ir.program =
+let program ?(sources = Source.create ()) sink facts ~real (program : Resolve.Ir.program) :
+    Ir.program =
   let reader : Annotation.t =
-    { environment = Environment.create (); supply = Type.supply (); sink }
+    { environment = Environment.create (); supply = Type.supply (); sink; facts }
   in
   let data = Declarations.program reader program in
   let ctx = Context.start reader ~sources ~real in
@@ -366,13 +364,12 @@ let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.progr
   in
   let add_instance reversed (i : Class_declarations.instance) =
     let check () = definitions_of_instance ctx i in
-    List.rev_append (limited ctx left ~at:i.place ~otherwise:[] "this instance" check) reversed
+    List.rev_append (limited ctx left ~at:i.place ~otherwise:[] Instance check) reversed
   in
   let definitions = List.rev (List.fold_left add_instance definitions instances) in
   List.iter
     (fun (i : Class_declarations.instance) ->
-      limited ctx left ~at:i.place ~otherwise:() "this instance" (fun () ->
-          check_superclasses ctx i))
+      limited ctx left ~at:i.place ~otherwise:() Instance (fun () -> check_superclasses ctx i))
     instances;
   {
     main_module = program.main_module;

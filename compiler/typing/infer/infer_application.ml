@@ -137,9 +137,9 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
         fits Erroneous Erroneous;
         true
     | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
-        report ctx (fun words ->
-            Head_mistake.not_a_function words ~head ~position:argument.position
-              ~argument:argument.value left);
+        tell ctx
+          (Not_a_function
+             { head; position = argument.position; argument = argument.value; ty = left });
         fits Erroneous Erroneous;
         true
   in
@@ -181,9 +181,9 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
           in
           let value = expressions.infer { ctx with left_operand } argument.value in
           if negative && Option.is_none previous && is_function value.ty then
-            report ctx (fun words ->
-                Head_mistake.negative_argument words ~minus:head.span argument.value value.ty
-                  ~operand)
+            tell ctx
+              (Negative_argument
+                 { minus = head.span; operand; function_ = argument.value; ty = value.ty })
           else expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
           value
       | Juxtaposed when Degrees.keeps head ->
@@ -215,279 +215,142 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | _, Erroneous -> erroneous ()
   | ( (Juxtaposed | Operator _),
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
-      report ctx (fun words ->
-          Head_mistake.not_a_function words ~head ~position:argument.position
-            ~argument:argument.value left);
+      tell ctx
+        (Not_a_function { head; position = argument.position; argument = argument.value; ty = left });
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as
        found) ) ->
-      report ctx (fun words -> Head_mistake.not_a_signal_function words ~head found);
+      tell ctx (Not_a_signal_function { head; ty = found });
       erroneous ()
 
-(* `setVelTR 40[rpm] 0`: a rotation of the wheels as the speed. *)
-let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
-  match (name, arguments) with
-  | ( "setVelTR",
-      {
-        desc = Number { unit_ = Some { factors = [ (Declared { name = "rpm"; _ }, _) ]; _ }; _ };
-        span;
-      }
-      :: _ :: _ ) ->
-      Option.map
-        (fun text d ->
-          let cure = Printf.sprintf "(%s * 0.05[m])" text in
-          Diagnostic.hint
-            (Printf.sprintf
-               "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn \
-                rate, it is the second argument"
-               cure)
-            { d with Diagnostic.hints = []; fixes = [] })
-        (Show.quote words span)
-  | _ -> None
+(* {1 Explaining a mistake by the whole application} *)
 
-(* If one argument has the wrong type, perhaps two of them are swapped. [failed]: the position of
-   that argument. [given]: the types of all arguments. *)
-let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~given
-    ~failed =
-  let sink = ctx.reader.Annotation.sink in
-  let argument = List.nth arguments (failed - 1) in
-  match (head.desc, Diagnostic.last sink) with
-  | Global name, Some d
-    when Span.compare d.at argument.value.span = 0
-         && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
-      match Resolve.Global_table.find_opt ctx.globals name with
-      | None -> ()
-      | Some { scheme; _ } ->
-          let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
-          let found = (expressions.infer ctx argument.value).ty in
-          (* an input never has type `String`: if one does, this application has just inferred it *)
-          let is_input (e : Resolve.Ir.expr) =
-            match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
-          in
-          let given =
-            List.mapi
-              (fun i ty ->
-                if i + 1 = failed then found
-                else if Type.expand ty = String && is_input (List.nth arguments i).value then
-                  Type.Erroneous
-                else ty)
-              given
-          in
-          let parameters = parameters instance.ty in
-          let unfit ~wanted given =
-            let lacks (class_, argument) =
-              Type.expand argument == Type.expand wanted && has_no_instance ctx class_ given
-            in
-            List.exists lacks instance.required
-          in
-          let order =
-            match
-              if Bare_number.is_per_millisecond (words ctx) argument.value then None
-              else Argument_order.exchanged ~unfit ~parameters ~given ~position:failed
-            with
-            | Some other -> Some (Argument_order.exchange failed other ~of_:(List.length arguments))
-            | None -> Argument_order.rotated ~unfit ~parameters ~given
-          in
-          let cure order =
-            let arguments = List.map (fun a -> a.value) arguments in
-            match wheel_speed (words ctx) ~name:name.name arguments with
-            | Some complete -> Diagnostic.revise_last sink complete
-            | None ->
-                Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments order
-                |> Diagnostic.revise_last sink
-          in
-          Option.iter cure order)
-  | _ -> ()
-
-(* Explains calls that use the order or number of arguments of another language, as in `switch mode
-   event next`. *)
-let tell_habit expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
-  let sink = ctx.reader.Annotation.sink in
-  let before = errors ctx in
-  let tell mistake =
-    match Diagnostic.last sink with
-    | Some d when List.for_all (fun a -> a.style = Juxtaposed) arguments ->
-        let typed a = (a.value, (expressions.infer ctx a.value).ty) in
-        let told = mistake (words ctx) ~at:e.span (List.map typed arguments) d in
-        let is_told = errors ctx = before && told != d in
-        if is_told then Diagnostic.revise_last sink (fun _ -> told);
-        is_told
-    | Some _ | None -> false
-  in
-  match (head.desc, arguments) with
-  | Global { name = ("switch" | "dSwitch") as name; _ }, _ :: _ :: _ :: _ ->
-      tell (Switch_mistake.three_arguments ~name)
-  | Global { name = ("accum" | "accumHold" | "dAccumHold") as name; _ }, [ _; _; _ ] ->
-      tell (Event_mistake.accumulated ~name)
+(* Is an argument at this place the whole of the mistake? *)
+let is_at (span : Span.t) (fact : Fact.t) =
+  match fact with
+  | Inference { fact = Mismatch { at; _ } | Exchanged_pair { at; _ }; _ } ->
+      Span.compare at span = 0
+  | Inference { fact = Not_a_function { argument; _ }; _ } -> Span.compare argument.span span = 0
   | _ -> false
 
-(* Explains `xs.map f`, an array function that is called like a method. *)
-let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
-  let sink = ctx.reader.Annotation.sink in
-  match (head.desc, Diagnostic.last sink) with
-  | Field { record; field; _ }, Some d
-    when Span.compare d.at field.span = 0 && Missing_field.is_of_arrays ctx field ->
-      let words = words ctx in
-      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
-      let texts = List.map quote (List.map (fun a -> a.value) arguments @ [ record ]) in
-      if not (List.mem None texts) then
-        let text = String.concat " " (field.text :: List.map Option.get texts) in
-        Diagnostic.revise_last sink (fun d ->
-            Diagnostic.hint
-              (Printf.sprintf "`%s` is a function: write `%s`" field.text text)
-              { d with hints = []; fixes = [] }
-            |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ])
-  | _ -> ()
-
-(* Explains `robotPose i.x`, where the field belongs to the result of the function or to a part of
-   that result. *)
-let tell_tighter_field ctx ~(head : Resolve.Ir.expr) arguments ~failed result =
-  let sink = ctx.reader.Annotation.sink in
-  match ((List.nth arguments (failed - 1)).value.desc, Diagnostic.last sink) with
-  | Field { record; field; _ }, Some d
-    when String.equal d.code "E0310" && Span.compare d.at field.span = 0 && failed = 1 -> (
-      let words = words ctx in
-      match
-        ( Missing_field.path ctx result field.text,
-          Show.quote words head.span,
-          Show.quote words record.span )
-      with
-      | Some path, Some f, Some x ->
-          let text = Printf.sprintf "(%s %s).%s" f x path in
-          Diagnostic.revise_last sink (fun d ->
-              Diagnostic.hint
-                (Printf.sprintf "a field binds tighter than application: write `%s`" text)
-                { d with hints = []; notes = []; fixes = [] });
-          true
-      | _ -> false)
-  | _ -> false
-
-(* The number of arguments that a function of this type takes. *)
-let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
-
-(* Explains missing parentheses, as in `forever forward 1[m]`: a function among the arguments was
-   meant to be applied to the arguments after it. *)
-let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given ~parameters ~failed
-    =
-  let sink = ctx.reader.Annotation.sink in
-  let failing = List.nth arguments (failed - 1) in
-  let all = List.length arguments in
-  let type_at i =
-    if i = failed then (expressions.infer ctx (List.nth arguments (i - 1)).value).ty
-    else List.nth given (i - 1)
+(* The orders of the arguments in which their types fit, for {!Application_fact.call}. *)
+let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
+  let entry =
+    match head.desc with Global name -> Resolve.Global_table.find_opt ctx.globals name | _ -> None
   in
-  let is_reported (d : Diagnostic.t) = Span.compare d.at failing.value.span = 0 in
-  (* arguments on separate lines are more likely statements that lack a `do` *)
-  let in_one_line =
-    let ends = (List.nth arguments (all - 1)).value.span.stop in
-    Span.line head.span.start = Span.line ends
-  in
-  (* `setVelTR speed d 0`, where the next argument fits the function *)
-  let takes_the_next =
-    match (failing.value.desc, Type.expand (type_at failed)) with
-    | (Global _ | Local _), Function (parameter, _) when failed < all ->
-        let is_defined_as_a_function =
-          match failing.value.desc with
-          | Local x -> Option.is_none (Show.definition (words ctx) x)
-          | _ -> true
+  match entry with
+  | None -> (None, None)
+  | Some { scheme; _ } ->
+      let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
+      (* an input never has type `String`: if one does, this application has just inferred it *)
+      let is_input (e : Resolve.Ir.expr) =
+        match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
+      in
+      let is_other a = a.position <> failed in
+      let given =
+        List.map2
+          (fun a ty ->
+            if is_other a && Type.expand ty = String && is_input a.value then Type.Erroneous else ty)
+          arguments types
+      in
+      let parameters = parameters instance.ty in
+      let unfit ~wanted given =
+        let lacks (class_, argument) =
+          Type.expand argument == Type.expand wanted && has_no_instance ctx class_ given
         in
-        is_defined_as_a_function && Argument_order.may_be ~wanted:parameter (type_at (failed + 1))
+        List.exists lacks instance.required
+      in
+      ( Argument_order.exchanged ~unfit ~parameters ~given ~position:failed,
+        Argument_order.rotated ~unfit ~parameters ~given )
+
+(* The application, if it may explain the mistake in the failing argument better. *)
+let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~failed result mistake
+    : Application_fact.call option =
+  let failing = (List.nth arguments (failed - 1)).value in
+  let juxtaposed = List.for_all (fun a -> a.style = Juxtaposed) arguments in
+  let is_whole = is_at failing.span mistake in
+  let is_field =
+    match mistake with
+    | Inference { fact = Missing_field _ | Unknown_field _; _ } -> true
     | _ -> false
   in
-  let rec applied i =
-    if i = 0 then None
-    else
-      let n = arity (type_at i) in
-      if n > 0 && i < all then Some (i, min n (all - i)) else applied (i - 1)
-  in
-  match Diagnostic.last sink with
-  | Some d
-    when (all > List.length parameters || takes_the_next)
-         && in_one_line && is_reported d
-         && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
-      let words = words ctx in
-      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
-      let texts = List.map (fun a -> quote a.value) arguments in
-      match (applied failed, quote head) with
-      | Some (i, n), Some name when not (List.mem None texts) ->
-          let texts = List.map Option.get texts in
-          let within = List.filteri (fun j _ -> j + 1 >= i && j + 1 <= i + n) texts in
-          let inner = String.concat " " within in
-          let before = List.filteri (fun j _ -> j + 1 < i) texts in
-          let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
-          let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
-          Diagnostic.revise_last sink (Head_mistake.applied_without_parentheses ~name ~inner ~whole);
-          true
-      | _ -> false)
-  | _ -> false
+  if not (juxtaposed && (is_whole || is_field || List.length arguments >= 3)) then None
+  else
+    let own, is_right_alone = trial ctx (fun () -> (expressions.infer ctx failing).ty) in
+    let types = List.mapi (fun i ty -> if i + 1 = failed then own else ty) types in
+    let exchanged, rotated =
+      if is_whole then orders ctx ~head arguments ~types ~failed else (None, None)
+    in
+    Some
+      {
+        at = e.span;
+        head;
+        arguments = List.map2 (fun a ty -> (a.value, ty)) arguments types;
+        juxtaposed;
+        failed;
+        is_right_alone;
+        takes;
+        result;
+        exchanged;
+        rotated;
+      }
 
-(* Explains `foldl (\x n -> n + x) 0 xs`, whose function has its parameters in the order of another
-   language: tries whether the other order is right. *)
-let tell_fold expressions ctx ~(head : Resolve.Ir.expr) arguments =
+(* Explains the only error among the arguments. *)
+let tell expressions ctx e ~head arguments ~types ~takes ~failed ty held =
+  match List.rev held with
+  | [] -> ()
+  | last :: others -> (
+      let result =
+        match Type.expand ty with
+        | Function (_, output) | Signal_function (_, output) -> output
+        | _ -> Type.Erroneous
+      in
+      match
+        call expressions ctx e ~head arguments ~types ~takes ~failed result (Facts.fact last)
+      with
+      | Some call ->
+          pass_on ctx (List.rev others);
+          replace ctx (Misapplied { words = words ctx; call; mistake = last })
+      | None -> pass_on ctx held)
+
+(* `xs.map f`, an array function that is called like a method. *)
+let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments held =
+  match (head.desc, List.rev held) with
+  | Field { record; field; _ }, last :: others -> (
+      match Facts.fact last with
+      | Fact.Inference
+          { fact = Missing_field { field = missing; _ } | Unknown_field { field = missing; _ }; _ }
+        when missing == field ->
+          pass_on ctx (List.rev others);
+          let arguments = List.map (fun a -> a.value) arguments in
+          let call : Application_fact.method_call = { at = e.span; record; field; arguments } in
+          replace ctx (Called_as_method { words = words ctx; call; mistake = last })
+      | _ -> pass_on ctx held)
+  | _ -> pass_on ctx held
+
+(* `foldl (\x n -> n + x) 0 xs`, whose function has its parameters in the order of another language:
+   tries whether the other order is right. *)
+let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
   | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
       ({ value = { desc = Lambda { parameters = [ a; b ]; body }; _ } as lambda; _ } as first)
       :: (_ :: _ as others) )
     when Span.compare a.span b.span < 0 ->
-      let sink = ctx.reader.Annotation.sink in
       let value = { lambda with desc = Resolve.Ir.Lambda { parameters = [ b; a ]; body } } in
       let apply head { value; style; span; _ } : Resolve.Ir.expr =
         { desc = Apply { head; argument = value; style }; span }
       in
       let other = List.fold_left apply head ({ first with value } :: others) in
-      let _, emitted = Diagnostic.trying sink (fun () -> expressions.infer ctx other) in
-      let quote = Show.quote (words ctx) in
-      let is_told =
-        List.for_all (fun (d : Diagnostic.t) -> d.severity = Diagnostic.Warning) emitted
-      in
-      (if is_told then
-         let at = Span.merge a.span b.span in
-         Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
-         |> Diagnostic.label ~at:head.span
-              (Printf.sprintf "`%s` passes the result so far, and then an element" name)
-         |> (match (quote a.span, quote b.span) with
-            | Some a, Some b ->
-                let text = Printf.sprintf "%s %s" b a in
-                fun d ->
-                  Diagnostic.hint (Printf.sprintf "write `\\%s -> …`" text) d
-                  |> Diagnostic.fix (Printf.sprintf "write `\\%s`" text) [ (at, text) ]
-            | _ -> Diagnostic.hint "swap the parameters")
-         |> Diagnostic.replace_from sink lambda.span);
-      is_told
-  | _ -> false
+      let _, is_right = trial ctx (fun () -> expressions.infer ctx other) in
+      if is_right then Some (Parameters_in_other_order { head; name; first = a; second = b })
+      else None
+  | _ -> None
 
-(* `map x 0 1023 0 255` of Arduino *)
-let tell_mapped ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments =
+let is_mapped_range ~(head : Resolve.Ir.expr) arguments =
   match (head.desc, arguments) with
-  | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> (
-      let quote a = Show.quote (words ctx) a.value.span in
-      let texts = List.filter_map quote arguments in
-      match Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
-      | Some text when List.compare_lengths texts arguments = 0 ->
-          Diagnostic.error ~code:"E0301" ~at:head.span
-            "`map` applies a function to each element of an array"
-          |> Diagnostic.hint
-               (Printf.sprintf "to convert a number from one range to another, write `%s`" text)
-          |> Diagnostic.write e.span (Source.grouped text)
-          |> Diagnostic.replace_from ctx.reader.Annotation.sink e.span;
-          true
-      | Some _ | None -> false)
+  | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> true
   | _ -> false
-
-(* Improves the message about the argument that failed. *)
-let tell expressions ctx e ~head arguments ~given ~parameters ~failed ty =
-  let output =
-    match Type.expand ty with
-    | Function (_, output) | Signal_function (_, output) -> output
-    | _ -> Type.Erroneous
-  in
-  let is_told =
-    tell_tighter_field ctx ~head arguments ~failed output
-    || tell_habit expressions ctx e ~head arguments
-    || tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed
-  in
-  if not is_told then tell_order expressions ctx e ~head arguments ~given ~failed
 
 let infer expressions ctx e =
   let head, arguments = spine e in
@@ -531,34 +394,49 @@ let infer expressions ctx e =
   in
   forgetting_what_errors_need ctx (fun () ->
       let before = errors ctx in
-      let start = expressions.infer ctx head in
-      if errors ctx = before + 1 then tell_method ctx e ~head arguments;
+      let start, of_head = hold ctx (fun () -> expressions.infer ctx head) in
+      if errors ctx = before + 1 then tell_method ctx e ~head arguments of_head
+      else pass_on ctx of_head;
       let parameters = parameters start.ty in
       let given =
         if List.compare_lengths parameters arguments <= 0 then parameters
         else List.filteri (fun i _ -> i < List.length arguments) parameters
       in
       let before = errors ctx in
-      let apply (state, types, failed) argument decided_by =
-        let next, previous =
-          apply ~takes:(List.length parameters) given state argument decided_by
+      let apply (state, types, failed, first) argument decided_by =
+        let (next, previous), own =
+          hold ctx (fun () -> apply ~takes:(List.length parameters) given state argument decided_by)
         in
+        pass_on ctx own;
         let ty = Option.fold previous ~none:Type.Erroneous ~some:snd in
         let failed =
           match failed with
           | None when errors ctx > before -> Some argument.position
           | failed -> failed
         in
-        ((next, previous), ty :: types, failed)
+        ((next, previous), ty :: types, failed, if argument.position = 1 then own else first)
       in
-      let (result, _), types, failed =
-        List.fold_left2 apply ((start, None), [], None) arguments (deciding parameters arguments)
+      let ((result, _), types, failed, of_first), held =
+        hold ctx (fun () ->
+            List.fold_left2 apply
+              ((start, None), [], None, [])
+              arguments (deciding parameters arguments))
+      in
+      let replace_by fact ~kept =
+        pass_on ctx kept;
+        replace ctx (Inference { words = words ctx; fact })
       in
       (match failed with
-      | Some _ when tell_mapped ctx e ~head arguments -> ()
-      | Some _ when tell_fold expressions ctx ~head arguments -> ()
-      | Some failed when errors ctx = before + 1 ->
-          let given = List.rev types in
-          tell expressions ctx e ~head arguments ~given ~parameters ~failed start.ty
-      | _ -> ());
+      | Some _ when is_mapped_range ~head arguments ->
+          let arguments = List.map (fun a -> a.value) arguments in
+          replace_by (Mapped_range { at = e.span; head = head.span; arguments }) ~kept:[]
+      | Some failed -> (
+          match other_fold expressions ctx ~head arguments with
+          | Some fact ->
+              replace_by fact ~kept:(List.filter (fun h -> not (List.memq h of_first)) held)
+          | None when errors ctx = before + 1 ->
+              tell expressions ctx e ~head arguments ~types:(List.rev types)
+                ~takes:(List.length parameters) ~failed start.ty held
+          | None -> pass_on ctx held)
+      | None -> pass_on ctx held);
       result)

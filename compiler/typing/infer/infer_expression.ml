@@ -12,8 +12,7 @@ let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
   match Units.power (Units.resolve unit_) (Rational.of_int exponent) with
   | raised -> Type.Number (representation, raised)
   | exception Rational.Out_of_range ->
-      if not (Units.equal unit_ Units.one) then
-        report ctx (fun _ -> Mistake.exponent_too_large ~at:e.span);
+      if not (Units.equal unit_ Units.one) then tell_exponent ctx ~at:e.span;
       Type.Number (representation, Units.one)
 
 (* Longer array literals slow down every stage and the editor. *)
@@ -55,12 +54,12 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
 
 (* Was the whole of this branch just reported as having the wrong type? Then the other branch is not
    reported as well. *)
-let told_of ctx ~before (e : Resolve.Ir.expr) =
-  errors ctx > before
-  &&
-  match Diagnostic.last ctx.reader.sink with
-  | Some d -> List.mem d.code [ "E0301"; "E0370"; "E0371" ] && Span.compare d.at e.span = 0
-  | None -> false
+let is_told_of (e : Resolve.Ir.expr) held =
+  match List.rev_map Facts.fact held with
+  | Fact.Inference { fact = Mismatch { at; clash = Different _; _ } | Exchanged_pair { at; _ }; _ }
+    :: _ ->
+      Span.compare at e.span = 0
+  | _ -> false
 
 let anything (expected : Expected.t) : Expected.t = { expected with ty = Erroneous }
 
@@ -127,9 +126,9 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | If { condition; then_; else_ }, _ ->
       let condition = check ctx condition (Expected.make Condition Bool) in
       let undecided = Infer_binding.undecided expected in
-      let before = errors ctx in
-      let yes = check ctx then_ expected in
-      let expected = if told_of ctx ~before then_ then anything expected else expected in
+      let yes, held = hold ctx (fun () -> check ctx then_ expected) in
+      pass_on ctx held;
+      let expected = if is_told_of then_ held then anything expected else expected in
       let no = check ctx else_ (Infer_binding.beside ~undecided expected then_.span) in
       fun () ->
         let condition = condition () in
@@ -201,7 +200,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
   in
   match exchanged with
   | Some (x, y) ->
-      report ctx (fun words -> Mistake.exchanged_pair words ~at:e.span expected (a, x.ty) (b, y.ty));
+      tell ctx (Exchanged_pair { at = e.span; expected; first = (a, x.ty); second = (b, y.ty) });
       (* unify with the swapped types, to avoid further messages *)
       List.iter
         (fun (wanted, given) -> ignore (Unify.types wanted given))
@@ -278,8 +277,9 @@ and case ctx e scrutinee branches expected =
     if errors ctx > before then matched := Type.Erroneous;
     let undecided = Infer_binding.undecided expected in
     let sound = errors ctx = before in
-    let right = Infer_binding.right expressions ctx b.right expected in
-    if sound then Taken_twice.tell ctx ~before ~taken b value.ty branches;
+    let right, held = hold ctx (fun () -> Infer_binding.right expressions ctx b.right expected) in
+    if sound then Taken_twice.tell ctx ~before ~held ~taken b value.ty branches
+    else pass_on ctx held;
     let build () : Ir.branch =
       let pattern = pattern () in
       { pattern; value = right () }

@@ -30,19 +30,11 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
         | _ ->
             let types = List.map (fun _ -> Context.fresh ctx) elements in
             let before = errors ctx in
-            expect ctx ~at:p.span expected (Tuple types);
-            if types = [] && errors ctx > before then
-              Basis.Diagnostic.revise_last ctx.reader.sink (fun d ->
-                  Basis.Diagnostic.hint
-                    (match Type.expand expected.ty with
-                    | Tuple (_ :: _ :: _ as parts) ->
-                        Printf.sprintf
-                          "take the input apart, as in `(%s)`, or use `_`, which matches every \
-                           value"
-                          (String.concat ", " (Shape_fact.names (List.length parts)))
-                    | _ -> "use `_`, which matches every value")
-                    d
-                  |> Basis.Diagnostic.write p.span "_");
+            let (), held = hold ctx (fun () -> expect ctx ~at:p.span expected (Tuple types)) in
+            (match held with
+            | [ mistake ] when types = [] && errors ctx > before ->
+                replace ctx (Refutable_input { pattern = p; input = expected.ty; mistake })
+            | held -> pass_on ctx held);
             types
       in
       let elements = List.map2 (fun p ty -> check ctx p { expected with ty }) elements types in

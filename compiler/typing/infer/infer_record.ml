@@ -32,7 +32,7 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
         | Data { tycon; _ } as ty ->
             (match Environment.record_of environment tycon with
             | None ->
-                Missing_field.of_record ctx first ~record ty [];
+                tell ctx (Missing_field { field = first; record; ty; known = [] });
                 found None
             | Some constructor -> (
                 let missing =
@@ -43,7 +43,8 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
                 match missing with
                 | None -> found (Some constructor)
                 | Some name ->
-                    Missing_field.of_record ctx name ~record ty (List.map fst constructor.ir.fields);
+                    let known = List.map fst constructor.ir.fields in
+                    tell ctx (Missing_field { field = name; record; ty; known });
                     found None));
             true
         | Erroneous ->
@@ -51,7 +52,7 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
             true
         | ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Size _
           | Alias _ ) as ty ->
-            Missing_field.of_record ctx first ~record ty [];
+            tell ctx (Missing_field { field = first; record; ty; known = [] });
             found None;
             true
       in
@@ -67,9 +68,9 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
       in
       let give_up () =
         (match candidates with
-        | [] -> Missing_field.of_no_type ctx first ~record
         | _ when errors ctx > 0 -> ()
-        | _ -> Missing_field.of_several_types ctx first ~record candidates);
+        | [] -> tell ctx (Unknown_field { field = first; record })
+        | types -> tell ctx (Ambiguous_field { field = first; record; types }));
         found None
       in
       ask ctx { attempt; guess; give_up }
@@ -219,17 +220,6 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   in
   { ty = result; build }
 
-(* `robotPose i.heading`, which was meant as a field of `robotPose i`. *)
-let tell_tighter ctx (e : Resolve.Ir.expr) ~(record : Resolve.Ir.expr) (name : Syntax.Ir.name) ~by =
-  report ctx (fun words ->
-      let function_ = String.concat "" (String.split_on_char '`' by) in
-      let record = Option.value (Show.quote words record.span) ~default:"r" in
-      Diagnostic.error ~code:"E0310" ~at:e.span
-        "a field binds tighter than application: this is a field of `%s`" record
-      |> Diagnostic.hint
-           (Printf.sprintf "for a field of the result of `%s`, write `(%s %s).%s`" function_
-              function_ record name.text))
-
 let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) ~candidates =
   let typed = expressions.infer ctx record in
   let result = Context.fresh ctx in
@@ -244,7 +234,8 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
       answer := Some constructor;
       match asked_in_vain ctx ~wanted:ty result with
       | Some by ->
-          tell_tighter ctx e ~record name ~by;
+          let function_ = String.concat "" (String.split_on_char '`' by) in
+          tell ctx (Field_of_argument { at = e.span; field = name; record; function_ });
           expect ctx ~at:e.span { ty = result; because = Unknown } Type.Erroneous
       | None -> expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
   let build () =

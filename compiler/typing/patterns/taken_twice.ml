@@ -1,5 +1,3 @@
-open Basis
-
 let rec always_matches (p : Resolve.Ir.pattern) =
   match p.desc with
   | Any | Bound _ -> true
@@ -32,20 +30,23 @@ let missing (ctx : Context.t) ty (branches : Resolve.Ir.branch list) =
       | Alias _ | Builtin | Foreign -> [])
   | _ -> []
 
-let tell (ctx : Context.t) ~before ~taken (b : Resolve.Ir.branch) ty branches =
-  (match takes b with
-  | Some c when Context.errors ctx > before && List.mem_assoc c !taken -> (
-      match missing ctx ty branches with
-      | other :: _ ->
-          let first : Resolve.Ir.pattern = List.assoc c !taken in
-          Diagnostic.error ~code:"E0301" ~at:b.pattern.span
-            "`%s` is matched twice, and `%s` is never matched" c.name other
-          |> Diagnostic.label ~at:first.span "this branch matches all of them"
-          |> Diagnostic.hint
-               (Printf.sprintf "if this branch is for the other values, write `%s`" other)
-          |> fun d -> Diagnostic.revise_last ctx.reader.sink (fun _ -> d)
-      | [] -> ())
-  | _ -> ());
+let tell (ctx : Context.t) ~before ~held ~taken (b : Resolve.Ir.branch) ty branches =
+  let explain constructor first =
+    match (List.rev held, missing ctx ty branches) with
+    | _ :: others, missing :: _ ->
+        Context.pass_on ctx (List.rev others);
+        let fact : Inference_fact.t =
+          Matched_twice { constructor; first; second = b.pattern; missing }
+        in
+        Context.replace ctx (Inference { words = Context.words ctx; fact })
+    | _ -> Context.pass_on ctx held
+  in
   match takes b with
-  | Some c when not (List.mem_assoc c !taken) -> taken := (c, b.pattern) :: !taken
-  | _ -> ()
+  | None -> Context.pass_on ctx held
+  | Some c -> (
+      match List.assoc_opt c !taken with
+      | Some first when Context.errors ctx > before -> explain c first
+      | Some _ -> Context.pass_on ctx held
+      | None ->
+          taken := (c, b.pattern) :: !taken;
+          Context.pass_on ctx held)

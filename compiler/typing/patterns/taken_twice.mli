@@ -4,11 +4,13 @@
 val tell :
   Context.t ->
   before:int ->
+  held:Fact.t Basis.Facts.held list ->
   taken:(Ir.Global.t * Resolve.Ir.pattern) list ref ->
   Resolve.Ir.branch ->
   Type.t ->
   Resolve.Ir.branch list ->
   unit
-(** If this branch has errors, that is, if the number of errors now exceeds [before], replaces the
-    last error with that explanation. The last arguments are the type of the matched value and all
-    branches. [taken]: the constructors that earlier branches cover completely. *)
+(** Passes on the held facts about this branch. If it has errors, that is, if the number of errors
+    now exceeds [before], replaces the last fact with that explanation. The last arguments are the
+    type of the matched value and all branches. [taken]: the constructors that earlier branches
+    cover completely. *)

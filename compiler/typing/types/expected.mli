@@ -53,13 +53,3 @@ type reason =
 type t = { ty : Type.t; because : reason }
 
 val make : reason -> Type.t -> t
-
-val definition : string -> string
-(** The label at the definition of this name. *)
-
-val explain : Show.words -> t -> Diagnostic.t -> Diagnostic.t
-(** Labels the place that determines the expected type. *)
-
-val explain_all : Show.words -> subject:Resolve.Ir.expr option -> t -> Diagnostic.t -> Diagnostic.t
-(** Like {!explain}. If no place determines the type, labels where the offending variable is bound.
-*)

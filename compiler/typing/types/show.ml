@@ -107,7 +107,11 @@ let scheme (s : Ir.scheme) =
 
 (* {1 Types in messages} *)
 
+type construct = Signature of string | Class of string | Instance of string
+type owned = { by : construct; place : Span.t }
+
 type place = {
+  environment : Environment.t;
   sources : Source.t;
   inputs : (string * Type.t) list;
   needs_class : Type.t -> bool;
@@ -118,15 +122,19 @@ type place = {
   field_of : Type.t -> of_:Type.t -> string option;
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
+  named : string -> Type.t list;
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
   local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
   parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
   unnamed_input : Span.t option;
   makers : Type.t -> of_:Type.t -> string list;
+  owner : Ir.variable -> owned option;
 }
 
-let nowhere =
+let nowhere environment =
   {
+    environment;
+    named = (fun _ -> []);
     sources = Source.create ();
     inputs = [];
     needs_class = (fun _ -> false);
@@ -142,19 +150,17 @@ let nowhere =
     parameter = (fun _ -> None);
     unnamed_input = None;
     makers = (fun _ ~of_:_ -> []);
+    owner = (fun _ -> None);
   }
 
 type words = {
-  named_unit : Units.t -> string option;
   place : place;
   mutable namesakes : string list;  (** names that data types of several modules share *)
   names : (int, string) Hashtbl.t;  (** names chosen for unsolved variables, by id *)
   taken : (string, unit) Hashtbl.t;
 }
 
-let words ?(place = nowhere) ~named_unit () =
-  { named_unit; place; namesakes = []; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
-
+let words place = { place; namesakes = []; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
 let longest_quote = 60
 
 let quote words (at : Span.t) =
@@ -162,6 +168,9 @@ let quote words (at : Span.t) =
   | Some text when String.length text <= longest_quote -> Some text
   | Some _ | None -> None
 
+let sources words = words.place.sources
+let environment words = words.place.environment
+let named words name = words.place.named name
 let needs_class words t = words.place.needs_class t
 let definition words x = words.place.definition x
 let local words x = words.place.local x
@@ -176,6 +185,7 @@ let fields words t = words.place.fields t
 let field_of words t ~of_ = words.place.field_of t ~of_
 let choices words t = words.place.choices t
 let makers words t ~of_ = words.place.makers t ~of_
+let owner words v = words.place.owner v
 let is_input words name = List.mem_assoc name words.place.inputs
 
 let signal words input =
@@ -228,7 +238,7 @@ let of_flexible words id candidates =
 
 let measure words u =
   let u = Units.resolve u in
-  match words.named_unit u with
+  match Environment.named_unit words.place.environment u with
   | Some name -> name
   | None ->
       let rigid =
@@ -314,7 +324,7 @@ let type_ words t =
   reserve words 0 t;
   write (tree_of words 0 t)
 
-let declared t g = Option.map (type_ (words ~named_unit:t.named_unit ())) (t.place.declared g)
+let declared t g = Option.map (type_ (words (nowhere t.place.environment))) (t.place.declared g)
 
 let constraint_ words c t =
   reserve words 0 t;

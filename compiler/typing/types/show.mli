@@ -22,7 +22,14 @@ type words
 (** The variable names chosen so far in one message, and the context that the message may mention.
 *)
 
+(** A construct with type variables of its own. [Signature]: of the definition with this name.
+    [Class] and [Instance]: of the class with this name. *)
+type construct = Signature of string | Class of string | Instance of string
+
+type owned = { by : construct; place : Span.t }
+
 type place = {
+  environment : Environment.t;
   sources : Source.t;
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
   needs_class : Type.t -> bool;  (** does some use require a class for this type? *)
@@ -38,6 +45,7 @@ type place = {
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
+  named : string -> Type.t list;  (** the types of all definitions with this name *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
   local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
       (** the definition of a local variable with parameters *)
@@ -47,10 +55,15 @@ type place = {
       (** the [_] in place of an input of the enclosing proc, if there is one *)
   makers : Type.t -> of_:Type.t -> string list;
       (** constructors of the first type that have a field of type [of_], shown with their fields *)
+  owner : Ir.variable -> owned option;  (** the construct that introduces this type variable *)
 }
 
-val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
-(** [named_unit] returns the name of a unit that has one, such as [N] for [kg m/s^2]. *)
+val nowhere : Environment.t -> place
+(** A context that answers no question about the program. *)
+
+val words : place -> words
+val sources : words -> Source.t
+val environment : words -> Environment.t
 
 val quote : words -> Span.t -> string option
 (** The source text at the span, if it is short. *)
@@ -64,6 +77,7 @@ val local_function : words -> Resolve.Ir.Local.t -> Resolve.Ir.binding option
 val parameter : words -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
 val unnamed_input : words -> Span.t option
 val declared_type : words -> Resolve.Ir.Global.t -> Type.t option
+val named : words -> string -> Type.t list
 
 val inputs : words -> (string * Type.t) list
 (** The input signals of the enclosing proc. *)
@@ -71,6 +85,7 @@ val inputs : words -> (string * Type.t) list
 val fields : words -> Type.t -> (string * string list) option
 val field_of : words -> Type.t -> of_:Type.t -> string option
 val choices : words -> Type.t -> string list
+val owner : words -> Ir.variable -> owned option
 val makers : words -> Type.t -> of_:Type.t -> string list
 
 val declared : words -> Resolve.Ir.Global.t -> string option

@@ -24,7 +24,10 @@ let resolved =
        ~remember:(fun ~file:_ _ -> ())
        ~library "main.frob")
 
-let typed = Typing.Levels.program sink (Typing.Infer.program sink ~real:Double resolved)
+let typed =
+  Typing.Levels.program sink
+    (Typing.Infer.program sink (Basis.Facts.ignored ()) ~real:Double resolved)
+
 let core = Core.Of_typed.program typed
 let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }
 

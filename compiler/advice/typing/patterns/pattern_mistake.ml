@@ -139,6 +139,13 @@ let guards_fail sources (guards : expr) guarded =
     |> hint "add a last guard `| otherwise`")
   |> with_otherwise sources ~arrow:"=" guarded
 
+let matched_twice (constructor : Ir.Global.t) ~(first : Resolve.Ir.pattern)
+    ~(second : Resolve.Ir.pattern) ~missing =
+  Diagnostic.error ~code:"E0301" ~at:second.span "`%s` is matched twice, and `%s` is never matched"
+    constructor.name missing
+  |> Diagnostic.label ~at:first.span "this branch matches all of them"
+  |> Diagnostic.hint (Printf.sprintf "if this branch is for the other values, write `%s`" missing)
+
 let diagnostic sources (fact : Pattern_fact.t) =
   match fact with
   | Too_complex case -> too_complex case

@@ -5,3 +5,11 @@
 open Basis
 
 val diagnostic : Source.t -> Typing.Pattern_fact.t -> Diagnostic.t
+
+val matched_twice :
+  Typing.Ir.Global.t ->
+  first:Resolve.Ir.pattern ->
+  second:Resolve.Ir.pattern ->
+  missing:string ->
+  Diagnostic.t
+(** The message [E0301] about two branches for the same constructor. *)

@@ -1,0 +1,205 @@
+open Basis
+open Typing
+
+type fact = {
+  words : Show.words;
+  call : Application_fact.call;
+  mistake : Diagnostic.t;  (** the message about the failing argument *)
+}
+
+let failing { call; _ } = List.nth call.arguments (call.failed - 1)
+
+(* Is the whole of the failing argument wrong? *)
+let is_about_the_argument fact = Span.compare fact.mistake.at (fst (failing fact)).span = 0
+
+(* {1 The order of the arguments} *)
+
+(* `setVelTR 40[rpm] 0`: a rotation of the wheels as the speed. *)
+let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
+  match (name, arguments) with
+  | ( "setVelTR",
+      {
+        desc = Number { unit_ = Some { factors = [ (Declared { name = "rpm"; _ }, _) ]; _ }; _ };
+        span;
+      }
+      :: _ :: _ ) ->
+      Option.map
+        (fun text d ->
+          let cure = Printf.sprintf "(%s * 0.05[m])" text in
+          Diagnostic.hint
+            (Printf.sprintf
+               "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn \
+                rate, it is the second argument"
+               cure)
+            { d with Diagnostic.hints = []; fixes = [] })
+        (Show.quote words span)
+  | _ -> None
+
+(* The call with its arguments in this order, each given by its position. *)
+let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
+  let text i =
+    let (e : Resolve.Ir.expr) = List.nth arguments (i - 1) in
+    Option.map Source.grouped (Show.quote words e.span)
+  in
+  let texts = List.map text order in
+  let d =
+    {
+      d with
+      message = Printf.sprintf "the arguments of `%s` are in the wrong order" name;
+      at;
+      here = "";
+      labels = [];
+      hints = [];
+      fixes = [];
+    }
+  in
+  let shown = List.map (Option.value ~default:"(…)") texts in
+  let cure = String.concat " " (name :: shown) in
+  Diagnostic.hint (Printf.sprintf "write `%s`" cure) d
+  |> if List.mem None texts then Fun.id else Diagnostic.write at cure
+
+let exchange a b ~of_:n =
+  List.init n (fun i ->
+      let i = i + 1 in
+      if i = a then b else if i = b then a else i)
+
+(* Two swapped arguments, or the first argument in the last place or the reverse. *)
+let order ({ words; call; mistake } as fact) =
+  let arguments = List.map fst call.arguments in
+  let exchanged =
+    if Bare_number.is_per_millisecond words (fst (failing fact)) then None else call.exchanged
+  in
+  let order =
+    match exchanged with
+    | Some other -> Some (exchange call.failed other ~of_:(List.length arguments))
+    | None -> call.rotated
+  in
+  match (call.head.desc, order) with
+  | Global name, Some order when is_about_the_argument fact -> (
+      match wheel_speed words ~name:name.name arguments with
+      | Some complete -> Some (complete mistake)
+      | None -> Some (in_order words ~name:name.name ~at:call.at ~arguments order mistake))
+  | _ -> None
+
+(* {1 Other rules} *)
+
+(* `robotPose i.x`, where the field belongs to the result of the function or to a part of that
+   result. *)
+let field_of_the_result { words; call; mistake } =
+  match call.arguments with
+  | ({ desc = Field { record; field; _ }; _ }, _) :: _
+    when call.failed = 1 && String.equal mistake.code "E0310"
+         && Span.compare mistake.at field.span = 0 -> (
+      match
+        ( Missing_field_mistake.path words call.result field.text,
+          Show.quote words call.head.span,
+          Show.quote words record.span )
+      with
+      | Some path, Some f, Some x ->
+          let text = Printf.sprintf "(%s %s).%s" f x path in
+          Some
+            (Diagnostic.hint
+               (Printf.sprintf "a field binds tighter than application: write `%s`" text)
+               { mistake with hints = []; notes = []; fixes = [] })
+      | _ -> None)
+  | _ -> None
+
+(* Calls that use the order or number of arguments of another language, such as `switch mode event
+   next`. *)
+let habit { words; call = { at; head; arguments; is_right_alone; _ }; _ } =
+  match (head.desc, arguments) with
+  | _ when not is_right_alone -> None
+  | Global { name = ("switch" | "dSwitch") as name; _ }, _ :: _ :: _ :: _ ->
+      Switch_mistake.three_arguments words ~name ~at arguments
+  | Global { name = ("accum" | "accumHold" | "dAccumHold") as name; _ }, [ _; _; _ ] ->
+      Event_mistake.accumulated words ~name ~at arguments
+  | _ -> None
+
+(* The number of arguments that a function of this type takes. *)
+let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
+
+(* Missing parentheses, as in `forever forward 1[m]`: a function among the arguments was meant to be
+   applied to the arguments after it. *)
+let parentheses ({ words; call; mistake } as fact) =
+  let { Application_fact.head; arguments; failed; _ } = call in
+  let all = List.length arguments in
+  let type_at i = snd (List.nth arguments (i - 1)) in
+  (* arguments on separate lines are more likely statements that lack a `do` *)
+  let in_one_line =
+    let (last : Resolve.Ir.expr), _ = List.nth arguments (all - 1) in
+    Span.line head.span.start = Span.line last.span.stop
+  in
+  (* `setVelTR speed d 0`, where the next argument fits the function *)
+  let takes_the_next =
+    match ((fst (failing fact)).desc, Type.expand (type_at failed)) with
+    | (Global _ | Local _), Function (parameter, _) when failed < all ->
+        let is_defined_as_a_function =
+          match (fst (failing fact)).desc with
+          | Local x -> Option.is_none (Show.definition words x)
+          | _ -> true
+        in
+        is_defined_as_a_function && Argument_order.may_be ~wanted:parameter (type_at (failed + 1))
+    | _ -> false
+  in
+  let rec applied i =
+    if i = 0 then None
+    else
+      let n = arity (type_at i) in
+      if n > 0 && i < all then Some (i, min n (all - i)) else applied (i - 1)
+  in
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let texts = List.map (fun (e, _) -> quote e) arguments in
+  match (applied failed, quote head) with
+  | Some (i, n), Some name
+    when (all > call.takes || takes_the_next)
+         && in_one_line && is_about_the_argument fact
+         && not (List.mem None texts) ->
+      let texts = List.map Option.get texts in
+      let within = List.filteri (fun j _ -> j + 1 >= i && j + 1 <= i + n) texts in
+      let inner = String.concat " " within in
+      let before = List.filteri (fun j _ -> j + 1 < i) texts in
+      let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
+      let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
+      Some (Head_mistake.applied_without_parentheses ~name ~inner ~whole mistake)
+  | _ -> None
+
+(* The first rule that applies is used. The order comes last, because it only compares types. *)
+let rules = [ field_of_the_result; habit; parentheses; order ]
+
+let explain words call mistake =
+  let fact = { words; call; mistake } in
+  Option.value (List.find_map (fun rule -> rule fact) rules) ~default:mistake
+
+(* {1 Functions of arrays} *)
+
+let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve.Ir.pattern)
+    (b : Resolve.Ir.pattern) =
+  let at = Span.merge a.span b.span in
+  Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
+  |> Diagnostic.label ~at:head.span
+       (Printf.sprintf "`%s` passes the result so far, and then an element" name)
+  |>
+  match (Show.quote words a.span, Show.quote words b.span) with
+  | Some a, Some b ->
+      let text = Printf.sprintf "%s %s" b a in
+      fun d ->
+        Diagnostic.hint (Printf.sprintf "write `\\%s -> …`" text) d
+        |> Diagnostic.fix (Printf.sprintf "write `\\%s`" text) [ (at, text) ]
+  | _ -> Diagnostic.hint "swap the parameters"
+
+let mapped_range words ~at ~head (arguments : Resolve.Ir.expr list) =
+  let texts = List.filter_map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) arguments in
+  let d =
+    Diagnostic.error ~code:"E0301" ~at:head "`map` applies a function to each element of an array"
+  in
+  match Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
+  | Some text when List.compare_lengths texts arguments = 0 ->
+      Diagnostic.hint
+        (Printf.sprintf "to convert a number from one range to another, write `%s`" text)
+        d
+      |> Diagnostic.write at (Source.grouped text)
+  | Some _ | None ->
+      Diagnostic.hint
+        "to convert `x` from the range `a`–`b` to the range `c`–`d`, write `c + (x - a) * (d - c) \
+         / (b - a)`"
+        d

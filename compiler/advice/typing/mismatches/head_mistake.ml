@@ -1,0 +1,329 @@
+open Basis
+open Typing
+open Diagnostic
+
+let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.expr) ty =
+  (* the operand [1] in [f -1 x] *)
+  let rec first (e : Resolve.Ir.expr) =
+    match e.desc with Apply { head; style = Juxtaposed; _ } -> first head | _ -> e
+  in
+  let operand = Option.map first operand in
+  let place = Option.map (fun (e : Resolve.Ir.expr) -> e.span) operand in
+  let name = Option.value (Show.quote words function_.span) ~default:"f" in
+  let operand = Option.value (Option.bind place (Show.quote words)) ~default:"1" in
+  error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
+  |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
+  |> hint (Printf.sprintf "put the negative argument in parentheses: `%s (-%s)`" name operand)
+  |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
+         let place at = Span.make ~file:minus.file ~start:at ~stop:at in
+         fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
+
+(* {1 Not a function} *)
+
+(* The head cannot take the argument at this position. *)
+type fact = {
+  words : Show.words;
+  head : Resolve.Ir.expr;
+  position : int;  (** of the argument, counted from 1 *)
+  argument : Resolve.Ir.expr;
+  at : Span.t;  (** the argument *)
+  left : Type.t;  (** the type of the head after the arguments before this one *)
+}
+
+let not_taken fact =
+  let callee =
+    match Plain_name.of_expr fact.head with Some name -> "`" ^ name ^ "`" | None -> "this"
+  in
+  let left = Show.described fact.words fact.left in
+  match fact.position with
+  | 1 ->
+      error ~code:"E0302" ~at:fact.head.span "%s is %s, not a function" callee left
+      |> label ~at:fact.at "it is applied to an argument here"
+  | position ->
+      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is applied to more" callee
+        (position - 1)
+        (if position = 2 then "" else "s")
+      |> here "one too many"
+      |> label ~at:fact.head.span
+           (Printf.sprintf "with %s, its result is %s"
+              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
+              left)
+
+(* {2 Rules}
+
+   Each rule that applies returns a function that completes the message. *)
+
+(* `[1 2]`. *)
+let after_a_number fact =
+  match fact.head.desc with
+  | Number { digits; unit_; _ } when fact.position = 1 ->
+      let factor = if unit_ = None then Show.quote fact.words fact.at else None in
+      Some
+        (hint
+           (match factor with
+           | Some text ->
+               Printf.sprintf
+                 "for a product write `%s * %s`; between the elements of an array write commas, \
+                  `[%s, %s]`"
+                 digits (Source.grouped text) digits text
+           | None ->
+               Printf.sprintf
+                 "write commas between the elements of an array, `[%s, …]`, or `*` between factors"
+                 digits))
+  | _ -> None
+
+(* `r.speed 1`, meant to set the field. *)
+let after_a_field fact =
+  match fact.head.desc with
+  | Field { record; field; _ } when fact.position = 1 ->
+      Some
+        (match (Show.quote fact.words record.span, Show.quote fact.words fact.at) with
+        | Some record, Some value ->
+            hint
+              (Printf.sprintf "for a record with another `%s`, write `%s { %s = %s }`" field.text
+                 (Source.grouped record) field.text value)
+        | _ -> Fun.id)
+  | _ -> None
+
+(* `min a b c`. *)
+let of_three fact =
+  match fact.head.desc with
+  | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
+      Some (hint (Printf.sprintf "for three values, write `%s a (%s b c)`" name name))
+  | _ -> None
+
+(* `limit low high x` *)
+let of_two_limits fact =
+  match fact.head.desc with
+  | Global { name = "limit"; module_ = "Control"; _ } when fact.position = 3 ->
+      let arguments = { fact.at with start = fact.head.span.stop } in
+      Option.map
+        (fun arguments ->
+          (* the place of an argument excludes its parentheses *)
+          let count c = List.length (String.split_on_char c arguments) in
+          let text =
+            "clamp " ^ String.trim arguments ^ String.make (max 0 (count '(' - count ')')) ')'
+          in
+          fun d ->
+            hint
+              (Printf.sprintf "`limit` has one limit for both directions; for two, write `%s`" text)
+              d
+            |> write fact.head.span "clamp")
+        (Show.quote fact.words arguments)
+  | _ -> None
+
+(* `when c a`, meant as a choice. *)
+let event_as_choice fact =
+  match (Type.expand fact.left, fact.head.desc) with
+  | Data _, Global { name = "when" | "edge"; _ } when Environment.is_event fact.left ->
+      Some
+        (hint
+           "for a choice between two values, write `if c then a else b`; for a task that runs only \
+            on a condition, write `whenT c t`")
+  | _ -> None
+
+let without_paren text =
+  let n = String.length text in
+  if n > 1 && text.[n - 1] = '(' then String.trim (String.sub text 0 (n - 1)) else text
+
+let without_brackets text =
+  let n = String.length text in
+  if n > 2 && text.[0] = '[' && text.[n - 1] = ']' then String.sub text 1 (n - 2) else text
+
+(* The text without an unmatched closing parenthesis at its end, as in `sonars i)`. *)
+let without_closing text =
+  let count c = String.fold_left (fun n c' -> if c = c' then n + 1 else n) 0 text in
+  let n = String.length text in
+  if count ')' > count '(' && text.[n - 1] = ')' then String.trim (String.sub text 0 (n - 1))
+  else text
+
+(* `xs 0`, `xs(0)`, `xs [0]` or `(f x)[0]`. *)
+let element fact =
+  match Type.expand fact.left with
+  | Data { tycon; _ } when tycon = Environment.array ->
+      (* the array with the arguments applied before this one, and the index, possibly in brackets
+         *)
+      let applied = { fact.head.span with stop = fact.at.start } in
+      let array =
+        Show.quote fact.words applied |> Option.map String.trim |> Option.map without_paren
+      in
+      let index = Option.map without_brackets (Show.quote fact.words fact.at) in
+      let index = Option.map Source.grouped index in
+      let written array index = Printf.sprintf "%s ! %s" (without_closing array) index in
+      let text = written (Option.value array ~default:"xs") (Option.value index ~default:"0") in
+      let rewrite =
+        match (array, index) with
+        | Some array, Some index ->
+            let edit =
+              if String.equal array (without_closing array) then
+                (Span.merge fact.head.span fact.at, "(" ^ text ^ ")")
+              else (fact.at, " ! " ^ index)
+            in
+            fix (Printf.sprintf "write `%s`" text) [ edit ]
+        | _ -> Fun.id
+      in
+      Some
+        (fun d ->
+          hint (Printf.sprintf "write `%s` for that element; the first one is `! 0`" text) d
+          |> rewrite)
+  | _ -> None
+
+(* `integral x0 v`, with an initial value as in other languages. *)
+let initial_value fact =
+  match fact.head.desc with
+  | Global { name = "integral"; _ } when fact.position = 2 ->
+      Some
+        (hint
+           "it starts at 0: for another initial value, write `x0 + integral v`; to restart it when \
+            an event occurs, write `resetOn integral (v, e)`")
+  | _ -> None
+
+(* An event as an additional argument of a signal function of the prelude. *)
+let started_afresh fact =
+  match fact.head.desc with
+  | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
+    when fact.position > 1 ->
+      Some
+        (hint
+           (Printf.sprintf "to restart it when an event occurs, write `resetOn %s (x, e)`"
+              (if name = "delay" then "(delay x0)" else name)))
+  | _ -> None
+
+(* Two tasks, one below the other, without a `do`, or with the second one indented further. *)
+let without_do fact =
+  let column (span : Span.t) = Span.column span.start in
+  if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
+    Some
+      (hint
+         (match (Show.quote fact.words fact.head.span, Show.quote fact.words fact.at) with
+         | Some head, Some next when column fact.at > column fact.head.span ->
+             Printf.sprintf
+               "this line is indented further than the one above, so it continues it: start `%s` \
+                at column %d, below `%s`; tasks one below the other need a `do`"
+               next (column fact.head.span) head
+         | _ -> "put `do` before several tasks below each other"))
+  else None
+
+(* `(x + 1)(x - 1)`, a product without its operator. *)
+let after_a_formula fact =
+  match (fact.head.desc, Type.expand fact.left) with
+  | Global { name = "+" | "-" | "*" | "/"; _ }, Number _ when fact.position = 3 ->
+      Option.map
+        (fun text ->
+          hint
+            (Printf.sprintf
+               "a formula in parentheses is not a function: for a product write `* %s` after it"
+               (Source.grouped text)))
+        (Show.quote fact.words fact.at)
+  | _ -> None
+
+(* Shows the signature of a definition that is applied to too many arguments. *)
+let signature fact =
+  match fact.head.desc with
+  | Global g when fact.position > 1 ->
+      Option.map
+        (fun ty -> hint (Printf.sprintf "`%s :: %s`" g.name ty))
+        (Show.declared fact.words g)
+  | _ -> None
+
+let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
+
+(* A task applied to an input. *)
+let task fact =
+  if Environment.is_task fact.left then
+    Some (hint "use `runTask t` to turn a task into a signal function")
+  else None
+
+(* `near implies (v == 0)`, a function of two arguments without its backquotes *)
+let infix fact =
+  let takes_two g =
+    match Option.map Type.expand (Show.declared_type fact.words g) with
+    | Some (Function (_, result)) -> (
+        match Type.expand result with Function _ -> true | _ -> false)
+    | _ -> false
+  in
+  match (fact.head.desc, fact.argument.desc, Show.quote fact.words fact.head.span) with
+  | (Local _ | Number _), Global g, Some left when fact.position = 1 && takes_two g ->
+      let cure = Printf.sprintf "`%s`" g.name in
+      Some
+        (fun d ->
+          hint
+            (Printf.sprintf "between its arguments, a function needs backquotes: ``%s %s …``" left
+               cure)
+            d
+          |> write fact.argument.span cure)
+  | _ -> None
+
+(* A local name, which may hide the function that was meant. *)
+let local fact =
+  match fact.head.desc with
+  | Local x when fact.position = 1 ->
+      let pair =
+        match (Type.expand fact.left, Show.quote fact.words fact.at) with
+        | ((Number _ | Bool) as left), Some text when not (String.contains text '[') ->
+            let operator = if left = Bool then "&&" else "*" in
+            let text = Source.grouped text in
+            hint
+              (Printf.sprintf
+                 "write an operator between the two values, as in `%s %s %s`; for a tuple, `(%s, \
+                  %s)`"
+                 x.name operator text x.name text)
+        | _ -> Fun.id
+      in
+      Some (fun d -> label ~at:x.span (Printf.sprintf "it means this local `%s`" x.name) d |> pair)
+  | _ -> None
+
+(* The first rule that applies is used. The rules for a kind of head come first, then those for
+   functions of the prelude, then those for any task, local name or definition. *)
+(* `Event x when c` *)
+let event_when fact =
+  match fact.head.desc with
+  | Constructor { name = "Event"; module_ = "Prelude" }
+    when List.mem (Show.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
+      Some
+        (hint
+           "for an event with the value `x` that occurs under a condition, write `tag (when \
+            condition) x`")
+  | _ -> None
+
+let rules =
+  [
+    event_when;
+    after_a_number;
+    after_a_field;
+    after_a_formula;
+    of_three;
+    of_two_limits;
+    event_as_choice;
+    element;
+    initial_value;
+    started_afresh;
+    without_do;
+    signature_of_task;
+    task;
+    infix;
+    local;
+    signature;
+  ]
+
+let not_a_function words ~head ~position ~(argument : Resolve.Ir.expr) left =
+  let fact = { words; head; position; argument; at = argument.span; left } in
+  let complete = List.find_map (fun rule -> rule fact) rules in
+  Option.value complete ~default:Fun.id (not_taken fact)
+
+(* {1 Other mistakes} *)
+
+let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
+  hint
+    (if String.equal name "return" then Printf.sprintf "to run a task, remove `return`: `%s`" inner
+     else Printf.sprintf "put parentheses around the argument: `%s`" whole)
+    { d with hints = []; fixes = [] }
+
+let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
+  let diagnostic =
+    error ~code:"E0304" ~at:head.span "`-<` needs a signal function, but this is %s"
+      (Show.described words found)
+  in
+  match Type.expand found with
+  | Function _ -> hint "use `arr` to turn a function into a signal function" diagnostic
+  | _ -> diagnostic

@@ -1,0 +1,469 @@
+open Basis
+open Typing
+open Instance_fact
+
+let through_instances words { lacking; culprit; through } diagnostic =
+  let asks = Show.constraint_ words lacking culprit in
+  match through with
+  | [] -> diagnostic
+  | last :: _ ->
+      Diagnostic.label ~at:last.place (Printf.sprintf "this instance requires `%s`" asks) diagnostic
+
+let is_signal_function t = match Type.expand t with Signal_function _ -> true | _ -> false
+
+let foreign_of words t =
+  match Type.expand t with
+  | Data { tycon; _ }
+    when (Environment.type_ (Show.environment words) tycon).definition = Environment.Foreign ->
+      Some tycon
+  | _ -> None
+
+let same_foreign words a b =
+  match (foreign_of words a, foreign_of words b) with Some a, Some b -> a = b | _, _ -> false
+
+(* The types that have an instance of the class. *)
+let those_with words class_ =
+  let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
+  List.filter_map name (Environment.heads (Show.environment words) class_)
+
+(* [robot]: the named type of the robot's input or output. *)
+let for_any_robot (class_ : Ir.Global.t) robot =
+  let asked =
+    match Type.expand robot with
+    | Data { tycon; _ } when Filename.check_suffix tycon.name "Output" ->
+        Printf.sprintf "(HasOdometry i, %s o)" class_.name
+    | _ -> Printf.sprintf "(%s i, DiffDrive o)" class_.name
+  in
+  Diagnostic.hint
+    (Printf.sprintf
+       "for a program that runs on every robot with this capability, write the class instead of \
+        the robot's type: `main :: %s => Program i o`"
+       asked)
+
+let is_function t = match Type.expand t with Function _ -> true | _ -> false
+
+let is_with_an_event t =
+  match Type.expand t with Tuple [ _; event ] -> Environment.is_event event | _ -> false
+
+let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
+
+let about_foreign words t diagnostic =
+  match foreign_of words t with
+  | None -> diagnostic
+  | Some tycon ->
+      Diagnostic.hint
+        (Printf.sprintf "only C can compare two values of type `%s`: import a function that does"
+           tycon.name)
+        diagnostic
+
+(* Does the program itself declare the class or the type? Then a missing instance is a likely cause.
+   *)
+let is_of_the_program (class_ : Ir.Global.t) culprit =
+  (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
+  &&
+  match Type.expand culprit with
+  | Data { tycon; _ } -> not (String.equal tycon.module_ "Prelude")
+  | Number _ | Bool -> true
+  | _ -> false
+
+(* {1 A missing instance} *)
+
+type fact = {
+  words : Show.words;
+  required : required;
+  lack : lack;
+  culprit : string;  (** the culprit as text *)
+}
+
+(* Is the instance missing for the required class itself, rather than for a class that one of its
+   instances requires? *)
+let is_asked_itself fact = fact.lack.through = []
+
+(* Is the instance missing for the required type itself, rather than for a part of that type? *)
+let is_direct fact =
+  is_asked_itself fact
+  && (Type.expand fact.required.argument == Type.expand fact.lack.culprit
+     || same_foreign fact.words fact.required.argument fact.lack.culprit)
+
+let without_hints { required; lack; words; culprit; _ } =
+  let at = required.at in
+  match lack.lacking with
+  | Declared _ when Environment.is_task lack.culprit ->
+      Diagnostic.error ~code:"E0371" ~at "%s does not return a task, but %s is needed here"
+        required.by culprit
+  | Declared _ ->
+      Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
+        (Show.constraint_ words lack.lacking lack.culprit)
+  | (Eq | Ord) as class_ ->
+      let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
+      let of_ = if lack.through = [] then Show.quoted words required.argument else culprit in
+      Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
+
+let where_needed { required; lack; words; _ } d =
+  if Environment.is_task lack.culprit then d
+  else
+    Diagnostic.here (Printf.sprintf "%s needs it" required.by) d
+    |> through_instances words lack |> Required_label.add words required
+
+(* {2 Rules}
+
+   Each rule that applies returns a function that completes the message. *)
+
+(* `roMake` applied to several functions. *)
+let several_outputs fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ }
+    when fact.required.by = "`roMake`" && is_function fact.lack.culprit ->
+      Some
+        (fun (d : Diagnostic.t) ->
+          { d with message = "`roMake` takes one function, and turns it into an output" }
+          |> Diagnostic.hint
+               "combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`")
+  | _ -> None
+
+(* The body of a mode with its event missing. *)
+let output_with_an_event fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
+      Some
+        (fun d ->
+          {
+            d with
+            message =
+              Printf.sprintf
+                "a pair of an output and an event is needed here, but %s returns only an output"
+                fact.required.by;
+            here = "";
+            labels = [];
+          }
+          |> Diagnostic.hint
+               "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] \
+                ())`")
+  | _ -> None
+
+(* Numbers in place of a robot's output. *)
+let output_of_numbers fact =
+  let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false in
+  let of_numbers =
+    match Type.expand fact.lack.culprit with
+    | Tuple (_ :: _ as ts) -> List.for_all is_number ts
+    | t -> is_number t
+  in
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput" | "DiffDrive"; _ } when of_numbers ->
+      Some
+        (Diagnostic.hint
+           (match fact.required.by with
+           | "`roMake`" | "`setVelTR`" ->
+               Printf.sprintf
+                 "%s returns the commands for a robot: the signature, or the other outputs here, \
+                  must be `RobotOutput` too, not %s"
+                 fact.required.by fact.culprit
+           | _ ->
+               "a robot takes commands, not numbers: make an output of the speed and the turn rate \
+                with `roMake (setVelTR v omega)`"))
+  | _ -> None
+
+(* Is this a type of a library module, and so never the programmer's own robot output? *)
+let is_of_the_library (t : Ir.Global.t) =
+  List.mem t.module_
+    [
+      "Prelude";
+      "Capability";
+      "Geometry";
+      "Pioneer";
+      "Scout";
+      "Create";
+      "Ros";
+      "Vision";
+      "Stereo";
+      "Display";
+      "Tags";
+      "Trial";
+      "Driving";
+    ]
+
+(* The record with neutral values in all fields, such as [Out { speed = 0 }]. *)
+let at_rest fact constructor tycon =
+  let value (t : Ir.ty) =
+    match t with
+    | Number _ -> "0"
+    | Bool -> "False"
+    | Data { tycon = { name = "Event"; _ }; _ } -> "NoEvent"
+    | _ -> "…"
+  in
+  Option.map
+    (fun (c : Environment.constructor) ->
+      Printf.sprintf "%s { %s }" constructor
+        (String.concat ", "
+           (List.map (fun (name, ty) -> Printf.sprintf "%s = %s" name (value ty)) c.ir.fields)))
+    (Environment.record_of (Show.environment fact.words) tycon)
+
+(* A record declared by the program, used as a robot's output. *)
+let own_output fact =
+  match (fact.lack.lacking, Type.expand fact.lack.culprit) with
+  | Declared { name = ("RobotOutput" | "DiffDrive") as class_; _ }, Data { tycon; _ }
+    when is_asked_itself fact && not (is_of_the_library tycon) ->
+      let rest =
+        match Show.fields fact.words fact.lack.culprit with
+        | Some (constructor, _) -> at_rest fact constructor tycon
+        | None -> None
+      in
+      Some
+        (Diagnostic.hint
+           (match (class_, rest) with
+           | "RobotOutput", Some rest ->
+               Printf.sprintf
+                 "for a robot of your own, define its output at rest: `instance RobotOutput %s \
+                  where restingOutput = %s`; a Pioneer has the type `RobotOutput`"
+                 tycon.name rest
+           | "RobotOutput", None ->
+               Printf.sprintf
+                 "for a robot of your own, define its output at rest: `instance RobotOutput %s \
+                  where restingOutput = …`; a Pioneer has the type `RobotOutput`"
+                 tycon.name
+           | _ ->
+               Printf.sprintf
+                 "for a robot of your own, define how it drives: `instance DiffDrive %s where \
+                  setVelTR v omega o = o { … }`; a Pioneer has the type `RobotOutput`"
+                 tycon.name))
+  | _ -> None
+
+(* The outputs of two tasks side by side. *)
+let two_outputs fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when is_pair fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "`both` returns a pair of outputs: combine them with `mapOutput`, or use `timeOut` or \
+            `abortWhen`, which keep only the output of the task")
+  | _ -> None
+
+(* The statement `roMake (…)`, if it is a line of its own, and its place. *)
+let command_line fact =
+  let at = fact.required.at in
+  Option.bind
+    (Source.line (Show.sources fact.words) at.file (Span.line at.start))
+    (fun line ->
+      let text = String.trim line in
+      let is_alone =
+        String.starts_with ~prefix:"roMake (" text && String.ends_with ~suffix:")" text
+      in
+      let count c = List.length (String.split_on_char c text) in
+      if is_alone && count '(' = count ')' && String.length text < 60 then
+        let stop = Span.forward (String.length text) at.start in
+        Some (text, { at with stop })
+      else None)
+
+(* A task in an equation, or a command in place of a task. *)
+let task fact =
+  match (fact.lack.lacking, command_line fact) with
+  | Declared _, Some (command, at)
+    when Environment.is_task fact.lack.culprit && fact.required.by = "`roMake`" ->
+      let text = Printf.sprintf "sleepT 1[s] (%s)" command in
+      Some
+        (fun d ->
+          Diagnostic.hint
+            (Printf.sprintf
+               "a command of the robot is not a task: to give it for a time, write `%s`; until an \
+                event `e`, `mkTask (proc i -> (%s, e))`"
+               text command)
+            d
+          |> Diagnostic.write at text)
+  | Declared _, _ when Environment.is_task fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           (if fact.required.by = "`roMake`" then
+              "a command of the robot is not a task: in a `do`, give it for a time with `sleepT \
+               1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
+            else
+              "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \
+               after the other"))
+  | _ -> None
+
+(* Arithmetic on signal functions, where one operand is a number. *)
+let signal_function fact =
+  match fact.lack.lacking with
+  | Declared _ when is_signal_function fact.lack.culprit ->
+      Some (Diagnostic.hint "use `constant e` for a signal function that always returns `e`")
+  | _ -> None
+
+(* `==` or `<` on types that do not support it. *)
+let not_comparable fact =
+  match fact.lack.lacking with
+  | Declared _ -> None
+  | (Eq | Ord) when (not (is_direct fact)) && is_asked_itself fact ->
+      Some
+        (fun d ->
+          Diagnostic.note (Printf.sprintf "it contains %s" fact.culprit) d
+          |> about_foreign fact.words fact.lack.culprit)
+  | (Eq | Ord) when Type.expand fact.lack.culprit = String ->
+      Some
+        (Diagnostic.hint
+           "a text is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`")
+  | Eq | Ord -> Some (about_foreign fact.words fact.lack.culprit)
+
+(* A function that sets an output, used without `roMake`. *)
+let output_not_made fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ } when fact.required.by <> "`roMake`" ->
+      let hint = Output_mistake.hint_without_instance fact.lack.culprit in
+      Some (Option.fold hint ~none:Fun.id ~some:Diagnostic.hint)
+  | _ -> None
+
+(* `roMake setVelTR . setLight`, where an argument is missing. *)
+let composed_without_parentheses fact =
+  match fact.lack.lacking with
+  | Declared { name = "DiffDrive"; _ } when is_function fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           "`.` composes functions: put a function and its arguments in parentheses, as in `roMake \
+            (setVelTR v omega)`")
+  | _ -> None
+
+(* The number of parameters of a method or function of a class, including the robot. *)
+let parameters fact =
+  let rec count t =
+    match Type.expand t with
+    | Type.Function (_, result) -> 1 + count result
+    | Signal_function _ -> 1
+    | _ -> 0
+  in
+  let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+  Option.map count (Show.declared_type fact.words { module_ = "Capability"; name })
+
+let is_of_an_output (class_ : Ir.class_) =
+  match class_ with
+  | Declared { name = "RobotOutput" | "DiffDrive" | "HasLight" | "HasSound" | "HasDisplay"; _ } ->
+      true
+  | Declared _ | Eq | Ord -> false
+
+let takes_a_robot fact =
+  let by = fact.required.by in
+  match (is_of_an_output fact.lack.lacking, parameters fact) with
+  | false, Some 1 ->
+      let name = String.concat "" (String.split_on_char '`' by) in
+      Printf.sprintf "%s takes the robot's input, not %s: in `proc i -> …`, write `%s i`" by
+        fact.culprit name
+  | false, Some _ ->
+      Printf.sprintf
+        "the last argument of %s is the robot's input, the `i` of `proc i -> …`, not %s" by
+        fact.culprit
+  | true, Some _ ->
+      Printf.sprintf "the last argument of %s is the robot's output, not %s: `roMake` supplies it"
+        by fact.culprit
+  | _, None ->
+      Printf.sprintf
+        "%s is for a robot's input or output, not for %s: is the robot the last argument?" by
+        fact.culprit
+
+(* `mkTask cruise`, where `cruise` returns only an output *)
+let mode_without_event fact =
+  let at = fact.required.at in
+  let before = "mkTask " in
+  let column = Span.column at.start - String.length before in
+  match Type.expand fact.lack.culprit with
+  | Tuple [ _; e ] when Environment.is_event e && column >= 1 ->
+      let start = Span.position ~line:(Span.line at.start) ~column in
+      let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+      if Show.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop) = Some (before ^ name)
+      then
+        let cure = Printf.sprintf "(%s &&& after 10[s])" name in
+        Some
+          (fun d ->
+            Diagnostic.hint
+              (Printf.sprintf
+                 "`mkTask` needs an event that ends the task, beside the output: write `mkTask \
+                  %s`, or another event"
+                 cure)
+              d
+            |> Diagnostic.write at cure)
+      else None
+  | _ -> None
+
+(* Another value in place of a robot's input or output. *)
+let of_no_robot fact =
+  match fact.lack.lacking with
+  | Declared { module_ = "Capability"; _ }
+    when is_asked_itself fact && Missing_instance.is_no_robot fact.lack.culprit ->
+      Some (Diagnostic.hint (takes_a_robot fact))
+  | _ -> None
+
+(* A class or type of the program. *)
+let not_declared fact =
+  match fact.lack.lacking with
+  | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "add `instance %s where`, and define the methods below it"
+              (Show.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
+  | _ -> None
+
+(* Lists the types that have an instance, if they are few. *)
+let other_instances fact =
+  match fact.lack.lacking with
+  | Eq | Ord -> None
+  | Declared class_ -> (
+      match those_with fact.words class_ with
+      | _ :: _ as types when is_asked_itself fact && List.compare_length_with types 6 <= 0 ->
+          let for_others =
+            if String.equal class_.module_ "Capability" then for_any_robot class_ fact.lack.culprit
+            else Fun.id
+          in
+          Some
+            (fun d ->
+              Diagnostic.note
+                (Printf.sprintf "types with `%s`: %s" class_.name (String.concat ", " types))
+                d
+              |> for_others)
+      | _ -> None)
+
+(* The first rule that applies is used: those for `RobotOutput` and for kinds of types come before
+   those for any class. *)
+let rules =
+  [
+    several_outputs;
+    output_with_an_event;
+    output_of_numbers;
+    own_output;
+    two_outputs;
+    task;
+    signal_function;
+    not_comparable;
+    output_not_made;
+    composed_without_parentheses;
+    mode_without_event;
+    of_no_robot;
+    not_declared;
+    other_instances;
+  ]
+
+let no_instance words required (lack : lack) =
+  let culprit = Show.quoted words lack.culprit in
+  let fact = { words; required; lack; culprit } in
+  let d = without_hints fact |> where_needed fact in
+  let complete = List.find_map (fun rule -> rule fact) rules in
+  Option.value complete ~default:Fun.id d
+
+(* {1 Other messages} *)
+
+(* Does not mention classes, because the user may not know about them. *)
+let not_a_condition words ~at culprit =
+  Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Show.quoted words culprit)
+  |> Diagnostic.hint
+       (if Environment.is_event culprit then "use `isEvent e`, which is True when the event occurs"
+        else "assert a condition, such as `x > 0`, or a `Verdict`")
+
+let undecided words (required : required) class_ =
+  Diagnostic.error ~code:"E0308" ~at:required.at "nothing determines the type at which %s is used"
+    required.by
+  |> Diagnostic.note (Printf.sprintf "it must be a type of the class `%s`" (Show.class_ class_))
+  |> Diagnostic.hint "annotate it with a type, as in `(e :: T)`"
+  |> Required_label.add words required
+
+let diagnostic words (fact : Instance_fact.t) =
+  match fact with
+  | No_instance { required; lack } -> no_instance words required lack
+  | Not_a_condition { at; ty } -> not_a_condition words ~at ty
+  | Undecided { required; class_ } -> undecided words required class_
+  | Unpromised { first; others } -> Promise_mistake.unpromised words first others

@@ -1,0 +1,7 @@
+(** Messages about class constraints that are not satisfied: [E0307] the type has no equality or
+    order · [E0308] a class is required of a type that nothing determines · [E0360] there is no
+    instance · [E0371] a task is required; and those of {!Promise_mistake}. *)
+
+open Basis
+
+val diagnostic : Typing.Show.words -> Typing.Instance_fact.t -> Diagnostic.t

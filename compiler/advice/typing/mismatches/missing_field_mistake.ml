@@ -1,0 +1,315 @@
+open Basis
+open Typing
+
+let suggest (name : Syntax.Ir.name) known diagnostic =
+  match Suggest.closest name.text known with
+  | Some near ->
+      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+      |> Diagnostic.write name.span near
+  | None -> diagnostic
+
+(* The constructor that has this field, in a type with several constructors. *)
+let one_of_several environment ty name =
+  match Type.expand ty with
+  | Data { tycon; _ } -> (
+      match (Environment.type_ environment tycon).definition with
+      | Data { constructors; _ } ->
+          List.find_opt (fun (c : Ir.constructor) -> List.mem_assoc name c.fields) constructors
+      | Alias _ | Builtin | Foreign -> None)
+  | _ -> None
+
+(* Is there a function or signal function of that name? *)
+let of_that_name words (name : Syntax.Ir.name) =
+  let found earlier ty =
+    match Type.expand ty with
+    | Type.Function _ -> Some "function"
+    | Signal_function _ -> Some "signal function"
+    | _ -> earlier
+  in
+  List.fold_left found None (Show.named words name.text)
+
+(* A function or signal function of that name, used with field syntax by mistake. *)
+let as_a_function words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
+  match of_that_name words name with
+  | None ->
+      Option.map
+        (fun text -> Diagnostic.hint text diagnostic)
+        (Resolve.Other_languages.robot name.text)
+  | Some kind ->
+      let argument = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "`%s` is a %s: write `%s %s`" name.text kind name.text argument)
+           diagnostic
+        |> Diagnostic.fix
+             (Printf.sprintf "write `%s %s`" name.text argument)
+             [ (Span.merge record.span name.span, Printf.sprintf "(%s %s)" name.text argument) ])
+
+let rec takes_an_array (t : Type.t) =
+  match Type.expand t with
+  | Function (parameter, result) -> (
+      match Type.expand parameter with
+      | Data { tycon; _ } when tycon = Environment.array -> true
+      | _ -> takes_an_array result)
+  | _ -> false
+
+let is_of_arrays words (name : Syntax.Ir.name) =
+  List.exists takes_an_array (Show.named words name.text)
+
+(* The field of this record that is itself a record with the wanted field. *)
+let field_within words ty name =
+  let has (_, (field_type : Ir.ty)) =
+    match field_type with
+    | Data { tycon; _ } ->
+        Option.fold
+          (Environment.record_of (Show.environment words) tycon)
+          ~none:false
+          ~some:(fun constructor -> Environment.position constructor name <> None)
+    | _ -> false
+  in
+  match Type.expand ty with
+  | Data { tycon; _ } ->
+      Option.bind
+        (Environment.record_of (Show.environment words) tycon)
+        (fun constructor -> Option.map fst (List.find_opt has constructor.ir.fields))
+  | _ -> None
+
+let path words ty name =
+  let own =
+    match Type.expand ty with
+    | Data { tycon; _ } ->
+        Option.bind
+          (Environment.record_of (Show.environment words) tycon)
+          (fun constructor -> Environment.position constructor name)
+    | _ -> None
+  in
+  match (own, field_within words ty name) with
+  | Some _, _ -> Some name
+  | None, Some field -> Some (field ^ "." ^ name)
+  | None, None -> None
+
+(* Handles types that do not have fields but produce values that may have some, such as signal
+   functions. *)
+let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
+  let text = Option.value (Show.quote words record.span) ~default:"x" in
+  let grouped = Source.grouped text in
+  let whole = Span.merge record.span name.span in
+  match Type.expand ty with
+  | Signal_function (input, output) ->
+      let signal = Option.value (Show.signal words input) ~default:"()" in
+      let applied = Printf.sprintf "%s %s" text signal in
+      let has_it =
+        Option.fold (Show.fields words output) ~none:false ~some:(fun (_, fields) ->
+            List.mem name.text fields)
+      in
+      let cure = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "it is a signal function; its output %s `%s`"
+              (if has_it then "has it:" else "is")
+              cure)
+           d
+        |>
+        if String.equal text grouped then
+          Diagnostic.fix
+            (Printf.sprintf "write `%s`" cure)
+            [ (whole, if has_it then cure else "(" ^ cure ^ ")") ]
+        else Fun.id)
+  | t when Environment.is_event t ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for the \
+               event of its `%s`; to keep the latest value, `hold x0` that event, where `x0` is \
+               the initial value"
+              name.text grouped name.text)
+           d)
+  | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "the value may be missing: write `maybe x0 (\\x -> x.%s) %s`, where `x0` replaces a \
+               missing value"
+              name.text grouped)
+           d)
+  | Data { tycon; _ }
+    when tycon = Environment.array && List.mem name.text [ "size"; "length"; "count"; "len" ] ->
+      Some (Diagnostic.hint (Printf.sprintf "`length` is a function: write `length %s`" grouped) d)
+  | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays words name) ->
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf
+              "for the field of the first element, write `(%s ! 0).%s`; for those of all elements, \
+               write `map (\\x -> x.%s) %s`"
+              grouped name.text name.text grouped)
+           d)
+  | _ -> None
+
+(* By convention, the names of robots' input records end in `Input`. *)
+let is_an_input ty =
+  match Type.expand ty with
+  | Data { tycon; _ } -> String.ends_with ~suffix:"Input" tycon.name
+  | _ -> false
+
+let is_a_tuple ty = match Type.expand ty with Tuple [ _; _ ] -> true | _ -> false
+
+(* `p.x`, where `p` is a pair of coordinates. *)
+let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
+  let elements =
+    match (Bare_number.value words record).desc with
+    | Tuple [ a; b ] -> (Show.quote words a.span, Show.quote words b.span)
+    | _ -> (None, None)
+  in
+  match (name.text, elements) with
+  | ("x" | "y"), (Some x, Some y) ->
+      Diagnostic.hint
+        (Printf.sprintf
+           "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import \
+            Geometry`"
+           x y)
+        d
+  | _ ->
+      Diagnostic.hint
+        (Printf.sprintf "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
+           (Option.value (Show.quote words record.span) ~default:"p"))
+        d
+
+(* `i.scan`, where `i` is the input of a robot. *)
+let of_an_input (record : Resolve.Ir.expr) d =
+  let i = match record.desc with Local x -> x.name | _ -> "i" in
+  Diagnostic.hint
+    (Printf.sprintf
+       "a robot's sensors are signal functions of its input: write `frontSonar %s` for the \
+        distance in front, `sonars %s` for all sonars"
+       i i)
+    d
+
+let is_input_of_a_proc words (record : Resolve.Ir.expr) =
+  match record.desc with Local x -> Show.is_input words x.name | _ -> false
+
+(* The constructor of this type, if it is a record type that has the field. *)
+let takes_a_record words input field =
+  match Show.fields words input with
+  | Some (constructor, fields) when List.mem field fields -> Some constructor
+  | Some _ | None -> None
+
+(* The type of the quantity that a field of this name usually has. *)
+let usual_type = function
+  | "distance" | "dist" | "range" | "depth" | "length" | "d" | "r" -> Some "Float[m]"
+  | "speed" | "velocity" | "vel" | "v" -> Some "Float[m/s]"
+  | "time" | "stamp" | "timestamp" | "duration" | "t" -> Some "Float[s]"
+  | "omega" | "turn" | "turnRate" | "angularVelocity" | "yawRate" | "w" -> Some "Float[1/s]"
+  | "angle" | "bearing" | "heading" | "theta" | "direction" | "yaw" -> Some "Float"
+  | "voltage" | "volts" -> Some "Float[V]"
+  | _ -> None
+
+(* The only field with the type of the quantity that the name describes. *)
+let of_the_same_quantity words ty name =
+  match (Type.expand ty, usual_type name) with
+  | Data { tycon; _ }, Some type_ ->
+      Option.bind
+        (Environment.record_of (Show.environment words) tycon)
+        (fun constructor ->
+          let is_it (_, field) = String.equal (Show.ty field) type_ in
+          match List.filter is_it constructor.ir.fields with
+          | [ (field, _) ] -> Some field
+          | _ -> None)
+  | _ -> None
+
+let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
+  let described = Show.described words ty in
+  let error format = Diagnostic.error ~code:"E0310" ~at:name.span format in
+  (match one_of_several (Show.environment words) ty name.text with
+  | Some { constructor; _ } ->
+      error "not every %s has the field `%s`" described name.text
+      |> Diagnostic.hint
+           (Printf.sprintf "only `%s` has it: use a `case` with the pattern `%s { %s = x }`"
+              constructor.name constructor.name name.text)
+  | None -> (
+      let d = error "%s has no field `%s`" described name.text in
+      let usual () =
+        let begins field =
+          String.length name.text > 2 && String.starts_with ~prefix:name.text field
+        in
+        match (Suggest.closest name.text known, known) with
+        | None, _ when List.length (List.filter begins known) = 1 ->
+            let field = List.find begins known in
+            Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
+            |> Diagnostic.write name.span field
+        | None, _ :: _ when List.compare_length_with known 8 <= 0 -> (
+            let fields = List.map (Printf.sprintf "`%s`") known in
+            let d = Diagnostic.note ("its fields: " ^ String.concat ", " fields) d in
+            match of_the_same_quantity words ty name.text with
+            | Some field ->
+                Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
+                |> Diagnostic.write name.span field
+            | None -> d)
+        | _ -> suggest name known d
+      in
+      match (Type.expand ty, Show.quote words record.span) with
+      | Function (input, _), Some f when takes_a_record words input name.text <> None ->
+          let constructor = Option.get (takes_a_record words input name.text) in
+          Diagnostic.hint
+            (Printf.sprintf "`%s` takes the record as an argument: use `%s (%s { %s = … })`" f f
+               constructor name.text)
+            d
+      | Function (input, _), Some f when Show.signal words input <> None ->
+          let applied = Printf.sprintf "(%s %s)" f (Option.get (Show.signal words input)) in
+          let text = Printf.sprintf "%s.%s" applied name.text in
+          Diagnostic.hint (Printf.sprintf "`%s` is a function: write `%s`" f text) d
+          |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
+      | _, Some text when field_within words ty name.text <> None ->
+          let field = Option.get (field_within words ty name.text) in
+          let cure = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
+          Diagnostic.hint (Printf.sprintf "its field `%s` has it: write `%s`" field cure) d
+          |> Diagnostic.fix
+               (Printf.sprintf "write `%s`" cure)
+               [ (name.span, field ^ "." ^ name.text) ]
+      | _ -> (
+          match through words name ~record ty d with
+          | Some d -> d
+          | None -> (
+              match as_a_function words name ~record d with
+              | Some d -> d
+              | None when is_a_tuple ty -> of_a_tuple words name record d
+              | None when is_an_input ty -> of_an_input record d
+              | None -> usual ()))))
+  |> Diagnostic.label ~at:record.span ("this is " ^ described)
+
+let of_no_type words (name : Syntax.Ir.name) ~record =
+  let d =
+    Diagnostic.error ~code:"E0310" ~at:name.span "no type in scope has a field `%s`" name.text
+  in
+  match as_a_function words name ~record d with
+  | Some d -> d
+  | None when is_input_of_a_proc words record -> of_an_input record d
+  | None -> suggest name (Environment.field_names (Show.environment words)) d
+
+let of_several_types (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
+  let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
+  Diagnostic.error ~code:"E0311" ~at:name.span
+    "several types have a field `%s`, and nothing determines which one you mean" name.text
+  |> Diagnostic.label ~at:record.span "the type of this is unknown"
+  |> Diagnostic.note ("types with such a field: " ^ String.concat ", " names)
+  |> Diagnostic.hint "give the definition a signature"
+
+(* `robotPose i.heading`, which was meant as a field of `robotPose i`. *)
+let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) function_ =
+  let record = Option.value (Show.quote words record.span) ~default:"r" in
+  Diagnostic.error ~code:"E0310" ~at
+    "a field binds tighter than application: this is a field of `%s`" record
+  |> Diagnostic.hint
+       (Printf.sprintf "for a field of the result of `%s`, write `(%s %s).%s`" function_ function_
+          record name.text)
+
+(* An array function that is called like a method. *)
+let called_as_method words ({ at; record; field; arguments } : Application_fact.method_call) d =
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let texts = List.map quote (arguments @ [ record ]) in
+  if (not (is_of_arrays words field)) || List.mem None texts then d
+  else
+    let text = String.concat " " (field.text :: List.map Option.get texts) in
+    Diagnostic.hint
+      (Printf.sprintf "`%s` is a function: write `%s`" field.text text)
+      { d with hints = []; fixes = [] }
+    |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (at, "(" ^ text ^ ")") ]

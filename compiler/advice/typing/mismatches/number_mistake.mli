@@ -1,0 +1,17 @@
+(** Messages about mismatched units ([E0320]).
+
+    The last argument is the mismatched pair: the expected and the given unit. [subject]: the
+    expression that has the wrong type, if there is one. *)
+
+open Basis
+open Typing
+
+val units :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  at:Span.t ->
+  expected:Expected.t ->
+  found:Type.t ->
+  Units.t * Units.t ->
+  Diagnostic.t
+(** The message about mismatched units, in numbers or in types that contain numbers. *)

@@ -1,0 +1,94 @@
+open Basis
+open Typing
+open Diagnostic
+
+let decided words (decided_by : Expected.decider list) diagnostic =
+  match decided_by with
+  | { place; decides; _ } :: _ ->
+      label ~at:place
+        (Printf.sprintf "because this is %s" (Show.described words decides))
+        diagnostic
+  | [] -> diagnostic
+
+let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagnostic =
+  let is_here at = Span.compare at diagnostic.at = 0 in
+  let label ~at text = if is_here at then Fun.id else label ~at text in
+  match reason with
+  | Unknown | Condition | Statement None -> diagnostic
+  | Last_statement reason -> label_reason words reason expected diagnostic
+  | Signature { name; at } ->
+      let described = Show.described words expected in
+      label ~at
+        (match Resolve.Labels.kind_of_check name with
+        | Some _ -> Printf.sprintf "the value after this name must be %s" described
+        | None -> Printf.sprintf "the signature of `%s` requires %s" name described)
+        diagnostic
+  | Annotation at ->
+      label ~at
+        (Printf.sprintf "the annotation requires %s" (Show.described words expected))
+        diagnostic
+  | Parameter { callee; at; position; decided_by; _ } ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s is %s" position callee (Show.described words expected))
+        diagnostic
+      |> decided words decided_by
+  | Operand { other; other_type; _ } ->
+      label ~at:other.span
+        (Printf.sprintf "this is %s" (Show.described words other_type))
+        diagnostic
+  | Branch at ->
+      label ~at (Printf.sprintf "this branch is %s" (Show.described words expected)) diagnostic
+  | Statement (Some at) ->
+      label ~at
+        (Printf.sprintf "each task of this `do` must be %s" (Show.described words expected))
+        diagnostic
+  | Element at ->
+      label ~at
+        (Printf.sprintf "the first element is %s" (Show.described words expected))
+        diagnostic
+  | Value at ->
+      label ~at (Printf.sprintf "the value is %s" (Show.described words expected)) diagnostic
+  | Pattern at ->
+      label ~at (Printf.sprintf "the pattern matches %s" (Show.described words expected)) diagnostic
+  | Uses { name; at } ->
+      label ~at
+        (Printf.sprintf "elsewhere `%s` is used as %s" name (Show.described words expected))
+        diagnostic
+  | Output (Signature { name; at }) ->
+      label ~at
+        (Printf.sprintf "the signature of `%s` requires the output %s" name
+           (Show.described words expected))
+        diagnostic
+  | Output (Parameter { callee; at; position; decided_by; _ }) ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s has the output %s" position callee
+           (Show.described words expected))
+        diagnostic
+      |> decided words decided_by
+  | Output reason -> label_reason words reason expected diagnostic
+  | Field { name; at; units; whole } ->
+      (match if String.equal diagnostic.code "E0320" then Lazy.force whole else None with
+      | Some (text, edits) ->
+          hint text { diagnostic with hints = []; fixes = [] }
+          |> fix "give the numbers their units" edits
+      | None -> Option.fold units ~none:Fun.id ~some:note diagnostic)
+      |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
+
+let definition name = Printf.sprintf "this defines `%s`" name
+let is_of_definition name (label : label) = String.equal label.text (definition name)
+
+(* If there is no better place to point at, labels the place where the variable is bound. *)
+let label_subject subject (reason : Expected.reason) diagnostic =
+  match (subject, reason) with
+  | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
+    when Span.compare local.span diagnostic.at <> 0
+         && not (List.exists (is_of_definition local.name) diagnostic.labels) ->
+      label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
+  | _ -> diagnostic
+
+let add words ({ ty; because } : Expected.t) diagnostic = label_reason words because ty diagnostic
+
+let add_all words ~subject (expected : Expected.t) diagnostic =
+  diagnostic |> add words expected |> label_subject subject expected.because

@@ -1,0 +1,121 @@
+open Basis
+open Typing
+open Diagnostic
+
+let construct : Show.construct -> string = function
+  | Signature name -> Printf.sprintf "the signature of `%s`" name
+  | Class name -> Printf.sprintf "the class `%s`" name
+  | Instance name -> Printf.sprintf "the instance of `%s`" name
+
+(* The places in a signature where this name occurs. *)
+let mentions words (place : Span.t) name =
+  let is_part = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
+  match Show.quote words place with
+  | Some text when Span.line place.start = Span.line place.stop ->
+      let n = String.length name and length = String.length text in
+      let stands i =
+        i + n <= length
+        && String.equal (String.sub text i n) name
+        && (i = 0 || not (is_part text.[i - 1]))
+        && (i + n = length || not (is_part text.[i + n]))
+      in
+      let span i =
+        let start = Span.forward i place.start in
+        Span.make ~file:place.file ~start ~stop:(Span.forward n start)
+      in
+      List.filter stands (List.init length Fun.id) |> List.map span
+  | Some _ | None -> []
+
+let variable_like_a_type words ~at (variable : Ir.variable) type_ =
+  warning ~code:"W0302" ~at "`%s` is a type variable here, so it means any type" variable.name
+  |> hint (Printf.sprintf "if you meant the type, write `%s`" type_)
+  |>
+  match mentions words at variable.name with
+  | [] -> Fun.id
+  | places -> fix (Printf.sprintf "write `%s`" type_) (List.map (fun at -> (at, type_)) places)
+
+(* Suggests the signature with the variable replaced by the required type. The head of an instance
+   is not a signature. *)
+let less_general words ({ by; place } : Show.owned) (variable : Ir.variable) needed d =
+  match (by, Show.quote words place, mentions words place variable.name) with
+  | Signature _, Some text, (_ :: _ as places) ->
+      let piece (at : Span.t) = Span.column at.start - Span.column place.start in
+      let replaced =
+        List.fold_left
+          (fun text at ->
+            let i = piece at and n = String.length variable.name in
+            String.sub text 0 i ^ needed ^ String.sub text (i + n) (String.length text - i - n))
+          text (List.rev places)
+      in
+      hint (Printf.sprintf "if the definition is right, write the signature as `%s`" replaced) d
+      |> fix (Printf.sprintf "write `%s`" replaced) (List.map (fun at -> (at, needed)) places)
+  | _ -> d
+
+let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
+  let diagnostic =
+    error ~code:"E0306" ~at "the signature allows every %s `%s`, but the definition needs %s" kind
+      variable.name needed
+  in
+  (match Show.owner words variable with
+  | Some { by; place } ->
+      label ~at:place
+        (Printf.sprintf "`%s` is any %s in %s" variable.name kind (construct by))
+        diagnostic
+  | None -> diagnostic)
+  |>
+  match Variable_name.type_meant variable.name with
+  | Some type_ ->
+      hint
+        (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s" type_
+           kind)
+  | None -> (
+      match (Show.owner words variable, instead) with
+      | Some owner, Some needed -> less_general words owner variable needed
+      | _ -> Fun.id)
+
+let general_type words ~at (r : Type.rigid) t =
+  let kind = match r.kind with Of_types -> "type" | Of_sizes -> "size" in
+  let instead =
+    match Type.expand t with
+    | Bool | String | Size _ | Data { arguments = []; _ } -> Some (Show.type_ words t)
+    | Number (Float, u) when not (Units.is_open u) -> Some (Show.type_ words t)
+    | _ -> None
+  in
+  too_general words ~at ~kind ~instead r.variable
+    (Printf.sprintf "it to be %s" (Show.described words t))
+
+(* The power that was meant by a name such as `s2` in brackets, which is parsed as a variable. *)
+let power_meant (variable : Ir.variable) =
+  match variable.name with
+  | "m2" | "m3" | "s2" | "s3" | "g2" ->
+      Some (Printf.sprintf "%c^%c" variable.name.[0] variable.name.[1])
+  | _ -> None
+
+let general_unit words ~at (r : Units.rigid) u =
+  let instead = if Units.is_open u then None else Some (Show.measure words u) in
+  let instead = if power_meant r.variable = None then instead else None in
+  too_general words ~at ~kind:"unit" ~instead r.variable
+    (Printf.sprintf "it to be `%s`" (Show.measure words u))
+  |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
+         hint
+           (Printf.sprintf "`%s` is a variable here: write a power as `%s`" r.variable.name power))
+
+let general_representation words ~at (r : Units.rigid) n =
+  let instead =
+    match n with
+    | Type.Float | Int -> Some (Show.representation words n)
+    | Flexible_representation _ | Rigid_representation _ -> None
+  in
+  too_general words ~at ~kind:"representation" ~instead r.variable
+    (Printf.sprintf "it to be `%s`" (Show.representation words n))
+
+let promised_unit (a, b) =
+  let alone u =
+    match (Units.base_powers u, Units.rigid_powers u, Units.flexible_powers u) with
+    | [], [ (r, p) ], [] when Rational.equal p Rational.one -> Some r
+    | _ -> None
+  in
+  match (alone a, alone b) with
+  | Some r, _ when Units.rigid_powers b = [] -> Some (r, b)
+  | _, Some r when Units.rigid_powers a = [] -> Some (r, a)
+  | _ -> None

@@ -1,0 +1,67 @@
+open Typing
+open Shape_fact
+
+let of_a_number fact =
+  match (fact.wanted, fact.given) with
+  | Data { tycon = { name; _ }; _ }, Number _ ->
+      Option.map (hinted fact) (Representation_mistake.makes name (grouped fact "x"))
+  | _ -> None
+
+let is_operator fact =
+  match fact.expected.because with
+  | Parameter { callee = Some name; _ } -> (
+      match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> false | _ -> true)
+  | _ -> false
+
+let of_a_text fact =
+  match (fact.wanted, fact.given) with
+  | Number (_, u), String
+    when (not (Units.is_open u))
+         &&
+         match fact.expected.because with
+         | Signature _ | Output _ | Branch _ | Parameter _ | Field _ -> not (is_operator fact)
+         | _ -> false ->
+      let zero =
+        match Show.measure fact.words u with "1" -> "0" | unit_ -> Printf.sprintf "0[%s]" unit_
+      in
+      Some
+        (hinted fact
+           (Printf.sprintf "a text is only a label: write a number, such as `%s`, in its place" zero))
+  | Number _, String ->
+      Some (hinted fact "a text is only a label: you cannot compute with it or join two texts")
+  | _ -> None
+
+let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)
+
+let by_a_constructor fact =
+  match (fact.wanted, fact.given) with
+  | Data _, Data _ -> (
+      match Show.makers fact.words fact.expected.ty ~of_:fact.found with
+      | [] -> None
+      | makers ->
+          Some (hinted fact (Printf.sprintf "use %s to convert this value" (alternatives makers))))
+  | _ -> None
+
+let capital_choice fact =
+  match fact.subject with
+  | Some { desc = Global { name; _ } | Local { name; _ }; _ } ->
+      let meant = String.capitalize_ascii name in
+      if List.mem meant (Show.choices fact.words fact.expected.ty) then
+        Some
+          (hinted fact (Printf.sprintf "did you mean `%s`?" meant)
+          |> Basis.Diagnostic.write fact.at meant)
+      else None
+  | Some _ | None -> None
+
+let to_a_choice fact =
+  match fact.expected.because with
+  | Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _ -> (
+      match (Show.choices fact.words fact.expected.ty, fact.given) with
+      | [], _ -> None
+      | ([ _; _ ] as choices), Bool ->
+          Some
+            (hinted fact
+               (Printf.sprintf "use %s, as in `if %s then … else …`" (alternatives choices)
+                  (raw fact "b")))
+      | choices, _ -> Some (hinted fact ("use " ^ alternatives choices)))
+  | _ -> None

@@ -1,0 +1,31 @@
+(** Rules for an event where another value is expected, or the reverse. *)
+
+open Typing
+
+val by_its_use : Shape_fact.rule
+(** Selects the hint by the use of the event: [hold], [accum], [mergeE], patterns, conditions and so
+    on. *)
+
+val in_a_maybe : Shape_fact.rule
+(** A [Maybe] where its content is expected. *)
+
+val in_place_of_a_number : Shape_fact.rule
+(** An event where a number is expected. *)
+
+val of_a_truth : Shape_fact.rule
+(** A truth value where an event is expected. *)
+
+(** {1 Other messages} *)
+
+val accumulated :
+  Show.words ->
+  name:string ->
+  at:Basis.Span.t ->
+  (Resolve.Ir.expr * Type.t) list ->
+  Basis.Diagnostic.t option
+(** The message about [accumHold x0 f e], which uses the argument order of other languages. The list
+    contains the arguments with their types. *)
+
+val operand : Shape_fact.rule
+(** An operator whose left operand is an event, a `Maybe` or a record, and whose right operand is a
+    number: reports the left operand, not the number. *)

@@ -1,0 +1,21 @@
+(** A function that sets a robot's output, such as [setVelTR v omega], used in place of the output
+    that [roMake] creates from it. *)
+
+open Typing
+
+val not_made : Shape_fact.rule
+(** Applies if an output or a whole program is expected. *)
+
+val speeds : Shape_fact.rule
+(** A pair of a speed and a turn rate in place of a robot's output. *)
+
+val of_sleeping :
+  Show.words -> subject:Resolve.Ir.expr option -> Type.t -> Basis.Diagnostic.t option
+(** The message for [sleepT 2[s] (setVelTR v omega)], and for [sleepT] with its arguments exchanged,
+    whose output has this type in place of any output. *)
+
+val statement : Shape_fact.rule
+(** Applies if the function is a statement of a [do]. *)
+
+val hint_without_instance : Type.t -> string option
+(** The hint for a type without an instance of [RobotOutput], where an output is required. *)

@@ -1,0 +1,130 @@
+open Basis
+open Typing
+open Shape_fact
+
+let with_each fields = String.concat ", " (List.map (Printf.sprintf "%s = …") fields)
+
+(* How to build the record that is the first of two arguments, if only the second one is given. *)
+let before fact ~callee ~(next : Resolve.Ir.expr) whole =
+  match Show.quote fact.words next.span with
+  | Some next ->
+      let next = Source.grouped next in
+      Printf.sprintf "write the record before `%s`: `%s (%s) %s`" next callee whole next
+  | None -> Printf.sprintf "write the record: `%s`" whole
+
+let is_number words (e : Resolve.Ir.expr) =
+  match e.desc with Number _ -> true | _ -> Bare_number.literal words e <> None
+
+(* `pid 0.5 0.1 0 e`: the values of the fields, and then the signal. *)
+let from_numbers fact ~callee constructor fields (given : Resolve.Ir.expr list) =
+  let numbers, rest = List.partition (is_number fact.words) given in
+  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let value i field =
+    Printf.sprintf "%s = %s" field
+      (Option.value (Option.bind (List.nth_opt numbers i) quote) ~default:"…")
+  in
+  let record =
+    Printf.sprintf "(%s { %s })" constructor (String.concat ", " (List.mapi value fields))
+  in
+  match rest with
+  | [] -> Some (callee ^ " " ^ record)
+  | [ signal ] when List.nth given (List.length given - 1) == signal ->
+      Option.map
+        (fun text -> String.concat " " [ callee; record; Source.grouped text ])
+        (quote signal)
+  | _ -> None
+
+let how_to_build fact constructor fields =
+  let whole = Printf.sprintf "%s { %s }" constructor (with_each fields) in
+  match fact.expected.because with
+  | Parameter { callee = Some callee; position = 1; given = first :: _ :: _ as given; _ }
+    when List.compare_length_with fields (List.length given - 1) >= 0
+         && is_number fact.words first
+         && from_numbers fact ~callee constructor fields given <> None ->
+      Some
+        (Printf.sprintf "`%s` takes one record in place of these numbers: write `%s`" callee
+           (Option.get (from_numbers fact ~callee constructor fields given)))
+  | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
+      Some (before fact ~callee ~next whole)
+  | Parameter _ -> Some (Printf.sprintf "write the record: `%s`" whole)
+  | Signature _ | Output _ | Branch _ | Field _ ->
+      Some
+        (Printf.sprintf
+           "write the whole record, `%s`, or a copy of a record `r` with another `%s`: `r { %s = … \
+            }`"
+           whole (List.hd fields) (List.hd fields))
+  | _ -> None
+
+let built fact =
+  match (fact.wanted, fact.given, Show.fields fact.words fact.expected.ty) with
+  | Data _, (Number _ | Bool), Some (constructor, fields)
+    when List.compare_length_with fields 8 <= 0 ->
+      Option.map (hinted fact) (how_to_build fact constructor fields)
+  | _ -> None
+
+(* `robotPose i.heading`, where a field of `robotPose i` was meant. *)
+let bound_too_tightly words (subject : Resolve.Ir.expr option) fields =
+  let of_application (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; argument = { desc = Field { record; field; _ }; _ }; style = Juxtaposed }
+      when List.mem field.text fields -> (
+        match (Show.quote words head.span, Show.quote words record.span) with
+        | Some f, Some x ->
+            Some
+              (Printf.sprintf "a field binds tighter than application: write `(%s %s).%s`" f x
+                 field.text)
+        | _ -> None)
+    | _ -> None
+  in
+  match subject with
+  | Some { desc = Local x; _ } -> Option.bind (Show.definition words x) of_application
+  | Some e -> of_application e
+  | None -> None
+
+let parts fact fields =
+  let r = grouped fact "r" in
+  let shown = List.filteri (fun i _ -> i < 4) fields in
+  let all = String.concat ", " (List.map (fun f -> Printf.sprintf "`%s.%s`" r f) shown) in
+  match (bound_too_tightly fact.words fact.subject fields, fact.given) with
+  | Some hint, _ -> hint
+  | None, Data { tycon = { name = "Vec2"; _ }; _ } when String.equal (callee fact) "atan2" ->
+      Printf.sprintf "for the direction of a vector, write `direction %s`, with `import Geometry`" r
+  | None, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
+      Printf.sprintf "for a component of the vector, write %s; for its length, write `norm %s`" all
+        r
+  | None, _ -> "this is a record: choose one of its fields, " ^ all
+
+let in_place_of_a_number fact =
+  match (fact.wanted, fact.given) with
+  | Number _, Data _ ->
+      Option.map
+        (fun (_, fields) -> hinted fact (parts fact fields))
+        (Show.fields fact.words fact.found)
+  | _ -> None
+
+let compared_with_a_number fact =
+  match (fact.wanted, fact.given, other_operand fact) with
+  | Data _, Number _, Some _ ->
+      Option.map
+        (fun (_, fields) ->
+          hinted fact
+            (Printf.sprintf
+               "the other operand is a record with the fields %s: choose one, as in `r.%s`"
+               (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
+               (List.hd fields)))
+        (Show.fields fact.words fact.expected.ty)
+  | _ -> None
+
+let in_place_of_a_part fact =
+  match (fact.wanted, fact.given, source fact) with
+  | Data _, Data _, Some text ->
+      Option.map
+        (fun field ->
+          let cure = Printf.sprintf "%s.%s" (Source.grouped text) field in
+          let d = hinted fact (Printf.sprintf "use its field: `%s`" cure) in
+          match fact.subject with
+          | Some e ->
+              Diagnostic.fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ] d
+          | None -> d)
+        (Show.field_of fact.words fact.found ~of_:fact.expected.ty)
+  | _ -> None

@@ -1,0 +1,87 @@
+(** A mismatch between types of different shapes, with all the information that the message rules
+    use. *)
+
+open Basis
+open Typing
+
+type t = {
+  words : Show.words;
+  subject : Resolve.Ir.expr option;  (** the expression that has the wrong type, if there is one *)
+  at : Span.t;
+  expected : Expected.t;
+  found : Type.t;
+  wanted : Type.t;  (** the expected type, expanded *)
+  given : Type.t;  (** the type found, expanded *)
+}
+
+type rule = t -> Diagnostic.t option
+(** The message, if the rule applies to the mismatch. *)
+
+val make :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  at:Span.t ->
+  expected:Expected.t ->
+  found:Type.t ->
+  t
+
+val first : (t -> 'a option) list -> t -> 'a option
+(** The result of the first rule that applies. *)
+
+(** {1 Properties of the mismatch} *)
+
+val other_operand : t -> Resolve.Ir.expr option
+(** The other operand of an operator, if its type is the only reason for the expected type. *)
+
+val is_statement : t -> bool
+(** Is the subject a statement of a [do]? *)
+
+val is_a_parameter : t -> bool
+(** Is the subject an argument of a function, rather than an operand of an arithmetic operator? *)
+
+val callee : t -> string
+(** The name of the function that takes the subject as an argument; [f] if there is none. *)
+
+val name : t -> string option
+(** The subject, if it is a variable or a constructor. *)
+
+(** {1 Texts} *)
+
+val expected_text : t -> string
+(** The expected type as part of a sentence. *)
+
+val found_text : t -> string
+(** The type found as part of a sentence. *)
+
+val source : t -> string option
+(** The source text of the subject, if it is short. *)
+
+val raw : t -> string -> string
+(** The source text of the subject, or this text if there is none or it is too long. *)
+
+val grouped : t -> string -> string
+(** Like {!raw}, with parentheses around the subject if it needs them as an argument. *)
+
+val elements : t -> string option list
+(** The source texts of the components, if the subject is a tuple; otherwise a list that contains
+    only [None]. *)
+
+val all : string option list -> string list option
+(** All texts, if none of them is missing. *)
+
+val names : int -> string list
+(** Names for parts that the programmer did not name: [a], [b], … *)
+
+(** {1 Messages} *)
+
+val different : t -> Diagnostic.t
+(** The error [E0301]: the type found is not the expected one. *)
+
+val hinted : t -> string -> Diagnostic.t
+(** {!different} with this hint. *)
+
+val not_a_condition : t -> Diagnostic.t
+(** The error [E0301] about the condition of an [if]. *)
+
+val not_matched : t -> Diagnostic.t
+(** The error [E0301] about a pattern whose type differs from that of the value. *)

@@ -1,0 +1,206 @@
+open Basis
+open Typing
+open Diagnostic
+open Shape_fact
+
+let in_place_of_a_test fact =
+  match (fact.wanted, fact.given) with
+  | Data { tycon = { name = "Test"; _ }; _ }, (Number _ | String | Tuple _) ->
+      Some
+        (hinted fact
+           "write a condition, such as `f 2 == 5`, or `during 1[s] sf` for a signal function")
+  | Data { tycon = { name = "Test"; _ }; _ }, Signal_function (input, _) ->
+      let sf = grouped fact "sf" in
+      error ~code:"E0301" ~at:fact.at
+        "expected a `Test`, which also says how long to run the signal function"
+      |> here (Printf.sprintf "this is %s" (found_text fact))
+      |> hint
+           (match Type.expand input with
+           | Data { tycon = { name = "Truth"; _ }; _ } ->
+               Printf.sprintf
+                 "for a run in the simulator, write a trial: `trial \"name\" = Trial { world = \
+                  \"room.toml\", lasts = 10[s], seeds = 1 `to` 20, judge = %s }`"
+                 (raw fact "sf")
+           | _ -> Printf.sprintf "use `during 10[s] %s`" sf)
+      |> Option.some
+  | _ -> None
+
+let no_signal_function fact =
+  error ~code:"E0304" ~at:fact.at "expected a signal function, found a function: %s"
+    (found_text fact)
+
+let condition_of_an_event fact =
+  match (fact.wanted, fact.given) with
+  | Signal_function (_, wanted), Function (_, given)
+    when Environment.is_event wanted && Type.expand given = Bool ->
+      no_signal_function fact
+      |> hint
+           (match name fact with
+           | Some name ->
+               Printf.sprintf
+                 "use `proc x -> edge (%s x)`, which occurs when the condition becomes True" name
+           | None -> "use `proc x -> edge (f x)`, which occurs when `f x` becomes True")
+      |> Option.some
+  | _ -> None
+
+(* A function of the program that runs a signal function, as in `drive i = f (frontSonar i)`. *)
+let as_a_proc fact =
+  let rec runs (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head = { desc = Global g; _ } as head; argument; _ } ->
+        (match Option.map Type.expand (Show.declared_type fact.words g) with
+        | Some (Signal_function _) -> true
+        | _ -> false)
+        || runs head || runs argument
+    | Apply { head; argument; _ } -> runs head || runs argument
+    | If { condition; then_; else_ } -> List.exists runs [ condition; then_; else_ ]
+    | Negate e | Field { record = e; _ } -> runs e
+    | _ -> false
+  in
+  match (fact.subject, fact.given) with
+  | Some { desc = Global g; _ }, Function (a, b) -> (
+      match Show.binding fact.words g with
+      | Some { parameters = [ p ]; body = { guards = [ { condition = None; value } ]; where }; _ }
+        when runs value
+             || List.exists
+                  (fun (group : Resolve.Ir.binding_group) ->
+                    List.exists
+                      (fun (b : Resolve.Ir.binding) ->
+                        List.exists (fun (g : Resolve.Ir.guarded) -> runs g.value) b.body.guards)
+                      group.bindings)
+                  where.groups ->
+          let type_ t = Source.grouped (Show.type_ fact.words t) in
+          Option.map
+            (fun x ->
+              Printf.sprintf
+                "`%s` runs signal functions, so it must be one itself: write `%s :: SF %s %s`, and \
+                 `%s = proc %s -> …`"
+                g.name g.name (type_ a) (type_ b) g.name x)
+            (Show.quote fact.words p.span)
+      | Some _ | None -> None)
+  | _ -> None
+
+(* `\\i -> e` in place of `proc i -> e` *)
+let lambda_for_proc fact =
+  match (fact.wanted, fact.given, Show.quote fact.words fact.at) with
+  | Signal_function _, Function _, Some text when text.[0] = '\\' -> (
+      match String.index_opt text '>' with
+      | Some arrow when arrow > 2 && text.[arrow - 1] = '-' ->
+          let x = String.trim (String.sub text 1 (arrow - 2)) in
+          let stop = Span.forward (arrow + 1) fact.at.start in
+          no_signal_function fact
+          |> hint (Printf.sprintf "write `proc %s -> …` in place of `\\%s -> …`" x x)
+          |> fix
+               (Printf.sprintf "write `proc %s -> …`" x)
+               [ ({ fact.at with stop }, Printf.sprintf "proc %s ->" x) ]
+          |> Option.some
+      | Some _ | None -> None)
+  | _ -> None
+
+let function_not_lifted fact =
+  match (fact.wanted, fact.given, source fact) with
+  | Signal_function _, Function _, _ when lambda_for_proc fact <> None -> lambda_for_proc fact
+  | Signal_function _, Function _, _ when as_a_proc fact <> None ->
+      Some (hint (Option.get (as_a_proc fact)) (no_signal_function fact))
+  | Signal_function _, Function _, Some text ->
+      let text = "arr " ^ Source.grouped text in
+      no_signal_function fact
+      |> hint (Printf.sprintf "use `arr` to turn a function into a signal function: `%s`" text)
+      |> Unrun_mistake.instead fact.subject text
+      |> Option.some
+  | Signal_function _, Function _, None ->
+      no_signal_function fact
+      |> hint
+           (match Show.quote fact.words fact.at with
+           | Some text when text.[0] = '\\' ->
+               "use `proc x -> …`, with `proc` instead of `\\`, or use `arr` to turn a function \
+                into a signal function"
+           | _ -> "use `arr` to turn a function into a signal function")
+      |> Option.some
+  | _ -> None
+
+(* The hint for a signal function that is passed to a function that expects another function. The
+   hint depends on the function called. *)
+let by_its_use fact =
+  match (fact.expected.because, fact.wanted) with
+  | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"
+  | Parameter { callee = Some "map"; _ }, _ ->
+      Some "use `mapSF` to run a signal function on each element"
+  | Parameter { callee = Some "."; given = [ last; first ]; _ }, _
+    when Show.quote fact.words last.span <> None && Show.quote fact.words first.span <> None ->
+      let text (e : Resolve.Ir.expr) = Option.get (Show.quote fact.words e.span) in
+      Some
+        (Printf.sprintf "compose signal functions from left to right with `>>>`: `%s >>> %s`"
+           (text first) (text last))
+  | Parameter { callee = Some "."; _ }, _ ->
+      Some "use `>>>` to compose signal functions, from left to right"
+  | Parameter { callee = Some name; _ }, _ ->
+      Some
+        (Printf.sprintf "if `%s` should run it, write an `SF` type in the signature of `%s`" name
+           name)
+  | Signature _, Function (input, output) ->
+      Some
+        (Printf.sprintf "for a signal function, write the type %s"
+           (Show.described fact.words (Signal_function (input, output))))
+  | _ -> None
+
+(* `drive = switch go drive`, whose last argument decides the type of `drive`. *)
+let next_mode fact =
+  match (fact.expected.because, fact.subject) with
+  | ( Uses { name; _ },
+      Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Apply { head; argument = mode; _ }; _ };
+                argument = { desc = Global { name = next; _ } | Local { name = next; _ }; _ };
+                _;
+              };
+          _;
+        } )
+    when String.equal name next -> (
+      match (head.desc, Show.quote fact.words mode.span) with
+      | Global { name = ("switch" | "dSwitch") as switch; _ }, Some mode ->
+          Some (Printf.sprintf "%s %s (\\_ -> %s)" switch (Source.grouped mode) next)
+      | _ -> None)
+  | _ -> None
+
+let in_place_of_a_function fact =
+  match (fact.wanted, fact.given) with
+  | Function _, Signal_function _ ->
+      let d =
+        error ~code:"E0304" ~at:fact.at "expected a function, found a signal function: %s"
+          (found_text fact)
+      in
+      Some
+        (if Switch_mistake.goes_on fact.expected then
+           let text = "\\_ -> " ^ raw fact "…" in
+           hint (Printf.sprintf "write a function that ignores its argument: `%s`" text) d
+           |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
+         else
+           match next_mode fact with
+           | Some text ->
+               hint
+                 (Printf.sprintf
+                    "the second argument of `switch` is a function of the event's value: use `%s`"
+                    text)
+                 d
+           | None -> Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
+  | _ -> None
+
+(* `x > 0 &&& x < 1` *)
+let conditions fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Signal_function _, Bool, Parameter { callee = Some (("&&&" | "***") as operator); _ } ->
+      Some
+        (error ~code:"E0301" ~at:fact.at "`%s` combines signal functions, but this is a condition"
+           operator
+        |> hint "to combine two conditions, write `&&`")
+  | _ -> None
+
+let constant fact =
+  match (fact.wanted, fact.given, other_operand fact) with
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
+      Some (hinted fact "use `constant e` for a signal function that always returns `e`")
+  | _ -> None

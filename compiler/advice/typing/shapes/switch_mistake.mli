@@ -1,0 +1,26 @@
+(** Hints about the arguments of [switch], [dSwitch] and [mkTask]: a mode, which returns its output
+    and the event that ends it, and for switches the function from the event's value to the next
+    mode. *)
+
+open Basis
+open Typing
+
+val mode : Shape_fact.rule
+(** A value of another type where a mode is expected. *)
+
+val goes_on : Expected.t -> bool
+(** Is the expected type the function to the next mode, which takes the event's value? *)
+
+val three_arguments :
+  Show.words -> name:string -> at:Span.t -> (Resolve.Ir.expr * Type.t) list -> Diagnostic.t option
+(** The message about [switch mode event next], which uses the argument order of other languages.
+    The list contains the arguments with their types. *)
+
+val input_as_pair : Shape_fact.rule
+(** A switch whose first mode returns only its input. *)
+
+val output_without_event : Shape_fact.rule
+(** The output of a mode without the event that ends it. *)
+
+val next_mode : Shape_fact.rule
+(** A condition or another function in place of the function that returns the next mode. *)

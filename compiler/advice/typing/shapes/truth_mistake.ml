@@ -1,0 +1,161 @@
+open Basis
+open Typing
+open Diagnostic
+open Shape_fact
+
+let no_truth fact text =
+  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint text
+
+(* A comparison to suggest in place of a number. *)
+let comparison fact =
+  match (fact.given, fact.subject) with
+  | Number _, Some { desc = Number { digits; _ }; _ } ->
+      Some
+        (Printf.sprintf "use `%s`: a number is not a `Bool`"
+           (if float_of_string_opt digits = Some 0. then "False" else "True"))
+  | Number (_, u), _ ->
+      let e = raw fact "x" in
+      let u = Units.resolve u in
+      let text =
+        if Units.equal u Units.one || Units.is_open u then Printf.sprintf "%s /= 0" e
+        else Printf.sprintf "%s < 1[%s]" e (Show.measure fact.words u)
+      in
+      Some
+        (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
+  | _ -> None
+
+(* The condition in `edge b`, also by the name of such an event. *)
+let condition_of_edge fact =
+  match Option.map (Bare_number.value fact.words) fact.subject with
+  | Some
+      { desc = Apply { head = { desc = Global { name = "edge"; _ }; _ }; argument; style = _ }; _ }
+    ->
+      Show.quote fact.words argument.span
+  | Some _ | None -> None
+
+let is_now fact otherwise =
+  let occurs =
+    Printf.sprintf "use `isEvent %s`, which is True when the event occurs" (grouped fact otherwise)
+  in
+  match condition_of_edge fact with
+  | Some b ->
+      Printf.sprintf
+        "for the whole time that the condition is True, write `%s`; for the one instant at which \
+         it becomes True, `isEvent %s`"
+        b (grouped fact otherwise)
+  | None -> occurs
+
+let condition fact =
+  match fact.expected.because with
+  | Condition ->
+      let d = not_a_condition fact in
+      Some
+        (match comparison fact with
+        | Some text -> hint text d
+        | None when Environment.is_event fact.found -> (
+            let d = hint (is_now fact "e") d in
+            match (condition_of_edge fact, fact.subject) with
+            | Some b, Some e -> write e.span (Source.grouped b) d
+            | _ -> d)
+        | None -> d)
+  | _ -> None
+
+(* The event function to use instead of a Boolean operator that is applied to an event. *)
+let event_function fact =
+  match fact.expected.because with
+  | Operand { operator = "&&" | "||"; other; _ } ->
+      let b = Option.fold (Show.quote fact.words other.span) ~none:"b" ~some:Source.grouped in
+      Some
+        (Printf.sprintf
+           "%s, or `gate %s %s` for an event that occurs only while the condition is True"
+           (is_now fact "e") (grouped fact "e") b)
+  | Parameter { callee = Some "||"; given = [ a; b ]; _ } ->
+      let text (e : Resolve.Ir.expr) name =
+        Option.fold (Show.quote fact.words e.span) ~none:name ~some:Source.grouped
+      in
+      Some
+        (Printf.sprintf "use `mergeE %s %s`, which occurs when one of two events does" (text a "a")
+           (text b "b"))
+  | Parameter { callee = Some "||"; _ } ->
+      Some "use `mergeE a b`, which occurs when one of two events does"
+  | Parameter { callee = Some "&&"; _ } ->
+      Some
+        "use `pairEvents a b`, which occurs when both events do, or `gate e b`, which occurs only \
+         while `b` is True"
+  | Parameter { callee = Some "not"; _ } -> Some (is_now fact "e")
+  | _ -> None
+
+let of_events fact =
+  if fact.wanted = Bool && Environment.is_event fact.found then
+    Option.map (no_truth fact) (event_function fact)
+  else None
+
+(* The hint for `not x > 0`. *)
+let hint_to_group name operator =
+  Printf.sprintf
+    "put parentheses around the argument, because application binds tighter than `%s`: `%s (… %s \
+     …)`"
+    operator name operator
+
+let grouped_with_an_argument fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
+      Some (no_truth fact (hint_to_group name operator))
+  | _ -> None
+
+let equal_to_a_truth fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Bool, Number _, Operand { operator = ("==" | "/=") as operator; other; _ } ->
+      let itself truth =
+        let negated = Printf.sprintf "not %s" (Source.grouped truth) in
+        match (raw fact "1", operator) with
+        | "1", "==" | "0", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" truth
+        | "0", "==" | "1", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" negated
+        | _ -> Printf.sprintf "this is a `Bool` already: write `%s` or `%s`" truth negated
+      in
+      Option.map (fun truth -> no_truth fact (itself truth)) (Show.quote fact.words other.span)
+  | _ -> None
+
+let grouped_with_an_operand fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ } ->
+      Option.map (fun name -> no_truth fact (hint_to_group name operator)) (Plain_name.of_head head)
+  | _ -> None
+
+let compared fact =
+  match (fact.wanted, fact.expected.because) with
+  | Bool, (Parameter { before = None; _ } | Operand { other = { desc = Apply _; _ }; _ }) ->
+      Option.map (no_truth fact) (comparison fact)
+  | Bool, _ when match fact.subject with Some { desc = Number _; _ } -> true | _ -> false ->
+      Option.map (no_truth fact) (comparison fact)
+  | _ -> None
+
+(* `delay 0 b`: the literal determines the type, but `b` is a truth value. *)
+let after_a_number fact =
+  match fact.expected.because with
+  | Parameter
+      { callee = Some f; position = 2; given = [ { desc = Number _; span }; _ ]; decided_by; _ }
+    when List.exists (fun (d : Expected.decider) -> Span.compare d.place span = 0) decided_by ->
+      let number = Option.value (Show.quote fact.words span) ~default:"the number" in
+      Some (Printf.sprintf "`%s` is not a `Bool`: write `%s False %s`" number f (grouped fact "b"))
+  | _ -> None
+
+let in_place_of_a_number fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Number _, Bool, Element _ -> None
+  | Number (_, u), Bool, _ -> (
+      match after_a_number fact with
+      | Some text -> Some (hinted fact text)
+      | None ->
+          let one =
+            if Units.is_open u || Units.equal u Units.one then "1"
+            else Printf.sprintf "1[%s]" (Show.measure fact.words u)
+          in
+          let text =
+            match raw fact "b" with
+            | "True" -> one
+            | "False" -> "0"
+            | b -> Printf.sprintf "(if %s then %s else 0)" b one
+          in
+          Some (hinted fact (Printf.sprintf "a `Bool` is not a number: write `%s`" text)))
+  | _ -> None

@@ -1,0 +1,279 @@
+open Basis
+open Typing
+open Diagnostic
+open Shape_fact
+
+(* The text as an argument. Calls in the C notation, [f(x, y)], are rewritten in Frob's. *)
+let argument_of text =
+  Source.grouped (Option.value (Syntax.Other_notation.expression text) ~default:text)
+
+let selected fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | Function _, Tuple (_ :: _), (Parameter { callee = Some "."; _ } | Operand { operator = "."; _ })
+    ->
+      let p = raw fact "p" in
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "for the parts of a tuple, write an equation, `(a, b) = %s`; for those of a pair, \
+               also `fst %s` and `snd %s`"
+              p p p))
+  | _ -> None
+
+let of_an_input fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | (Number _ | Bool), Tuple (_ :: _ :: _ as parts), Some { desc = Local x; _ }
+    when Show.is_input fact.words x.name ->
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "`%s` is the whole input: take it apart in the pattern, as in `proc (%s) -> …`" x.name
+              (String.concat ", " (names (List.length parts))))
+        |> label ~at:x.span "this is one name for the whole tuple")
+  | _ -> None
+
+(* The call in which the arguments from the mismatch onwards form one tuple of this length. If the
+   call has enough arguments, the tuple consists of their source texts, otherwise of generated
+   names. *)
+let gathered fact length =
+  let before, after =
+    match fact.expected.because with
+    | Parameter { given; position; _ } ->
+        ( List.filteri (fun i _ -> i < position - 1) given,
+          List.filteri (fun i _ -> i >= position) given )
+    | _ -> ([], [])
+  in
+  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let before =
+    List.map (fun e -> " " ^ Option.fold (quote e) ~none:"…" ~some:Source.grouped) before
+  in
+  let written = if List.length after + 1 = length then List.map quote after else [] in
+  let other i =
+    match List.nth_opt written i with
+    | Some (Some text) -> text
+    | Some None | None -> Variable_name.nth Variable_name.Type (i + 1)
+  in
+  Printf.sprintf "%s%s (%s)" (callee fact) (String.concat "" before)
+    (String.concat ", " (raw fact "a" :: List.init (length - 1) other))
+
+let parameter fact =
+  match (fact.wanted, fact.given) with
+  | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _) when is_a_parameter fact ->
+      let length = List.length wanted in
+      Some
+        (hinted fact
+           (Printf.sprintf "`%s` takes one tuple of %d: write `%s`" (callee fact) length
+              (gathered fact length)))
+  | _ -> None
+
+(* How to take a tuple apart when a tuple of a different length is expected. *)
+let taken_apart fact given =
+  let names = String.concat ", " (names (List.length given)) in
+  match fact.expected.because with
+  | Parameter { callee = Some ("fst" | "snd"); _ } ->
+      hint (Printf.sprintf "for its parts, write an equation: `(%s) = %s`" names (raw fact "p"))
+  | Pattern _ -> hint (Printf.sprintf "write the pattern as `(%s)`" names)
+  | (Signature _ | Annotation _ | Parameter _) when fact.subject = None ->
+      let names =
+        match fact.wanted with
+        | Tuple wanted -> String.concat ", " (Shape_fact.names (List.length wanted))
+        | _ -> names
+      in
+      hint (Printf.sprintf "write the pattern as `(%s)`" names)
+  | _ -> Fun.id
+
+let ordinal n =
+  match List.nth_opt [ "first"; "second"; "third"; "fourth"; "fifth"; "sixth" ] n with
+  | Some text -> text
+  | None -> string_of_int (n + 1) ^ "th"
+
+let without i list = List.filteri (fun j _ -> i <> j) list
+
+(* Describes the one part that the longer list has and the shorter one lacks, according to the types
+   of the parts. *)
+let odd_part fact wanted given =
+  let text t =
+    match Type.expand t with
+    | Type.Number (_, u) -> "number of " ^ Show.measure fact.words u
+    | t -> Show.type_ fact.words t
+  in
+  let odd longer shorter =
+    let fits i _ = List.for_all2 (fun a b -> text a = text b) (without i longer) shorter in
+    let places =
+      List.mapi (fun i t -> (i, t, fits i t)) longer |> List.filter (fun (_, _, fits) -> fits)
+    in
+    match places with
+    | [ (i, t, _) ] ->
+        Some (Some i, Printf.sprintf "the %s part, %s," (ordinal i) (Show.described fact.words t))
+    | (_, t, _) :: _ ->
+        Some
+          ( None,
+            if Show.is_any_number t then "a number"
+            else Printf.sprintf "a part of type %s" (Show.described fact.words t) )
+    | [] -> None
+  in
+  match List.compare_lengths wanted given with
+  | 1 when List.compare_length_with given (List.length wanted - 1) = 0 ->
+      Option.map (fun (_, part) -> hint (Printf.sprintf "%s is missing" part)) (odd wanted given)
+  | -1 when List.compare_length_with wanted (List.length given - 1) = 0 ->
+      Option.map
+        (fun (i, part) ->
+          match (i, fact.subject, all (elements fact)) with
+          | Some i, Some { desc = Tuple _; span }, Some texts ->
+              let text = "(" ^ String.concat ", " (without i texts) ^ ")" in
+              fun d ->
+                hint (Printf.sprintf "%s is one too many: write `%s`" part text) d
+                |> write span text
+          | _ -> hint (part ^ " is one too many"))
+        (odd given wanted)
+  | _ -> None
+
+let of_another_length fact =
+  match (fact.wanted, fact.given) with
+  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given) when List.compare_lengths wanted given <> 0 ->
+      error ~code:"E0301" ~at:fact.at "expected a tuple of %d, found one of %d" (List.length wanted)
+        (List.length given)
+      |> (match fact.subject with
+         | Some { desc = Tuple _; _ } -> Fun.id
+         | _ -> here (Printf.sprintf "this is %s" (found_text fact)))
+      |> (fun d ->
+      match (taken_apart fact given d, fact.subject) with
+      | d, Some { desc = Tuple _; _ } when d.hints = [] ->
+          Option.value (odd_part fact wanted given) ~default:Fun.id d
+      | d, _ -> d)
+      |> Option.some
+  | _ -> None
+
+let written_as_an_array fact =
+  match (fact.wanted, fact.subject) with
+  | Tuple (_ :: _ as parts), Some { desc = Array elements; span }
+    when Array_mistake.is_array fact.given && List.compare_lengths elements parts = 0 ->
+      let message texts =
+        let tuple = "(" ^ String.concat ", " texts ^ ")" in
+        hinted fact (Printf.sprintf "put a tuple in parentheses: `%s`" tuple) |> write span tuple
+      in
+      List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) elements
+      |> all |> Option.map message
+  | _ -> None
+
+(* The components as separate arguments; generated names replace long components. *)
+let side_by_side fact components =
+  let written = elements fact in
+  let argument i _ =
+    match List.nth_opt written i with
+    | Some (Some text) -> argument_of text
+    | _ -> Variable_name.nth Variable_name.Type i
+  in
+  String.concat " " (List.mapi argument components)
+
+(* The call, if the expression is one or a name defined as one. *)
+let call fact =
+  match fact.subject with
+  | Some { desc = Local x; _ } -> Show.definition fact.words x
+  | subject -> subject
+
+(* `max(x, 0)`, where the general type of `max` accepts a tuple as its first argument. *)
+let of_all_arguments fact =
+  match (fact.wanted, fact.given, call fact) with
+  | ( (Number _ | Bool | String | Tuple _ | Data _),
+      Function _,
+      Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Global { name; _ }; _ };
+                argument = { desc = Tuple es; _ };
+                style = Juxtaposed;
+              };
+          span;
+        } )
+    when List.length es = 1 + Argument_mistake.missing_arguments fact.found ->
+      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      let d =
+        error ~code:"E0301" ~at:span "`%s` takes %d arguments, but is given one tuple" name
+          (List.length es)
+      in
+      Some
+        (match all (List.map quote es) with
+        | Some texts ->
+            let text = String.concat " " (name :: List.map argument_of texts) in
+            hint (Printf.sprintf "write the arguments without parentheses and commas: `%s`" text) d
+            |> fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
+        | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)
+  | _ -> None
+
+(* `map(x, 0, 1023, 0, 5)` of Arduino *)
+let mapped_range fact =
+  match (fact.given, fact.expected.because, fact.subject) with
+  | ( Tuple [ _; _; _; _; _ ],
+      Parameter { callee = Some "map"; position = 1; _ },
+      Some { desc = Tuple es; _ } ) ->
+      let written =
+        Option.bind
+          (all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) es))
+          (fun texts -> Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
+      in
+      error ~code:"E0301" ~at:fact.at "`map` applies a function to each element of an array"
+      |> hint
+           (Printf.sprintf "to convert a number from one range to another, write `%s`"
+              (Option.value written ~default:"(x - a) / (b - a) * (d - c) + c"))
+      |> Option.some
+  | _ -> None
+
+(* `latch (set, reset)` *)
+let without_winner fact =
+  match (fact.given, fact.expected.because, fact.subject) with
+  | ( Tuple [ _; _ ],
+      Parameter { callee = Some "latch"; position = 1; given = [ _ ]; _ },
+      Some { desc = Tuple _; span } ) ->
+      let text = Option.value (Show.quote fact.words span) ~default:"(set, reset)" in
+      let d =
+        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of 2" (expected_text fact)
+        |> hint
+             (Printf.sprintf
+                "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins \
+                 %s`"
+                text text)
+      in
+      Some d
+  | _ -> None
+
+let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+
+let separated_by_commas fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | ( (Number _ | Bool | String | Data _),
+      Tuple (_ :: _ as components),
+      Parameter { position = 1; callee = Some name; takes; _ } )
+    when is_a_letter name.[0] ->
+      let arguments = side_by_side fact components in
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
+        (List.length components)
+      |> hint
+           (match (takes, name) with
+           | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
+           | 1, _ -> Printf.sprintf "`%s` takes one argument, not a tuple" name
+           | _ ->
+               Printf.sprintf "write the arguments without parentheses and commas: `%s %s`" name
+                 arguments)
+      |> Option.some
+  | _ -> None
+
+let of_a_function_and_its_argument fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | Function _, Tuple (first :: others), Some { desc = Tuple (head :: arguments); span }
+    when not
+           (List.exists
+              (fun t -> match Type.expand t with Type.Function _ -> true | _ -> false)
+              others) -> (
+      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      match (Type.expand first, quote head, all (List.map quote arguments)) with
+      | Function _, Some head, Some arguments ->
+          let text = String.concat " " (head :: List.map Source.grouped arguments) in
+          Some
+            (hinted fact
+               (Printf.sprintf "a comma makes a tuple: write the arguments without it, `(%s)`" text)
+            |> write span ("(" ^ text ^ ")"))
+      | _ -> None)
+  | _ -> None

@@ -1,0 +1,69 @@
+(** Formulas whose unit shows that an operation was forgotten, such as a square root or a sum over
+    time. Each pair of units contains the expected unit and the actual one. *)
+
+open Basis
+open Typing
+
+val root :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A square, or a sum of squares, where its root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
+
+val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
+(** Is the expression a square or a sum of squares, and does its root have the expected unit? *)
+
+val power :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A product that lacks a factor with the unit of one of its variables: [v / (2 * a)] for
+    [v ^ 2 / (2 * a)]. *)
+
+val rate :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The sum of a quantity and its rate of change: [heading + turnRate i]. *)
+
+val within_root :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
+
+val opposite :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** [integral x] where the unit of [derivative x] is expected, or the other way round. *)
+
+val rounded :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A rounded quantity where a plain number is expected: [round (d * 100)]. *)
+
+val gain_of_rate :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A sum with [kd * derivative e], where the unit of the parameter [kd] is wrong. *)
+
+val rate_for_angle :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A literal in radians or degrees per second where an angle is expected. *)

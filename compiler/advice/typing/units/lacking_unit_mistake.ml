@@ -1,0 +1,318 @@
+open Basis
+open Typing
+open Diagnostic
+
+let is_one u = Units.equal u Units.one
+
+let is_operand (expected : Expected.t) =
+  match expected.because with Operand _ -> true | _ -> false
+
+let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rational.of_int power)
+
+let give words units d ((number : Bare_number.t), power) =
+  Bare_number.give words number (Show.measure words (needed units power)) d
+
+(* The operand whose constants would correct the units, with its expected and its actual unit. *)
+let sides ~subject ~(expected : Expected.t) (wanted, given) =
+  let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
+  match expected.because with
+  | Operand { other; operator = "+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/="; _ } ->
+      this @ [ (other, (given, wanted)) ]
+  | Operand _ -> []
+  | _ -> this
+
+let complete words ~subject ~(expected : Expected.t) (wanted, given) =
+  let constants (e, units) =
+    match Bare_number.factor words e with
+    | [] -> None
+    | constants -> Some (fun d -> List.fold_left (give words units) d constants)
+  in
+  if Units.is_open wanted || Units.is_open given then None
+  else List.find_map constants (sides ~subject ~expected (wanted, given))
+
+let rec mentions names (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Global { name; _ } -> List.mem name names
+  | Apply { head; argument; _ } -> mentions names head || mentions names argument
+  | Negate e -> mentions names e
+  | _ -> false
+
+(* Is it the product of a number and another value, rather than a formula of numbers alone? *)
+let is_product_with_value words e =
+  match Formula.factors (Bare_number.value words e) with
+  | [ (a, _); (b, _) ] -> (
+      match (Bare_number.literal words a, Bare_number.literal words b) with
+      | Some { name = None; _ }, None | None, Some { name = None; _ } -> true
+      | _ -> false)
+  | _ -> false
+
+(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
+   contain `pi` or `time`, because their numbers usually have no unit. *)
+let of_a_literal words ~likely ~subject ~expected (wanted, given) =
+  let cure (e, units) =
+    match Bare_number.written_factor words e with
+    | [ ((number : Bare_number.t), power) ]
+      when Bare_number.literal words e = None
+           && (number.unit_ <> None || String.contains number.digits '.' = likely)
+           && (not (mentions [ "pi"; "time"; "sqrt" ] (Bare_number.value words e)))
+           && not (power < 0 && String.equal number.digits "2") -> (
+        let unit_ = needed units power in
+        match number.unit_ with
+        | None
+          when (not (is_one wanted || is_one given))
+               || is_one given && is_product_with_value words e
+                  && not (is_one wanted || is_operand expected) ->
+            let text = Printf.sprintf "%s[%s]" number.digits (Show.measure words unit_) in
+            let what = if power > 0 then "factor" else "divisor" in
+            let is_elsewhere =
+              match subject with
+              | Some ({ desc = Local _ | Global _; _ } : Resolve.Ir.expr) -> true
+              | Some _ | None -> false
+            in
+            Some
+              (fun d ->
+                (if is_elsewhere then
+                   label ~at:number.at (Printf.sprintf "this %s has no unit" what) d
+                 else d)
+                |> hint
+                     (Printf.sprintf "if the %s `%s` has a unit, write it: `%s`" what number.digits
+                        text)
+                |> write number.at text)
+        | None -> None
+        | Some _ -> (
+            match Show.quote words number.at with
+            | Some text when not (is_operand expected) ->
+                let own =
+                  Units.divide
+                    (if power > 0 then given else wanted)
+                    (if power > 0 then wanted else given)
+                in
+                (* without its unit, the number fits *)
+                if String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words own)) text
+                then
+                  Some
+                    (fun d ->
+                      hint
+                        (Printf.sprintf "write `%s`, without a unit, if it is a plain number"
+                           number.digits)
+                        d
+                      |> write number.at number.digits)
+                else None
+            | Some _ | None -> None))
+    | _ -> None
+  in
+  if Units.is_open wanted || Units.is_open given then None
+  else List.find_map cure (sides ~subject ~expected (wanted, given))
+
+(* `n / perRev * 2 * pi * 0.04`: a formula without a unit, in which only one number has a decimal
+   point. *)
+let of_the_only_decimal words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) =
+  let is_number e = Bare_number.literal words e <> None in
+  let is_decimal (e, _) =
+    match Bare_number.literal words e with
+    | Some { digits; unit_ = None; _ } -> String.contains digits '.'
+    | Some _ | None -> false
+  in
+  let factors =
+    Option.fold subject ~none:[] ~some:(fun e -> Formula.factors (Bare_number.value words e))
+  in
+  match List.filter is_decimal factors with
+  | [ (e, 1) ]
+    when is_one given
+         && (not (is_one wanted || is_operand expected || Units.is_open wanted))
+         && List.length factors > 2
+         && not (List.for_all (fun (e, _) -> is_number e) factors) ->
+      Option.map
+        (fun (number : Bare_number.t) d ->
+          let unit_ = Show.measure words wanted in
+          let text = Printf.sprintf "%s[%s]" number.digits unit_ in
+          label ~at:number.at "this number has no unit" d
+          |> hint (Printf.sprintf "if `%s` is in `%s`, write `%s`" number.digits unit_ text)
+          |> write number.at text)
+        (Bare_number.literal words e)
+  | _ -> None
+
+(* The signal [x] of a difference [x - delay 0 x] or [x - previous x]. *)
+let difference words (e : Resolve.Ir.expr) =
+  match Formula.binary (Bare_number.value words e) with
+  | Some ("-", x, before) -> (
+      match (Bare_number.value words before).desc with
+      | Apply { head; argument; style = Juxtaposed } -> (
+          match head.desc with
+          | Global { name = "previous"; _ }
+          | Apply { head = { desc = Global { name = "delay"; _ }; _ }; _ }
+            when Formula.text words argument <> None
+                 && Formula.text words argument = Formula.text words x ->
+              Formula.grouped words x
+          | _ -> None)
+      | _ -> None)
+  | _ -> None
+
+(* `x - delay 0 x` in place of a rate, possibly divided by a number that represents the length of
+   the step. *)
+let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  let signal e =
+    let e = Bare_number.value words e in
+    match (difference words e, Formula.binary e) with
+    | Some x, _ -> Some x
+    | None, Some (("/" | "*"), a, b) when Bare_number.literal words b <> None -> difference words a
+    | None, Some ("*", a, b) when Bare_number.literal words a <> None -> difference words b
+    | None, _ -> None
+  in
+  match subject with
+  | Some e when List.mem (Show.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] ->
+      let cure x =
+        let cure = "derivative " ^ x in
+        fun d ->
+          hint
+            (Printf.sprintf
+               "for the rate of change, write `%s`, which divides the difference by the length of \
+                the step"
+               cure)
+            d
+          |> fix
+               (Printf.sprintf "write `%s`" cure)
+               [ ((Bare_number.value words e).span, "(" ^ cure ^ ")") ]
+      in
+      Option.map cure (signal e)
+  | Some _ | None -> None
+
+(* `v + t`, where the product of the operands is a plain quantity. *)
+let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
+  let simple u =
+    match (Units.base_powers u, Units.is_open u, Units.rigid_powers u) with
+    | [ (_, power) ], false, [] -> Rational.equal power Rational.one
+    | _ -> false
+  in
+  let is_a_rate u = String.equal (Show.measure words u) "m/s" in
+  match (expected.because, subject) with
+  | Operand { operator = ("+" | "-") as operator; other; _ }, Some (e : Resolve.Ir.expr)
+    when not (is_one wanted || is_one given) -> (
+      let product = Units.multiply wanted given in
+      let gain = Units.divide wanted given in
+      match (Show.quote words other.span, Show.quote words e.span) with
+      | Some a, Some b when is_a_rate product ->
+          let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
+          Some
+            (fun d ->
+              hint
+                (Printf.sprintf "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
+                   (Show.measure words product) text)
+                d
+              |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
+      | Some a, Some b when simple gain ->
+          let factor = Printf.sprintf "1[%s]" (Show.measure words gain) in
+          Some
+            (hint
+               (Printf.sprintf
+                  "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * \
+                   %s`"
+                  operator b (Show.measure words gain) a operator b factor))
+      | Some a, Some b when simple product ->
+          Some
+            (hint
+               (Printf.sprintf "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
+                  (Source.grouped a) (Source.grouped b) (Show.measure words product)))
+      | _ -> None)
+  | _ -> None
+
+(* The number literals without a unit in a record, such as [Vec2 { x = 1, y = 2 }]. *)
+let fields words (e : Resolve.Ir.expr) =
+  match (Bare_number.value words e).desc with
+  | Record { fields; _ } ->
+      let bare ((name : Syntax.Ir.name), e) =
+        match Bare_number.literal words e with
+        | Some ({ unit_ = None; name = None; _ } as number) -> Some (name.text, number)
+        | Some _ | None -> None
+      in
+      List.filter_map bare fields
+  | _ -> []
+
+let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
+  let record =
+    match expected.because with
+    | Operand { other; _ } when is_one wanted -> Some (other, given)
+    | Parameter { given = arguments; position; _ } when is_one wanted && position > 1 ->
+        Option.map (fun e -> (e, given)) (List.nth_opt arguments (position - 2))
+    | _ when is_one given -> Option.map (fun e -> (e, wanted)) subject
+    | _ -> None
+  in
+  match record with
+  | Some (record, unit_) when not (Units.is_open unit_) -> (
+      match fields words record with
+      | [] -> None
+      | numbers ->
+          let unit_ = Show.measure words unit_ in
+          let literal (number : Bare_number.t) = Printf.sprintf "%s[%s]" number.digits unit_ in
+          let shown (name, (number : Bare_number.t)) =
+            Printf.sprintf "%s = %s%s" name (if number.negative then "-" else "") (literal number)
+          in
+          let edit (_, (number : Bare_number.t)) = (number.at, literal number) in
+          let first = snd (List.hd numbers) in
+          Some
+            (fun d ->
+              label ~at:first.at "this number has no unit" d
+              |> hint
+                   (Printf.sprintf "give the fields their unit: `%s`"
+                      (String.concat ", " (List.map shown numbers)))
+              |> fix "give the fields their unit" (List.map edit numbers)))
+  | Some _ | None -> None
+
+(* The number literals without a unit in the arguments of an application. *)
+let rec literals words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number _ -> Option.to_list (Bare_number.literal words e)
+  | Negate e | Lambda { body = e; _ } -> literals words e
+  | Tuple es | Array es -> List.concat_map (literals words) es
+  | Apply { head; argument; style = Juxtaposed } -> (
+      match head.desc with
+      | Apply _ -> literals words head @ literals words argument
+      | _ -> literals words argument)
+  | _ -> []
+
+(* The named constants without a unit that scale one of the arguments of an application. *)
+let rec scaled words (e : Resolve.Ir.expr) =
+  match Bare_number.factor words e with
+  | [] -> (
+      match (Bare_number.value words e).desc with
+      | Apply { head; argument; style = Juxtaposed } -> (
+          match scaled words argument with
+          | [] -> ( match head.desc with Apply _ -> scaled words head | _ -> [])
+          | found -> found)
+      | _ -> [])
+  | found -> found
+
+let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  let constants =
+    if Units.is_open wanted || Units.is_open given then []
+    else Option.fold subject ~none:[] ~some:(scaled words)
+  in
+  if constants <> [] then Some (fun d -> List.fold_left (give words (wanted, given)) d constants)
+  else
+    match Option.map (literals words) subject with
+    | Some [ ({ unit_ = None; name = None; _ } as number) ]
+      when is_one given && not (Units.is_open wanted) ->
+        Some (Bare_number.give words number (Show.measure words wanted))
+    | Some _ | None -> None
+
+(* `v * r` in place of `v / r`, for an input or a parameter [r]. *)
+let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
+  match Option.bind subject Formula.binary with
+  | Some ((("*" | "/") as operator), a, ({ desc = Local _ | Global _; _ } as divisor)) -> (
+      let squared u = Units.multiply u u in
+      let inverse u =
+        if String.equal operator "*" then Units.divide given (squared u)
+        else Units.multiply given (squared u)
+      in
+      match (Formula.unit_of words divisor, Formula.text words a, Formula.text words divisor) with
+      | Some u, Some a, Some b when (not (is_one u)) && Units.equal (inverse u) wanted ->
+          let text =
+            Printf.sprintf "%s %s %s" a (if String.equal operator "*" then "/" else "*") b
+          in
+          Some
+            (fun d ->
+              hint (Printf.sprintf "write `%s`, which has that unit" text) d
+              |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
+                     write e.span text))
+      | _ -> None)
+  | _ -> None

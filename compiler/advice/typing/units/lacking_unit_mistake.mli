@@ -1,0 +1,85 @@
+(** Numbers and constants that lack their unit, as in [kp * err] with [kp = 0.8]. *)
+
+open Basis
+open Typing
+
+val needed : Units.t * Units.t -> int -> Units.t
+(** The unit by which a factor with this exponent must be multiplied to correct the unit. *)
+
+val sides :
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Resolve.Ir.expr * (Units.t * Units.t)) list
+(** The expression, and the other operand of a sum or a comparison, each with the unit that it
+    should have and the unit that it has. *)
+
+val complete :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** Points to the constants that would correct the expression's unit, and suggests their units. The
+    pair contains the expected unit and the actual one. *)
+
+val of_a_literal :
+  Show.words ->
+  likely:bool ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** Like {!complete}, for a number literal that is a factor of the expression. If [likely],
+    considers only literals with a decimal point, because such literals are rarely plain factors.
+    Otherwise, considers only literals without a decimal point. *)
+
+val of_the_only_decimal :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The only number with a decimal point in a product without a unit. *)
+
+val of_a_difference :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** The difference between a signal and its previous value, where the signal's rate of change is
+    expected. *)
+
+val of_operands :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A sum of quantities that should be a product. *)
+
+val of_fields :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A record whose numbers lack their unit, such as [Vec2 { x = 1, y = 2 }]. *)
+
+val scaled : Show.words -> Resolve.Ir.expr -> (Bare_number.t * int) list
+(** The named constants without a unit that scale the expression, or an argument in it, as in
+    [tag e (kp * err)]. *)
+
+val of_an_argument :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** An event or another container of a number without a unit, as in [tag e 0.5]. *)
+
+val of_the_inverse :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A product that should be a quotient, or the reverse. *)

@@ -1,0 +1,43 @@
+(** Converts types, units and signatures from the source. *)
+
+open Basis
+
+type scope
+(** The type variables that enclosing signatures have introduced. *)
+
+val empty : scope
+
+val of_parameters :
+  (Resolve.Ir.parameter * Units.rigid) list -> (Resolve.Ir.parameter * Type.rigid) list -> scope
+(** The unit and type parameters of a declaration. *)
+
+val with_type : string -> Type.rigid -> scope -> scope
+
+type t = {
+  environment : Environment.t;
+  supply : Type.supply;
+  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
+}
+(** Context for converting a type. *)
+
+val ty : t -> scope -> Resolve.Ir.ty -> Type.t
+(** Converts a type that is not a size. All its variables must be in scope. A unit whose scale is
+    not 1 is reported as [E0321]. *)
+
+val any : t -> scope -> Resolve.Ir.ty -> Type.t
+(** Converts a type or a size. All its variables must be in scope. A size where a type is required,
+    or the reverse, is reported as [E0330]; a size out of range as [E0333]. *)
+
+val parameter_kinds : t -> Resolve.Ir.ty list -> string -> Type.kind
+(** The kind (type or size) of a parameter with this name, inferred from its uses in these types. *)
+
+val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
+(** Converts a unit and computes its exact scale. A scaled unit raised to a fractional power is
+    reported as [E0322], an exponent out of range as [E0323]. *)
+
+val class_ : Ir.Global.t -> Ir.class_
+
+val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
+(** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Returns the
+    scope extended with them. *)

@@ -1,0 +1,91 @@
+(** Facts about the types and units of expressions. Inference reports them. *)
+
+open Basis
+
+type mismatch = {
+  subject : Resolve.Ir.expr option;  (** the expression that has the wrong type, if there is one *)
+  at : Span.t;
+  expected : Expected.t;
+  found : Type.t;
+  clash : Unify.clash;  (** why {!Unify.types} cannot unify the two types *)
+}
+
+type t =
+  | Mismatch of mismatch
+  | Exchanged_pair of {
+      at : Span.t;
+      expected : Expected.t;
+      first : Resolve.Ir.expr * Type.t;
+      second : Resolve.Ir.expr * Type.t;
+    }  (** each component has the type of the other *)
+  | Not_a_function of {
+      head : Resolve.Ir.expr;
+      position : int;  (** of the argument, counted from 1 *)
+      argument : Resolve.Ir.expr;
+      ty : Type.t;  (** the type of the head after the preceding arguments *)
+    }  (** the head cannot take this argument *)
+  | Negative_argument of {
+      minus : Span.t;
+      operand : Resolve.Ir.expr option;  (** the expression after the minus *)
+      function_ : Resolve.Ir.expr;
+      ty : Type.t;
+    }  (** [f -1] *)
+  | Not_a_signal_function of { head : Resolve.Ir.expr; ty : Type.t }  (** before [-<] *)
+  | Too_many_parameters of {
+      name : string option;  (** of the definition *)
+      at : Span.t;  (** the first parameter that the type does not allow *)
+      parameters : Resolve.Ir.pattern list;
+      expected : Expected.t;  (** of the definition *)
+      result : Type.t;  (** the type after the allowed parameters *)
+      allowed : int;
+    }
+  | Parameters_in_a_tuple of {
+      name : string;
+      at : Span.t;
+      parts : Resolve.Ir.pattern list;
+      expected : Expected.t;
+    }  (** [f (x, y) = …], where the type requires separate parameters *)
+  | Lacking_types of {
+      name : string;
+      at : Span.t;
+      expected : Expected.t;
+      lacking : (string * Type.t) list;  (** the parameters whose type is missing *)
+    }  (** [f d = proc i -> …] with the signature [f :: SF a b] *)
+  | Variable_like_a_type of {
+      at : Span.t;  (** the signature *)
+      variable : Ir.variable;
+      type_ : string;  (** the type whose name differs only in the case of a letter *)
+    }  (** a warning *)
+  | Matched_twice of {
+      constructor : Ir.Global.t;
+      first : Resolve.Ir.pattern;
+      second : Resolve.Ir.pattern;
+      missing : string;  (** a constructor that no branch matches *)
+    }  (** two branches of a [case] match the same constructor, and the second is wrong *)
+  | Parameters_in_other_order of {
+      head : Resolve.Ir.expr;
+      name : string;  (** [foldl] or [scanl] *)
+      first : Resolve.Ir.pattern;
+      second : Resolve.Ir.pattern;
+    }  (** [foldl (\x n -> n + x) 0 xs]: with its parameters swapped, the function fits *)
+  | Mapped_range of { at : Span.t; head : Span.t; arguments : Resolve.Ir.expr list }
+      (** [map x 0 1023 0 255] of Arduino *)
+  | Missing_field of {
+      field : Syntax.Ir.name;
+      record : Resolve.Ir.expr;
+      ty : Type.t;  (** the type of [record] *)
+      known : string list;  (** the fields that it has *)
+    }
+  | Unknown_field of { field : Syntax.Ir.name; record : Resolve.Ir.expr }
+      (** no type in scope has this field *)
+  | Ambiguous_field of {
+      field : Syntax.Ir.name;
+      record : Resolve.Ir.expr;  (** its type is unknown *)
+      types : Ir.Global.t list;  (** the types that have this field *)
+    }
+  | Field_of_argument of {
+      at : Span.t;
+      field : Syntax.Ir.name;
+      record : Resolve.Ir.expr;
+      function_ : string;
+    }  (** [robotPose i.heading], meant as a field of [robotPose i] *)

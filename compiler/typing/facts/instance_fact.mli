@@ -1,0 +1,42 @@
+(** Facts about classes that a type does not have. *)
+
+open Basis
+
+(** Why a use of a name requires a class. *)
+type cause =
+  | Signature of { name : string; class_ : Ir.class_; parameter : Type.t }
+      (** the signature of this name has the constraint *)
+  | Superclass of { class_ : Ir.class_; of_ : Ir.Global.t }
+
+type constraint_ = int * Ir.class_
+(** The id of a quantified variable, and a class that the variable is required to have. *)
+
+type required = {
+  class_ : Ir.class_;
+  argument : Type.t;
+  at : Span.t;
+  by : string;  (** the name, in backticks *)
+  because : (Span.t * cause) option;  (** the place that imposes the constraint, and why *)
+  from : constraint_ option;  (** the constraint in the scheme of the name *)
+}
+(** A class that a use of a name requires. *)
+
+type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
+(** A constraint that cannot be satisfied, and the instances that led to it, in reverse order. *)
+
+type promise = {
+  required : required;  (** the use that needs the class *)
+  class_ : Ir.class_;  (** the needed class, possibly reached through instances *)
+  variable : Ir.variable;
+  of_ : Type.t;  (** the variable as a type *)
+}
+(** A class that a definition requires of a type variable, although the context of its signature
+    does not promise it. *)
+
+type t =
+  | No_instance of { required : required; lack : lack }
+  | Not_a_condition of { at : Span.t; ty : Type.t }  (** of an assertion *)
+  | Undecided of { required : required; class_ : Ir.class_ }
+      (** nothing determines the type for which the class is required *)
+  | Unpromised of { first : promise; others : promise list }
+      (** all by the same signature; none is implied by another *)

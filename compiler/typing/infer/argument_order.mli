@@ -1,0 +1,30 @@
+(** Recognizes arguments given in the wrong order.
+
+    It runs when the types of all arguments are known: [hold e 0], where [e] is an event, would be
+    correct as [hold 0 e]. *)
+
+val pair_exchanged :
+  unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
+(** Does a pair have the wrong type, and would it be correct with its components swapped? [unfit]:
+    the given type lacks a class that is required of the wanted type. *)
+
+val exchanged :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  parameters:Type.t list ->
+  given:Type.t list ->
+  position:int ->
+  int option
+(** The position of another argument that could be swapped with the one at [position], counted from
+    1, whose type is wrong. [given]: the types of the arguments. [parameters]: the parameter types
+    from the function's scheme. [unfit]: see {!pair_exchanged}. *)
+
+val may_be : wanted:Type.t -> Type.t -> bool
+(** Could an argument of this type be meant where [wanted] is expected? *)
+
+val rotated :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  parameters:Type.t list ->
+  given:Type.t list ->
+  int list option
+(** The order in which at least three arguments fit, if the first argument was given last or the
+    last one first. *)
