@@ -74,7 +74,9 @@ let lint flow =
 let specialize ~options ~default ~name ~entry sink ~sources ~(written : Typing.Ir.definition) core
     marks =
   let options = { options with Specialize.Context.marks } and span = written.span in
-  let* flow = Specialize.Of_core.program ~options ~default sink ~name ~entry core in
+  let* flow =
+    Specialize.Of_core.program ~options ~default (Advice.Of_specialize.into sink) ~name ~entry core
+  in
   Flow.Extent.check sink ~entry:span flow;
   Flow.Causality.check sink ~sources ~entry:span flow;
   if Diagnostic.has_errors sink then None
@@ -99,7 +101,7 @@ let node sink front ~written (flow : Flow.Ir.program) =
 let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition) (core, entry) =
   match Typing.Entry.refusal front.typed ~closed:(entry <> written.name) written with
   | Some refusal ->
-      Core.Recursion.check sink core;
+      Core.Recursion.check (Advice.Of_core.into sink) core;
       Diagnostic.emit sink refusal;
       None
   | None ->

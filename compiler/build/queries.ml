@@ -25,13 +25,13 @@ let check_entry (r : Request.t) sink sources (front : Pipeline.front)
         if Probe.Observed.has_claims flow then Probes.warn_of_claims sink written core flow
       in
       Option.iter claims (Pipeline.to_flow r sink sources front ~written closed)
-  | None -> Core.Recursion.check sink front.core
+  | None -> Core.Recursion.check (Advice.Of_core.into sink) front.core
 
 let check ?seen sink sources r =
   Stack_use.guarded sink sources r ~otherwise:() @@ fun () ->
   match Pipeline.front ?seen r sink sources with
   | Some front when Typing.Entry.all front.typed = [] ->
-      Core.Recursion.check sink front.core;
+      Core.Recursion.check (Advice.Of_core.into sink) front.core;
       if not (Diagnostic.has_errors sink) then ignore (Params.defaults sink front.core)
   | Some front -> List.iter (check_entry r sink sources front) (Typing.Entry.all front.typed)
   | None -> ()
@@ -62,7 +62,7 @@ let units_of_params sink =
 let checks sink =
   of_front
     (fun sink core ->
-      Core.Recursion.check sink core;
+      Core.Recursion.check (Advice.Of_core.into sink) core;
       if Diagnostic.has_errors sink then None
       else
         let checks = Checks.of_program sink core in

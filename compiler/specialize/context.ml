@@ -29,7 +29,8 @@ type console =
   | Declared of Core.Ir.control list
 
 type t = {
-  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
+  mutable failed : bool;
   real : Real.t;
   foreign : Core.Ir.foreign;
   console : console;
@@ -51,7 +52,7 @@ type t = {
   counts : int String_table.t;
   mutable nodes : Flow.Ir.node list;
   mutable kept : Span.t list;
-  mutable reported : (string * Span.t) list;
+  mutable controls : Control_fact.t list;
   mutable node_count : int;
   called : int ref String_table.t;
   wide : wide Int_table.t;
@@ -60,7 +61,7 @@ type t = {
   mutable draws : bool;
 }
 
-let create sink options ?(seeks = false) (program : Core.Ir.program) =
+let create facts options ?(seeks = false) (program : Core.Ir.program) =
   let next = ref 0 in
   let fresh () =
     incr next;
@@ -81,7 +82,8 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
       Global_table.replace definitions core.name { core; code = min_int + i })
     program.definitions;
   {
-    sink;
+    facts;
+    failed = false;
     real = program.real;
     foreign = program.foreign;
     console = (if seeks then Sought { found = [] } else Declared program.console);
@@ -103,7 +105,7 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     counts = String_table.create 64;
     nodes = [];
     kept = [];
-    reported = [];
+    controls = [];
     node_count = 0;
     called = String_table.create 64;
     wide = Int_table.create 16;
@@ -145,22 +147,14 @@ let since earlier later =
   go [] later.calls
 
 let nests_deeply t trail = trail.depth > t.options.nesting
+let calls trail = trail.calls
 
-(* Labels the innermost calls, each place only once: that is enough to recognize an infinite
-   recursion. *)
-let with_trail trail diagnostic =
-  let rec labelled diagnostic shown = function
-    | (name, at) :: others when List.length shown < 5 ->
-        if List.mem at shown then labelled diagnostic shown others
-        else
-          let text = Printf.sprintf "`%s` is called here" name in
-          labelled (Diagnostic.label ~at text diagnostic) (at :: shown) others
-    | [] | _ :: _ -> diagnostic
-  in
-  labelled diagnostic [] trail.calls
+let report t fact =
+  t.failed <- true;
+  Facts.report t.facts fact
 
-let stop t trail diagnostic =
-  Diagnostic.emit t.sink (with_trail trail diagnostic);
+let stop t fact =
+  report t fact;
   raise Stopped
 
 let enter t trail ~name ~span =
@@ -170,9 +164,7 @@ let enter t trail ~name ~span =
   | Some count -> incr count
   | None -> String_table.replace t.called name (ref 1));
   if trail.depth > t.options.depth then
-    stop t trail
-      (Diagnostic.error ~code:"E0413" ~at:span "calls are nested more than %d levels deep"
-         t.options.depth);
+    stop t (Limit { at = span; calls = trail.calls; excess = Calls_nested t.options.depth });
   trail
 
 (* {1 Causes of excessive work} *)
@@ -235,14 +227,6 @@ let allowed_work t =
   let own = t.options.work + (steps_of_expression * t.size) in
   if t.options.limit > default.limit then own / default.limit * t.options.limit else own
 
-let report_outside t trail ~span ~index ~size =
-  Diagnostic.error ~code:"E0418" ~at:span "index %d is out of range for an array of %d elements"
-    index size
-  |> Diagnostic.note
-       (if size = 1 then "its only element has the index 0"
-        else Printf.sprintf "the indices are 0 to %d" (size - 1))
-  |> with_trail trail |> Diagnostic.emit t.sink
-
 (* The innermost call in the folder of the outermost call, which is the program's folder. *)
 let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
@@ -258,77 +242,40 @@ let own_place t trail ~span =
   let is_own (_, at) = not (in_library t at) in
   Option.fold (List.find_opt is_own (("", span) :: trail.calls)) ~none:span ~some:snd
 
-let report_once t ~code ~at diagnostic =
-  if not (List.mem (code, at) t.reported) then (
-    t.reported <- (code, at) :: t.reported;
-    Diagnostic.emit t.sink diagnostic)
+let report_control t fact =
+  if not (List.mem fact t.controls) then (
+    t.controls <- fact :: t.controls;
+    report t (Control fact))
 
 let report_stored t trail ~span ty =
-  (match own_call trail ~span with
-  | Some (name, at, calls) ->
-      Diagnostic.error ~code:"E0412" ~at "`%s` cannot keep a value of type `%s`" name ty
-      |> Diagnostic.label ~at:span "this `delay` would store it"
-      |> with_trail { trail with calls }
-  | _ ->
-      Diagnostic.error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`"
-        ty
-      |> with_trail trail)
-  |> Diagnostic.note "functions, signal functions and labels only exist at compile time"
-  |> Diagnostic.emit t.sink
+  let by, calls =
+    match own_call trail ~span with
+    | Some (name, at, calls) -> (Some (name, at), calls)
+    | None -> (None, trail.calls)
+  in
+  report t (Stored { at = span; calls; ty; by })
 
 let check_lasting t trail ~span tys =
   let is_reported (_, at) = List.mem at t.kept in
   match List.find_map (Types.of_the_instant t.types) tys with
   | None -> ()
   | Some _ when List.exists is_reported (("", span) :: trail.calls) -> ()
-  | Some foreign when Flow.Shape.is_image foreign ->
+  | Some ty ->
       t.kept <- span :: t.kept;
-      Diagnostic.error ~code:"E0430" ~at:span "an image cannot be kept from one instant to another"
-      |> Diagnostic.note "the camera reuses the memory of an image for the next frames"
-      |> Diagnostic.hint
-           "when the frame arrives, compute the numbers that you need, and `hold` them"
-      |> with_trail trail |> Diagnostic.emit t.sink
-  | Some { foreign_name = name; _ } ->
-      t.kept <- span :: t.kept;
-      Diagnostic.error ~code:"E0430" ~at:span
-        "a value of the foreign type `%s` cannot be kept from one instant to another" name
-      |> Diagnostic.note
-           (Printf.sprintf
-              "a `%s` from C is valid for one instant; C may reuse its memory after that" name)
-      |> Diagnostic.hint
-           (Printf.sprintf
-              "keep only the numbers that you need, or declare the type `copyable` if a copy of \
-               the struct works like the original")
-      |> with_trail trail |> Diagnostic.emit t.sink
-
-(* A mode is determined by the running task and by everything that follows it. *)
-let explain_copies t trail diagnostic =
-  match trail.machines with
-  | { of_; modes; _ } :: _ when modes > t.options.limit / 2 ->
-      Diagnostic.note
-        (Printf.sprintf
-           "the state machine of `%s` already has %d modes: one for each combination of a task or \
-            signal function and everything that can follow it"
-           of_ modes)
-        diagnostic
-      |> Diagnostic.hint
-           "repeat a task with `repeatT n`, `whileT` or `forever`, which use one mode for all \
-            repetitions"
-  | [] | _ :: _ ->
-      Diagnostic.note
-        "frobc makes a copy for each combination of types, functions and signal functions among \
-         the arguments; numbers do not count"
-        diagnostic
+      report t (Of_the_instant { at = span; calls = trail.calls; ty })
 
 let count t trail ~name ~span =
   let before = Option.value (String_table.find_opt t.counts name) ~default:0 in
   String_table.replace t.counts name (before + 1);
   if before >= t.options.limit then
-    stop t trail
-      (Diagnostic.error ~code:"E0413" ~at:span
-         "`%s` is specialized for more than %d different arguments" name t.options.limit
-      |> explain_copies t trail
-      |> Diagnostic.hint "to allow more, use the option `--specialization-limit`")
+    (* A mode is determined by the running task and by everything that follows it. *)
+    let inside =
+      match trail.machines with
+      | { of_; modes; _ } :: _ when modes > t.options.limit / 2 -> Some { Limit_fact.of_; modes }
+      | [] | _ :: _ -> None
+    in
+    let excess = Limit_fact.Specializations { name; limit = t.options.limit; inside } in
+    stop t (Limit { at = span; calls = trail.calls; excess })
 
 let add_node t node =
   let index = t.node_count in

@@ -21,7 +21,9 @@ val start : trail
 val from_here : trail -> trail
 (** The same calls, with the nesting depth reset to 0. *)
 
-val since : trail -> trail -> (string * Span.t) list
+val calls : trail -> Calls.t
+
+val since : trail -> trail -> Calls.t
 (** The calls in the second trail that are not in the first, with their places; last one first. *)
 
 (** {1 The context} *)
@@ -51,7 +53,8 @@ type console =
   | Declared of Core.Ir.control list
 
 type t = {
-  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
+  mutable failed : bool;  (** whether it has reported a fact *)
   real : Real.t;
   foreign : Core.Ir.foreign;
   console : console;
@@ -75,7 +78,7 @@ type t = {
   counts : int String_table.t;  (** number of specializations of each definition *)
   mutable nodes : Flow.Ir.node list;  (** newest first *)
   mutable kept : Span.t list;  (** places reported by {!check_lasting} *)
-  mutable reported : (string * Span.t) list;  (** places reported by {!report_once} *)
+  mutable controls : Control_fact.t list;  (** reported by {!report_control} *)
   mutable node_count : int;
   called : int ref String_table.t;  (** how often each name was called *)
   wide : wide Int_table.t;  (** by layout; see {!defining} *)
@@ -84,7 +87,7 @@ type t = {
   mutable draws : bool;  (** has the program drawn a mark? *)
 }
 
-val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t
+val create : Fact.t Facts.t -> options -> ?seeks:bool -> Core.Ir.program -> t
 (** [seeks]: whether to collect the controls that the program requests. *)
 
 val known_by_name : Core.Ir.Global.t list
@@ -158,30 +161,23 @@ val count : t -> trail -> name:string -> span:Span.t -> unit
 (** Counts one more specialization of the definition, or one more mode of the surrounding machine.
     Raises {!Stopped} if that exceeds the limit. *)
 
-val with_trail : trail -> Diagnostic.t -> Diagnostic.t
-(** Adds the innermost calls to the diagnostic. *)
-
-val own_call : trail -> span:Span.t -> (string * Span.t * (string * Span.t) list) option
-(** The innermost call in the program's own folder (the folder of the outermost call), and the calls
-    that lead to it; [None] if [span] itself is in that folder. *)
-
-val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
-(** Reports that an index is out of range. The array's size depends on the call. *)
-
 val own_place : t -> trail -> span:Span.t -> Span.t
 (** The innermost place outside the library among [span] and the calls that lead to it; [span] if
     there is none. *)
 
-val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
-(** Emits the diagnostic unless this code was already reported at this place: the same place may be
-    evaluated many times. *)
+val report : t -> Fact.t -> unit
 
-val report_stored : t -> trail -> span:Span.t -> string -> unit
-(** Reports a [delay] of a value of this type, which contains a function. The message points to the
-    call in the program's own folder that leads there. *)
+val stop : t -> Fact.t -> 'a
+(** Reports the fact and raises {!Stopped}. *)
+
+val report_control : t -> Control_fact.t -> unit
+(** Reports the fact unless it was already reported: the same place may be evaluated many times. *)
+
+val report_stored : t -> trail -> span:Span.t -> Core.Ir.ty -> unit
+(** Reports a [delay] of a value of this type, which contains a function. *)
 
 val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
-(** Emits E0430 if a value to be stored in the program's state is valid for one instant only, unless
-    E0430 was already reported for one of the calls that led here. *)
+(** Reports a value to be stored in the program's state that is valid for one instant only, unless
+    such a value was already reported for one of the calls that led here. *)
 
 val add_node : t -> Flow.Ir.node -> int

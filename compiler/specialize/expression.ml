@@ -128,7 +128,7 @@ and element (c : Context.t) s target ~span (array : Ir.expr) k =
   let value = expr c s Unnamed array in
   match ty with
   | Array (Size n, _) when k >= n ->
-      Context.report_outside c s.trail ~span ~index:k ~size:n;
+      Context.report c (Outside { at = span; calls = Context.calls s.trail; index = k; size = n });
       Unspecified
   | _ -> Leaves.element c.types s.node target ~span ty value k
 
@@ -494,7 +494,7 @@ and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Val
     Leaves.value c.types input.ty
       (List.map2 one (List.combine targets layout.leaves) (List.combine inits nexts)))
   else (
-    Context.report_stored c s.trail ~span (Types.to_string input.ty);
+    Context.report_stored c s.trail ~span input.ty;
     Unspecified)
 
 and run_proc (c : Context.t) s target ~span ~result closure proc input =
@@ -568,6 +568,6 @@ and equation (c : Context.t) s target ty (eq : Ir.equation) =
       match signal_function with
       | Primitive { primitive = Delay; _ } when not (Types.layout c.types ty).first_order ->
           (* reported before evaluating the input, which may depend on this output *)
-          Context.report_stored c s.trail ~span:eq.span (Types.to_string ty);
+          Context.report_stored c s.trail ~span:eq.span ty;
           Unspecified
       | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input))

@@ -7,48 +7,8 @@ let ends (core : Ir.definition) =
       Some (input, output)
   | _, _ -> None
 
-(* Does the printed type contain [String]? *)
-let has_a_label text =
-  let is_letter = function
-    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true
-    | _ -> false
-  in
-  String.map (fun c -> if is_letter c then c else ' ') text
-  |> String.split_on_char ' ' |> List.mem "String"
-
-let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
-  Diagnostic.(
-    error ~code:"E0412" ~at:core.span "the %s of `%s` cannot be of type `%s`" what core.name.name
-      (Types.to_string ty)
-    |> note "functions, signal functions and labels only exist at compile time"
-    |> (if has_a_label (Types.to_string ty) then
-          hint "to show names, declare a `data` type: `data State = Ready | Stopped`"
-        else Fun.id)
-    |> emit c.sink)
-
-let refuse_ends (c : Context.t) (core : Ir.definition) =
-  Diagnostic.(
-    error ~code:"E0411" ~at:core.span
-      "`%s` cannot run: it chooses between programs whose results have different types"
-      core.name.name
-    |> hint "choose between tasks inside one `reactimateTask`"
-    |> emit c.sink)
-
-(* Reports that functions capture functions too deeply. {!Context.enter} does not count this
-   depth. *)
-let refuse_depth (c : Context.t) (core : Ir.definition) =
-  Diagnostic.(
-    error ~code:"E0413" ~at:core.span "`%s` needs functions that nest too deeply" core.name.name
-    |> note "each function or signal function contains the previous one, thousands of times"
-    |> hint "compose fewer of them, or write one signal function that does the same"
-    |> emit c.sink)
-
-let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
-  Diagnostic.(
-    error ~code:"E0414" ~at:local.span "`%s` contains a function that depends on itself" local.name
-    |> note "functions, signal functions and tasks are evaluated at compile time"
-    |> hint "feed back the numbers that the function depends on, not the function"
-    |> emit c.sink)
+let refuse_interface c definition part ty =
+  Context.report c (Entry (Interface { definition; part; ty }))
 
 (* A program that can end has a result in addition to its output. If the output is a record, the
    result is an additional field. *)
@@ -101,21 +61,14 @@ let slowest = 0.1
 and fastest = 1000.
 
 let rate (c : Context.t) ((rate : Value.t), at) =
-  let refuse format =
-    Printf.ksprintf
-      (fun text ->
-        Diagnostic.(
-          error ~code:"E0508" ~at "%s" text |> hint "write a rate such as `50[Hz]`" |> emit c.sink))
-      format
+  let refuse rate =
+    Context.report c (Entry (Rate { at; rate; slowest; fastest }));
+    None
   in
   match rate with
   | Atom (Float rate) when rate >= slowest && rate <= fastest -> Some rate
-  | Atom (Float rate) ->
-      refuse "the rate of a node is between %g and %g Hz, not %g Hz" slowest fastest rate;
-      None
-  | _ ->
-      refuse "the rate of a node must be known at compile time";
-      None
+  | Atom (Float rate) -> refuse (Some rate)
+  | _ -> refuse None
 
 let output_names (c : Context.t) ~output ~ended =
   let names ty root =
@@ -196,7 +149,7 @@ let root c ~unique (core : Ir.definition) ~input ~output =
          ~statics:[] ~inputs ~outputs ~transitions:[]);
     (ended, List.map fst (drawings drawn), rate))
   else (
-    refuse_interface c core "result" (Option.get ended);
+    refuse_interface c core Result (Option.get ended);
     (ended, [], rate))
 
 let param ~default (p : Ir.param) : Flow.Ir.param =
@@ -217,10 +170,10 @@ let param ~default (p : Ir.param) : Flow.Ir.param =
 let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input ~output :
     Flow.Ir.program option =
   let is_first_order ty = (Types.layout c.types ty).first_order in
-  if not (is_first_order input) then refuse_interface c core "input" input;
-  if not (is_first_order output) then refuse_interface c core "output" output;
+  if not (is_first_order input) then refuse_interface c core Input input;
+  if not (is_first_order output) then refuse_interface c core Output output;
   let ended = ref None and drawings = ref [] and rate = ref None in
-  (if not (Diagnostic.has_errors c.sink) then
+  (if not c.failed then
      (* the root gets the first choice of names, however often its evaluation is restarted *)
      let chosen = ref None in
      let unique name =
@@ -235,10 +188,13 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
      in
      try Context.settle root with
      | Context.Stopped -> ()
-     | Unlike_ends -> refuse_ends c core
-     | Stack_overflow -> refuse_depth c core
-     | Closure.Needs_itself local -> refuse_cycle c local);
-  if Diagnostic.has_errors c.sink then None
+     | Unlike_ends -> Context.report c (Entry (Different_results core))
+     | Stack_overflow ->
+         (* {!Context.enter} does not count how deeply functions capture functions *)
+         let excess = Limit_fact.Functions_nested core in
+         Context.report c (Limit { at = core.span; calls = []; excess })
+     | Closure.Needs_itself local -> Context.report c (Entry (Needs_itself local)));
+  if c.failed then None
   else
     let input = Types.shape c.types input and output = Types.shape_of_output c.types output in
     let imports = Foreign_code.imports c in
@@ -293,28 +249,27 @@ let closed (c : Context.t) ~name ~default ~(entry : Ir.Global.t) =
           match Work.within (Context.allowed_work c) whole with
           | Some flow -> flow
           | None ->
-              Used_up.report c core;
+              Used_up.report_work c core;
               None)
       | None ->
           Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is not a closed signal function"
             entry.name)
 
-let controls options sink ~name ~entry (program : Ir.program) =
-  let own = Diagnostic.sink () in
-  if Core.Console.asks program then Core.Recursion.check own program;
-  (* recursion errors are reported by the final specialization *)
-  if (not (Core.Console.asks program)) || Diagnostic.has_errors own then Some []
+let controls options facts ~name ~entry (program : Ir.program) =
+  (* recursion is reported by the final specialization *)
+  if (not (Core.Console.asks program)) || Core.Recursion.facts program <> [] then Some []
   else
-    let c = Context.create own options ~seeks:true program in
+    let c = Context.create facts options ~seeks:true program in
     let default _ = Flow.Ir.Bool false in
     ignore (closed c ~name ~default ~entry);
-    if Diagnostic.has_errors own then (
-      List.iter (Diagnostic.emit sink) (Diagnostic.all own);
-      None)
-    else match c.console with Sought { found } -> Some (List.rev found) | Declared _ -> None
+    match c.console with
+    | Sought { found } when not c.failed -> Some (List.rev found)
+    | Sought _ | Declared _ -> None
 
-let program ?(options = Context.default) ?(default = no_default) sink ~name ~entry
+let program ?(options = Context.default) ?(default = no_default) facts ~name ~entry
     (program : Ir.program) =
-  Core.Recursion.check sink program;
-  Foreign_code.check_names sink ~name program.foreign;
-  closed (Context.create sink options program) ~name ~default ~entry
+  let c = Context.create facts options program in
+  List.iter (fun fact -> Context.report c (Recursion fact)) (Core.Recursion.facts program);
+  Foreign_code.check_names c ~name;
+  c.failed <- c.failed || Facts.has_errors facts;
+  closed c ~name ~default ~entry

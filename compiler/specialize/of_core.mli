@@ -12,7 +12,7 @@ open Basis
 
 val controls :
   Context.options ->
-  Diagnostic.sink ->
+  Fact.t Facts.t ->
   name:string ->
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
@@ -25,10 +25,10 @@ val controls :
 val program :
   ?options:Context.options ->
   ?default:(Core.Ir.param -> Flow.Ir.atom) ->
-  Diagnostic.sink ->
+  Fact.t Facts.t ->
   name:string ->
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Flow.Ir.program option
 (** [name]: the name of the generated C files. [default]: the value of a parameter that is not set.
-    The entry must be a closed signal function or program. [None] if errors were reported. *)
+    The entry must be a closed signal function or program. [None] if facts were reported. *)

@@ -66,11 +66,11 @@ let evaluated core = (places core, Interp.Constant.program core)
 let when_finite values sink (core : Core.Ir.program) =
   if core.params = [] then values sink core
   else
-    let own = Diagnostic.sink () in
-    Core.Recursion.check own core;
-    let found = if Diagnostic.has_errors own then None else values sink core in
-    List.iter (Diagnostic.emit sink) (Diagnostic.all own);
-    found
+    match Core.Recursion.facts core with
+    | [] -> values sink core
+    | facts ->
+        List.iter (Facts.report (Advice.Of_core.into sink)) facts;
+        None
 
 let all_defaults sink (core : Core.Ir.program) =
   let evaluated = evaluated core in

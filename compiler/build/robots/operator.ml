@@ -48,6 +48,8 @@ let once sink typed controls =
     (List.fold_left merge [] controls)
 
 let declared options sink typed ~name ~entry core =
-  Option.bind (Specialize.Of_core.controls options sink ~name ~entry core) (fun controls ->
+  Option.bind
+    (Specialize.Of_core.controls options (Advice.Of_specialize.into sink) ~name ~entry core)
+    (fun controls ->
       let controls = once sink typed controls in
       if Diagnostic.has_errors sink then None else Some (Core.Console.declare controls core))

@@ -47,7 +47,7 @@ type vertex = {
 type graph = {
   program : definition Global_table.t;
   instances : Instance.table;
-  sink : Diagnostic.sink;
+  mutable facts : Fact.t list; (* newest first *)
   numbers : int Instantiations.t;
   mutable vertices : vertex list; (* newest first *)
   mutable work : vertex list;
@@ -75,24 +75,10 @@ let is_large ty =
   in
   match visit 1 ty with () -> false | exception Large -> true
 
-let report_growth g (d : definition) span =
-  Diagnostic.error ~code:"E0413" ~at:span "`%s` uses itself at ever larger types" d.core.name.name
-  |> Diagnostic.label ~at:d.core.span "defined here"
-  |> Diagnostic.emit g.sink
+let report g fact = g.facts <- fact :: g.facts
 
 (* Maximum number of steps for building the graph; each step visits a part of a type. *)
 let most_steps = 5_000_000
-
-let report_many g v =
-  let { core; _ } = v.definition in
-  Diagnostic.error ~code:"E0413" ~at:core.span "`%s` is used at too many types" core.name.name
-  |> Diagnostic.note
-       (Printf.sprintf "definitions that use methods are already needed at %d combinations of types"
-          (Instantiations.length g.numbers))
-  |> Diagnostic.hint
-       "use fewer levels of definitions: if each level calls the next one at two new types, every \
-        level doubles the number of types"
-  |> Diagnostic.emit g.sink
 
 (* The number of the instantiated definition, if it may reach a method. *)
 let vertex g name types ~span =
@@ -102,7 +88,7 @@ let vertex g name types ~span =
       match Instantiations.find_opt g.numbers (name, types) with
       | Some number -> Some number
       | None when List.exists is_large types ->
-          report_growth g definition span;
+          report g (Growing_types { definition = definition.core; at = span });
           None
       | None ->
           let number = Instantiations.length g.numbers in
@@ -167,29 +153,22 @@ let defaults (program : Ir.program) =
   List.iter (fun (i : Ir.instance) -> List.iter (method_ i) i.methods) program.instances;
   table
 
-let report g defaults vertices cycle =
-  let vertex v = Cycle.vertex vertices.(v).definition.core in
+let cycle defaults vertices numbers : Fact.t =
   let use a b =
-    match List.find_opt (fun (target, _, _) -> target = b) vertices.(a).out with
-    | Some (_, span, _) -> span
-    | None -> (vertex a).span
+    List.find_opt (fun (target, _, _) -> target = b) vertices.(a).out
+    |> Option.map (fun (_, span, _) -> span)
   in
-  let diagnostic = Cycle.diagnostic ~vertex ~use cycle in
   let default v =
     match (Hashtbl.find_opt defaults vertices.(v).definition.core.name, vertices.(v).types) with
-    | Some (class_ : Ir.Global.t), ty :: _ -> Some (class_.name, ty)
+    | Some class_, ty :: _ -> Some (class_, ty)
     | Some _, [] | None, _ -> None
   in
-  (match List.find_map default cycle with
-  | Some (class_, ty) ->
-      diagnostic
-      |> Diagnostic.note
-           (Printf.sprintf
-              "this happens for the type `%s`, because its instance of `%s` uses the default"
-              (Print.type_name ty) class_)
-      |> Diagnostic.hint "define one of the methods in the instance"
-  | None -> diagnostic)
-  |> Diagnostic.emit g.sink
+  let definitions = Array.map (fun v -> v.definition.core) vertices in
+  Cycle
+    {
+      cycle = Uses.cycle definitions ~use numbers;
+      cause = Methods { default = List.find_map default numbers };
+    }
 
 let closed_by_a_method vertices component =
   List.exists
@@ -199,12 +178,12 @@ let closed_by_a_method vertices component =
         vertices.(v).out)
     component
 
-let check_instances sink (program : Ir.program) uses =
+let of_instances (program : Ir.program) uses =
   let g =
     {
       program = that_use_methods uses;
       instances = Instance.table program.instances;
-      sink;
+      facts = [];
       numbers = Instantiations.create 64;
       vertices = [];
       work = [];
@@ -213,7 +192,10 @@ let check_instances sink (program : Ir.program) uses =
   start g program;
   (match Work.within most_steps (fun () -> follow_all g) with
   | Some () -> ()
-  | None -> Option.iter (report_many g) (List.nth_opt g.vertices 0));
+  | None ->
+      let combinations = Instantiations.length g.numbers in
+      let many v = report g (Too_many_types { definition = v.definition.core; combinations }) in
+      Option.iter many (List.nth_opt g.vertices 0));
   let vertices = Array.of_list (List.rev g.vertices) in
   Array.iter (fun v -> v.out <- List.rev v.out) vertices;
   let graph = Array.map (fun v -> List.map (fun (target, _, _) -> target) v.out) vertices in
@@ -221,8 +203,9 @@ let check_instances sink (program : Ir.program) uses =
   List.iter
     (fun component ->
       if Graph.is_cyclic graph component && closed_by_a_method vertices component then
-        report g defaults vertices (Graph.shortest_cycle graph component))
-    (Graph.components graph)
+        report g (cycle defaults vertices (Graph.shortest_cycle graph component)))
+    (Graph.components graph);
+  List.rev g.facts
 
-let check sink (program : Ir.program) uses =
-  if program.instances <> [] then check_instances sink program uses
+let facts (program : Ir.program) uses =
+  if program.instances = [] then [] else of_instances program uses

@@ -5,8 +5,6 @@
     with their type arguments. It starts from the closed definitions and from each instance, because
     an instance's methods may be class defaults that are defined in terms of each other. *)
 
-open Basis
-
-val check : Diagnostic.sink -> Ir.program -> Uses.t -> unit
-(** Emits E0410 for each cycle that goes through a method, and E0413 if a method is required at ever
-    larger types. Linear in the number of uses followed. *)
+val facts : Ir.program -> Uses.t -> Fact.t list
+(** Each cycle that goes through a method, and each method that is required at ever larger types.
+    Linear in the number of uses followed. *)

@@ -6,6 +6,9 @@
 
 open Basis
 
-val check : Diagnostic.sink -> Ir.program -> unit
-(** Emits E0410 for each cycle; see also {!Method_recursion} and {!Polymorphic_recursion}. Linear
-    time. Does not depend on the invariants that {!Lint} checks. *)
+val facts : Ir.program -> Fact.t list
+(** Each cycle; see also {!Method_recursion} and {!Polymorphic_recursion}. Linear time. Does not
+    depend on the invariants that {!Lint} checks. *)
+
+val check : Fact.t Facts.t -> Ir.program -> unit
+(** Reports the {!facts}. *)

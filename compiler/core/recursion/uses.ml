@@ -28,3 +28,10 @@ let of_program (program : program) =
   Array.iteri (fun i (d : definition) -> Global_table.replace index d.name i) definitions;
   let uses (d : definition) = List.rev (add ~later:false [] d.body) in
   { definitions; index; uses = Array.map uses definitions }
+
+let cycle definitions ~use indices =
+  let step a b =
+    let d : definition = definitions.(a) in
+    (d, Option.value (use a b) ~default:d.span)
+  in
+  match indices with [] -> [] | first :: rest -> List.map2 step indices (rest @ [ first ])

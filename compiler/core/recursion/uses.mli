@@ -22,3 +22,11 @@ type t = {
 
 val of_program : Ir.program -> t
 (** Linear time. Does not depend on the invariants that {!Lint} checks. *)
+
+val cycle :
+  Ir.definition array ->
+  use:(int -> int -> Span.t option) ->
+  int list ->
+  (Ir.definition * Span.t) list
+(** The definitions of a cycle, given by their numbers, each with the place of its [use] of the next
+    one. *)

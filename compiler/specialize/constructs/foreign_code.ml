@@ -91,37 +91,16 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
   Leaves.value p.types result outputs
 
 (* Detects C components whose struct and functions would have the same names as the program's. *)
-let check_names sink ~name (foreign : Core.Ir.foreign) =
+let check_names (c : Context.t) ~name =
   (* For example, [my-robot.frob] defines [my_robot_step]. *)
   let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in
-  let collision ((f : Core.Primitive.foreign), _) =
+  let collides ((f : Core.Primitive.foreign), _) =
     match f.kind with
-    | Stateful when String.equal f.symbol prefix ->
-        Some
-          ( f,
-            Printf.sprintf "the program and the component `%s` in C have the same name" f.symbol,
-            Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
-              prefix prefix )
-    | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
-        Some
-          ( f,
-            Printf.sprintf "the program's own C has a function `%s`" f.symbol,
-            "frobc names the functions of a program after its file" )
-    | Stateful | Stateless _ -> None
+    | Stateful -> String.equal f.symbol prefix
+    | Stateless _ -> List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ]
   in
-  let refuse ~at ?note ~hint message =
-    let diagnostic = Diagnostic.error ~code:"E0431" ~at "%s" message in
-    Option.fold note ~none:diagnostic ~some:(fun note -> Diagnostic.note note diagnostic)
-    |> Diagnostic.hint hint |> Diagnostic.emit sink
-  in
-  let refuse_header (h : Core.Ir.header) =
-    if String.equal h.header (name ^ ".h") then
-      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file or the header"
-        (Printf.sprintf
-           "the program includes `%s`, but frobc writes the program's own header with this name"
-           h.header)
-  in
-  match List.find_map collision foreign.values with
-  | Some ((f : Core.Primitive.foreign), message, note) ->
-      refuse ~at:f.span ~note ~hint:"rename the program's file" message
-  | None -> List.iter refuse_header foreign.headers
+  let is_own (h : Core.Ir.header) = String.equal h.header (name ^ ".h") in
+  let report fact = Context.report c (Foreign_name fact) in
+  match List.find_opt collides c.foreign.values with
+  | Some (foreign, _) -> report (Function_or_component foreign)
+  | None -> List.iter (fun h -> report (Header h)) (List.filter is_own c.foreign.headers)

@@ -15,6 +15,6 @@ val imports : Context.t -> Flow.Ir.import list
 (** The foreign functions that the program's own modules import, and those of the library that a
     node of the program calls. *)
 
-val check_names : Basis.Diagnostic.sink -> name:string -> Core.Ir.foreign -> unit
-(** [name]: the name of the generated C files. Emits E0431 if the generated C defines a name that
+val check_names : Context.t -> name:string -> unit
+(** [name]: the name of the generated C files. Reports names that the generated C would define and
     the program imports. *)

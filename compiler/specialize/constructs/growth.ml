@@ -143,53 +143,21 @@ let rec in_program c (t : t) =
   | Some before when Context.in_library c t.at -> in_program c before
   | Some _ | None -> t.at
 
-let report_task (c : Context.t) (t : t) place =
+let restart c ~name (t : t) : Restart_fact.t =
   let at = in_program c t in
-  let cure =
-    match t.task with
-    | Some name -> Printf.sprintf "make `%s` the last statement" name
-    | None -> "make the call the last statement"
-  in
-  Diagnostic.(
-    error ~code:"E0420" ~at "a task restarts itself, but not as its last statement"
-    |> here "it restarts here"
-    |> label ~at:place "this waits for the restarted task to end"
-    |> note "each restart would leave one more statement waiting, but memory is fixed"
-    |> hint
-         (Printf.sprintf
-            "%s, or move the waiting statements into the branch that ends the task; to repeat a \
-             task, write `repeatT 4 t` or `forever t`"
-            cure)
-    |> emit c.sink);
-  raise Context.Stopped
+  match (t.waiting, t.task) with
+  | Some waiting, task -> Before_the_end { at; waiting; task }
+  | None, task ->
+      (* Library places do not help the user. *)
+      let is_own hop = not (Context.in_library c hop.at || String.equal hop.name "") in
+      Growing
+        {
+          at;
+          name = Option.value task ~default:name;
+          is_task = Option.is_some task;
+          added = t.added;
+          is_choice = String.equal t.added an_if;
+          way = List.map (fun hop -> (hop.name, hop.at)) (List.filter is_own (since t));
+        }
 
-let report_growth (c : Context.t) ~name (t : t) =
-  let at = in_program c t in
-  (* Library places do not help the user, and each place of the program is shown once. *)
-  let on_the_way (diagnostic, shown) hop =
-    if List.mem hop.at shown || Context.in_library c hop.at || String.equal hop.name "" then
-      (diagnostic, shown)
-    else
-      let text = Printf.sprintf "on the way, `%s` starts here" hop.name in
-      (Diagnostic.label ~at:hop.at text diagnostic, hop.at :: shown)
-  in
-  let name, what =
-    match t.task with Some own -> (own, "tasks") | None -> (name, "signal functions")
-  in
-  Diagnostic.(
-    error ~code:"E0416" ~at "`%s` grows each time it restarts itself" name
-    |> here (Printf.sprintf "it restarts here, with one more `%s`" t.added)
-    |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) (since t)))
-    |> note
-         (Printf.sprintf "frobc must know all %s that can run, so their number must be finite" what)
-    |> hint (Printf.sprintf "restart it with the same %s each time; numbers may change" what)
-    |> (if String.equal t.added an_if then
-          hint
-            (Printf.sprintf "pass the condition of the `if` as an argument, and choose inside `%s`"
-               name)
-        else Fun.id)
-    |> emit c.sink);
-  raise Context.Stopped
-
-let report c ~name t =
-  match t.waiting with Some place -> report_task c t place | None -> report_growth c ~name t
+let report c ~name t = Context.stop c (Restart (restart c ~name t))

@@ -16,5 +16,5 @@ val of_value : Value.t -> at:Span.t -> from:t option -> t
 val is_endless : t -> bool
 
 val report : Context.t -> name:string -> t -> 'a
-(** Reports E0416, or E0420 for a task whose recursive call is not in tail position, and raises
+(** Reports the growth, or, for a task, that the recursive call is not in tail position, and raises
     {!Context.Stopped}. *)

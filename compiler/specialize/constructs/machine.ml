@@ -412,56 +412,7 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~insid
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
   | [] -> bug "a machine is built while it is being built"
-  | (_, at) :: inner ->
-      let wrappers =
-        List.fold_left
-          (fun names (wrapper, _) -> if List.mem wrapper names then names else wrapper :: names)
-          [] calls
-      in
-      let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
-      let own (place : Span.t) = String.equal place.file at.file in
-      (* does it restart itself directly, rather than through functions around the call? *)
-      let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
-      let place = if by_itself then span else at in
-      let label d (text, where) =
-        if own where && where <> place then Diagnostic.label ~at:where text d else d
-      in
-      let runs_here (wrapper, where) = (Printf.sprintf "`%s` runs here" wrapper, where) in
-      let error =
-        Diagnostic.error ~code:"E0415" ~at:place "`%s` restarts itself inside itself" name
-        |> Diagnostic.here
-             (if by_itself then
-                Printf.sprintf "`%s` keeps running while the signal function here runs" name
-              else "here, inside " ^ String.concat ", inside " quoted)
-      in
-      let labels =
-        if by_itself then [ (Printf.sprintf "`%s` restarts here" name, at) ]
-        else List.map runs_here inner
-      in
-      List.fold_left label error labels
-      |> Diagnostic.note
-           (if is_task then
-              "a task may only restart itself as the last statement of its `do`, and nothing \
-               around the task may continue; otherwise each restart would need more memory"
-            else
-              "a signal function may only restart itself as the whole result of a continuation; \
-               otherwise each restart would need more memory")
-      |> Diagnostic.hint
-           (if is_task then
-              "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, \
-               followed by the statements to run after all repetitions"
-            else if by_itself && goes_on then
-              "use `switch`, whose continuation replaces it; `rSwitch` never ends"
-            else if by_itself then
-              Printf.sprintf
-                "end `%s` in a `switch` whose continuation starts the other signal function, or \
-                 choose between the two with a signal"
-                name
-            else
-              Printf.sprintf "apply %s once, where the first mode starts, not in each mode"
-                (String.concat ", " quoted))
-      |> Diagnostic.emit c.sink;
-      raise Context.Stopped
+  | _ :: _ -> Context.stop c (Restart (Inside_itself { at = span; name; is_task; goes_on; calls }))
 
 let is_task : Value.t -> bool = function
   | Primitive { primitive = Run_task; _ } -> true

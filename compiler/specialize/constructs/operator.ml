@@ -23,63 +23,39 @@ let is_looked_for (c : Context.t) body =
 
 let place (p : position) = Context.own_place p.context p.trail ~span:p.span
 
-let refuse (p : position) ~code ~at text more =
-  Context.report_once p.context ~code ~at (more (Diagnostic.error ~code ~at "%s" text));
+let refuse p problem =
+  Context.report_control p.Evaluator.context { at = place p; problem };
   None
 
 let longest_label = 40
 
 (* A label is used as a column name, as a C string, and as text next to a button. *)
-let fault_of_label text =
+let fault_of_label text : Control_fact.problem option =
   let is_odd c = c < ' ' || c = '\127' || c = ',' || c = '"' || c = '\\' in
-  if String.equal text "" then Some "a label cannot be empty"
-  else if String.exists is_odd text then
-    Some "a label cannot contain a comma, a quote, a backslash or a line break"
-  else if text.[0] = ' ' || text.[String.length text - 1] = ' ' then
-    Some "a label cannot begin or end with a space"
-  else if String.length text > longest_label then
-    Some (Printf.sprintf "a label can have at most %d characters" longest_label)
+  if String.equal text "" then Some Empty_label
+  else if String.exists is_odd text then Some Odd_character
+  else if text.[0] = ' ' || text.[String.length text - 1] = ' ' then Some Space_at_an_end
+  else if String.length text > longest_label then Some (Long_label { limit = longest_label })
   else None
 
 let label p (value : Value.t) =
-  let at = place p in
-  let refuse text = refuse p ~code:"E0440" ~at text in
   match value with
   | Unspecified -> None
   | Text text -> (
-      match fault_of_label text with None -> Some text | Some fault -> refuse fault Fun.id)
-  | _ ->
-      refuse "this label is not known at compile time"
-        (Diagnostic.hint "give each button and knob a fixed label, and choose between their values")
+      match fault_of_label text with None -> Some text | Some fault -> refuse p fault)
+  | _ -> refuse p Unknown_label
 
 let numbers p values =
   let known (value : Value.t) = match value with Atom (Float x) -> Some x | _ -> None in
-  let at = place p in
-  let refuse = refuse p ~code:"E0441" ~at in
   match List.map known values with
   | _ when List.mem Value.Unspecified values -> None
   | [ Some least; Some most; Some first ] ->
-      let number = Printf.sprintf "%g" in
       if List.exists (fun x -> not (Float.is_finite x)) [ least; most; first ] then
-        refuse "the limits and the initial value of a knob must be finite numbers" Fun.id
-      else if least >= most then
-        refuse
-          (Printf.sprintf "the lower limit of this knob, %s, must be less than its upper limit, %s"
-             (number least) (number most))
-          Fun.id
-      else if first < least || first > most then
-        refuse
-          (Printf.sprintf "the initial value of this knob, %s, is outside its limits, %s and %s"
-             (number first) (number least) (number most))
-          Fun.id
+        refuse p Not_finite
+      else if least >= most then refuse p (Limits { least; most })
+      else if first < least || first > most then refuse p (Initial { least; most; first })
       else Some (Ir.Knob { least; most; first })
-  | _ ->
-      refuse "the limits and the initial value of this knob must be known at compile time" (fun d ->
-          Diagnostic.note
-            "you can use literals, constants, parameters with a constant value, and operators on \
-             these"
-            d
-          |> Diagnostic.hint "give the knob a fixed range, and scale its value")
+  | _ -> refuse p Unknown_knob
 
 (* The number of directions of a scan, from its type. *)
 let rays : Ir.ty -> int = function
@@ -104,9 +80,7 @@ let control p (kind : Core.Primitive.console) ~result (arguments : Value.argumen
       match first with
       | Atom (Bool first) -> Some (label, Ir.Toggle { first })
       | Unspecified -> None
-      | _ ->
-          refuse p ~code:"E0441" ~at:(place p)
-            "the initial position of this toggle must be known at compile time" Fun.id)
+      | _ -> refuse p Unknown_toggle)
   | Camera, text :: _ ->
       let* label = label p text in
       Some (label, Ir.Camera)
@@ -132,15 +106,8 @@ let note (p : position) (found : Ir.control list) (label, kind) =
   | Some { kind = known; _ } when known = kind ->
       let is_here (c : Ir.control) = has_label c && c.span = span in
       if List.exists is_here found then found else { Ir.label; kind; unit_ = ""; span } :: found
-  | Some other ->
-      let what = Core.Console.describe in
-      ignore
-        (refuse p ~code:"E0442" ~at:span
-           (Printf.sprintf "the console already has another control with the label `%s`" label)
-           (fun d ->
-             Diagnostic.here (what kind) d
-             |> Diagnostic.label ~at:other.span (what other.kind)
-             |> Diagnostic.hint "rename one of them"));
+  | Some by ->
+      ignore (refuse p (Taken { label; kind; by }));
       found
 
 (* {1 Values of controls} *)

@@ -40,44 +40,11 @@ let place_of ~otherwise (continuation : Value.t) =
 (* No sensible program has this many consecutive tasks that end immediately. *)
 let most_at_once = 1000
 
-(* A step into a continuation: the task that ended, the definition that determines what follows, and
-   the place. *)
-type hop = { ended : string; by : string; place : Span.t }
-
-let report_circle (c : Context.t) ~span hops =
-  let places = List.map (fun hop -> hop.place) hops in
-  let at, others =
-    match List.partition (Context.in_prelude c) places with
-    | _, [] -> (span, [])
-    | _, own -> (List.nth own (List.length own - 1), own)
-  in
-  let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
-  (* the text depends on the task that ended before *)
-  let this_starts place =
-    match List.find_opt (fun hop -> Span.compare hop.place place = 0) (List.rev hops) with
-    | Some { ended; _ } -> Printf.sprintf "this starts in the instant in which `%s` ends" ended
-    | None -> (
-        match List.rev hops with
-        | { ended; by; _ } :: _ ->
-            Printf.sprintf "`%s` may end in its first instant, and `%s` follows it" ended by
-        | [] -> "this starts in the instant in which the previous task ends")
-  in
-  let label d place =
-    if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
-  in
-  let names = List.concat_map (fun hop -> [ hop.ended; hop.by ]) hops in
-  Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant"
-    (Enumeration.circle names)
-  |> Diagnostic.here (this_starts at)
-  |> (fun d -> List.fold_left label d others)
-  |> Diagnostic.note
-       "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
-        next instant"
-  |> Diagnostic.hint
-       "add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least \
-        one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`"
-  |> Diagnostic.emit c.sink;
-  raise Context.Stopped
+let report_circle (c : Context.t) ~span (hops : Restart_fact.hop list) =
+  let places = List.map (fun (hop : Restart_fact.hop) -> hop.place) hops in
+  let own = List.filter (fun place -> not (Context.in_prelude c place)) places in
+  let at = match List.rev own with [] -> span | last :: _ -> last in
+  Context.stop c (Restart (In_one_instant { at; hops; own }))
 
 (* For messages: in a task that ends immediately, replaces the name of the library function with
    that of the program's definition that uses the function. *)
@@ -179,7 +146,8 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
     | None when List.compare_length_with chain most_at_once >= 0 ->
         report_circle c ~span (List.rev_map (fun (_, _, hop) -> hop) chain)
     | None ->
-        Some ((key, numbers, { ended; by; place = place_of ~otherwise:span rest.value }) :: chain)
+        let place = place_of ~otherwise:span rest.value in
+        Some ((key, numbers, { Restart_fact.ended; by; place }) :: chain)
   in
   (* [span]: the nearest enclosing place outside the prelude. *)
   let rec reduce ~span chain (task : Value.t) : Value.t =

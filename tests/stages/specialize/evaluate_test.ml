@@ -8,7 +8,10 @@ let flow definitions =
   let sink = Diagnostic.sink () in
   let core = program definitions in
   Core.Lint.program core;
-  match Specialize.Of_core.program sink ~name:"test" ~entry:(main "main") core with
+  match
+    Specialize.Of_core.program (Advice.Of_specialize.into sink) ~name:"test" ~entry:(main "main")
+      core
+  with
   | Some flow ->
       Flow.Lint.program flow;
       Format.asprintf "%a" Flow.Print.program flow

@@ -9,6 +9,6 @@ let flow sink source ~files ~library file =
   let core = Core.Of_typed.program typed in
   let entry : Core.Ir.Global.t = { module_ = core.main_module; name = "main" } in
   let name = Filename.remove_extension (Filename.basename file) in
-  let* flow = Specialize.Of_core.program sink ~name ~entry core in
+  let* flow = Specialize.Of_core.program (Advice.Of_specialize.into sink) ~name ~entry core in
   Flow.Lint.program flow;
   Some flow

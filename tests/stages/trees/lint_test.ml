@@ -33,7 +33,8 @@ let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }
 
 let flow =
   Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
-    (the (Specialize.Of_core.program sink ~name:"main" ~entry:main core))
+    (the
+       (Specialize.Of_core.program (Advice.Of_specialize.into sink) ~name:"main" ~entry:main core))
 
 let step = Step.Passes.program (Step.Of_flow.program (Flow.Optimize.program flow))
 let is_half (name : Core.Ir.Global.t) = name.module_ = main.module_ && name.name = "half"

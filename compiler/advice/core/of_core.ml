@@ -1,0 +1,3 @@
+open Basis
+
+let into sink = Facts.into sink Recursion_mistake.diagnostic

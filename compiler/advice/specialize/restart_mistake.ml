@@ -1,0 +1,134 @@
+open Basis
+open Specialize
+
+(* {1 Tasks that take no time} *)
+
+let most_shown = 10
+
+let in_one_instant ~at (hops : Restart_fact.hop list) own =
+  let others = List.filteri (fun i _ -> i < most_shown) (List.sort_uniq Span.compare own) in
+  (* the text depends on the task that ended before *)
+  let this_starts place =
+    let newest_first = List.rev hops in
+    let is_here (hop : Restart_fact.hop) = Span.compare hop.place place = 0 in
+    match (List.find_opt is_here newest_first, newest_first) with
+    | Some { ended; _ }, _ -> Printf.sprintf "this starts in the instant in which `%s` ends" ended
+    | None, { ended; by; _ } :: _ ->
+        Printf.sprintf "`%s` may end in its first instant, and `%s` follows it" ended by
+    | None, [] -> "this starts in the instant in which the previous task ends"
+  in
+  let label d place =
+    if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
+  in
+  let names = List.concat_map (fun (hop : Restart_fact.hop) -> [ hop.ended; hop.by ]) hops in
+  Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant"
+    (Enumeration.circle names)
+  |> Diagnostic.here (this_starts at)
+  |> (fun d -> List.fold_left label d others)
+  |> Diagnostic.note
+       "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
+        next instant"
+  |> Diagnostic.hint
+       "add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least \
+        one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`"
+
+(* {1 Growth} *)
+
+let before_the_end ~at ~waiting task =
+  let advice =
+    match task with
+    | Some name -> Printf.sprintf "make `%s` the last statement" name
+    | None -> "make the call the last statement"
+  in
+  Diagnostic.(
+    error ~code:"E0420" ~at "a task restarts itself, but not as its last statement"
+    |> here "it restarts here"
+    |> label ~at:waiting "this waits for the restarted task to end"
+    |> note "each restart would leave one more statement waiting, but memory is fixed"
+    |> hint
+         (Printf.sprintf
+            "%s, or move the waiting statements into the branch that ends the task; to repeat a \
+             task, write `repeatT 4 t` or `forever t`"
+            advice))
+
+let growing ~at ~name ~is_task ~added ~is_choice way =
+  let on_the_way (diagnostic, shown) (name, place) =
+    if List.mem place shown then (diagnostic, shown)
+    else
+      let text = Printf.sprintf "on the way, `%s` starts here" name in
+      (Diagnostic.label ~at:place text diagnostic, place :: shown)
+  in
+  let what = if is_task then "tasks" else "signal functions" in
+  Diagnostic.(
+    error ~code:"E0416" ~at "`%s` grows each time it restarts itself" name
+    |> here (Printf.sprintf "it restarts here, with one more `%s`" added)
+    |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) way))
+    |> note
+         (Printf.sprintf "frobc must know all %s that can run, so their number must be finite" what)
+    |> hint (Printf.sprintf "restart it with the same %s each time; numbers may change" what)
+    |>
+    if is_choice then
+      hint
+        (Printf.sprintf "pass the condition of the `if` as an argument, and choose inside `%s`" name)
+    else Fun.id)
+
+(* {1 Machines inside themselves} *)
+
+let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
+  let _, at = List.hd calls in
+  let wrappers =
+    List.fold_left
+      (fun names (wrapper, _) -> if List.mem wrapper names then names else wrapper :: names)
+      [] calls
+  in
+  let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
+  let own (place : Span.t) = String.equal place.file at.file in
+  (* does it restart itself directly, rather than through functions around the call? *)
+  let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
+  let place = if by_itself then span else at in
+  let label d (text, where) =
+    if own where && where <> place then Diagnostic.label ~at:where text d else d
+  in
+  let runs_here (wrapper, where) = (Printf.sprintf "`%s` runs here" wrapper, where) in
+  let error =
+    Diagnostic.error ~code:"E0415" ~at:place "`%s` restarts itself inside itself" name
+    |> Diagnostic.here
+         (if by_itself then
+            Printf.sprintf "`%s` keeps running while the signal function here runs" name
+          else "here, inside " ^ String.concat ", inside " quoted)
+  in
+  let labels =
+    if by_itself then [ (Printf.sprintf "`%s` restarts here" name, at) ]
+    else List.map runs_here (List.tl calls)
+  in
+  List.fold_left label error labels
+  |> Diagnostic.note
+       (if is_task then
+          "a task may only restart itself as the last statement of its `do`, and nothing around \
+           the task may continue; otherwise each restart would need more memory"
+        else
+          "a signal function may only restart itself as the whole result of a continuation; \
+           otherwise each restart would need more memory")
+  |> Diagnostic.hint
+       (if is_task then
+          "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, followed by \
+           the statements to run after all repetitions"
+        else if by_itself && goes_on then
+          "use `switch`, whose continuation replaces it; `rSwitch` never ends"
+        else if by_itself then
+          Printf.sprintf
+            "end `%s` in a `switch` whose continuation starts the other signal function, or choose \
+             between the two with a signal"
+            name
+        else
+          Printf.sprintf "apply %s once, where the first mode starts, not in each mode"
+            (String.concat ", " quoted))
+
+let diagnostic (fact : Restart_fact.t) =
+  match fact with
+  | In_one_instant { at; hops; own } -> in_one_instant ~at hops own
+  | Before_the_end { at; waiting; task } -> before_the_end ~at ~waiting task
+  | Growing { at; name; is_task; added; is_choice; way } ->
+      growing ~at ~name ~is_task ~added ~is_choice way
+  | Inside_itself { at; name; is_task; goes_on; calls } ->
+      inside_itself ~at ~name ~is_task ~goes_on calls

@@ -1,0 +1,30 @@
+(** What the checks of Core report, as values without any text. [Advice] turns each of them into a
+    diagnostic. *)
+
+open Basis
+
+type cause =
+  | Itself  (** the definitions mention each other *)
+  | Methods of { default : (Ir.Global.t * Ir.ty) option }
+      (** at least one of the uses goes through a method. [default]: the class whose default
+          definition is part of the cycle, and the type that it is used for *)
+
+type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
+(** A use of the definition with the number [index], whose name is [by], at these types. *)
+
+type t =
+  | Cycle of { cycle : (Ir.definition * Span.t) list; cause : cause }
+      (** Each definition needs the next one, and the last one needs the first, each with the place
+          of that use. *)
+  | Growing_types of { definition : Ir.definition; at : Span.t }
+      (** the definition uses itself through methods at ever larger types, for example here *)
+  | Too_many_types of { definition : Ir.definition; combinations : int }
+      (** definitions that use methods are needed at more combinations of types than this *)
+  | Larger_type of {
+      definition : Ir.definition;
+      use : use;
+      ty : Ir.ty;
+      way : (Ir.definition * use) list;
+    }
+      (** the definition restarts another one of its cycle, or itself, at the larger type [ty].
+          [way]: the uses that lead from the restarted definition back to this one *)

@@ -1,0 +1,13 @@
+(** Programs that cannot run, although they are well typed. *)
+
+open Basis
+
+type part = Input | Output | Result
+
+type t =
+  | Interface of { definition : Core.Ir.definition; part : part; ty : Core.Ir.ty }
+      (** this part of its interface contains functions or labels *)
+  | Different_results of Core.Ir.definition  (** a choice between programs *)
+  | Needs_itself of Core.Ir.Local.t  (** a function that depends on itself *)
+  | Rate of { at : Span.t; rate : float option; slowest : float; fastest : float }
+      (** the rate of a node is outside these limits, in Hz, or unknown at compile time *)

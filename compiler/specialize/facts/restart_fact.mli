@@ -1,0 +1,29 @@
+(** Signal functions and tasks that restart themselves in a way that frobc cannot compile. *)
+
+open Basis
+
+type hop = { ended : string; by : string; place : Span.t }
+(** A step into a continuation: the task that ended, the definition that determines what follows,
+    and the place. *)
+
+type t =
+  | In_one_instant of { at : Span.t; hops : hop list; own : Span.t list }
+      (** a cycle of tasks that end at once. [own]: the places of [hops] outside the prelude *)
+  | Before_the_end of { at : Span.t; waiting : Span.t; task : string option }
+      (** the task [task] restarts itself at [at], while the continuation [waiting] waits for it *)
+  | Growing of {
+      at : Span.t;
+      name : string;
+      is_task : bool;
+      added : string;  (** the function that is added with each restart; [if] for a choice *)
+      is_choice : bool;
+      way : (string * Span.t) list;  (** what starts on the way, outside the library *)
+    }
+  | Inside_itself of {
+      at : Span.t;  (** where it runs *)
+      name : string;
+      is_task : bool;
+      goes_on : bool;  (** an [rSwitch], which never ends *)
+      calls : Calls.t;
+          (** the calls through which it runs again, the outermost one first; at least one *)
+    }
