@@ -151,7 +151,7 @@ let distrust ctx declared (b : Resolve.Ir.binding) =
 (* Does the definition fit this signature? Checks it without reporting anything. *)
 let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
   let name, _ = top b in
-  let reader = { ctx.reader with sink = Diagnostic.sink () } in
+  let reader = { ctx.reader with sink = Diagnostic.sink (); facts = Facts.ignored () } in
   let trial = in_group { ctx with reader; doubts = Hashtbl.copy ctx.doubts } in
   let declared = Global_table.create 1 and entry = Global_table.find_opt ctx.globals name in
   signature trial declared { b with signature = Some written };
