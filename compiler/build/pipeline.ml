@@ -31,8 +31,8 @@ let resolve (r : Request.t) sink sources =
   let also = Option.bind (Request.own_robot r) (fun robot -> robot.file) in
   let remember ~file text = Source.add sources ~file text in
   let* resolved =
-    Resolve.Program.load sink ~files:r.files ~library:r.library r.file ~remember ?also
-      ~given:r.settings
+    Resolve.Program.load (Advice.Of_resolve.into sink) ~files:r.files ~library:r.library r.file
+      ~remember ?also ~given:r.settings
   in
   stage r sink Resolve ~lint:Resolve.Lint.program ~print:Resolve.Print.program resolved
 

@@ -37,8 +37,7 @@ let check ?seen sink sources r =
   | None -> ()
 
 let partial sources (r : Request.t) =
-  let sink = Diagnostic.sink () in
-  Resolve.Program.load sink ~files:r.files ~library:r.library ~partial:true r.file
+  Resolve.Program.load (Facts.ignored ()) ~files:r.files ~library:r.library ~partial:true r.file
     ~remember:(fun ~file text -> Source.add sources ~file text)
   |> Option.map (fun resolved ->
          let typed () =

@@ -19,33 +19,30 @@ let library_names ~(files : Files.t) ~library =
     match files.read (Filename.concat library (module_ ^ ".frob")) with
     | Error _ -> None
     | Ok text ->
-        let sink = Diagnostic.sink () in
+        let context = Context.create (Facts.ignored ()) in
         Option.map
           (fun (syntax : Syntax.Ir.program) ->
-            let own = Interface.declared (Context.create sink) ~module_ syntax in
+            let own = Declared.program context ~module_ syntax in
             (module_, own, Option.bind syntax.header (fun header -> header.exports)))
-          (Syntax.Parse.program sink ~file:module_ text)
+          (Context.parse context ~file:module_ text)
   in
   let names_of modules =
     let everything = List.fold_left (fun all (_, own, _) -> union all own) (none ()) modules in
     List.map
       (fun (module_, own, exports) ->
         match exports with
-        | None -> { Scope.module_; names = own; gathers = false }
+        | None -> { Visible.module_; names = own; gathers = false }
         | Some listed ->
-            { Scope.module_; names = select everything (Exports.texts listed); gathers = true })
+            { Visible.module_; names = select everything (Exports.texts listed); gathers = true })
       modules
   in
   lazy (names_of (List.filter_map read (files.modules_in library)))
 
 let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
-  let report (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0204" ~at:name.span "only the standard library can declare primitives"
-    |> Context.emit scope.context
-  in
+  let report name = Context.report scope.context (In_modules (Primitive_outside_library name)) in
   let primitive scheme doc (name : Syntax.Ir.name) : Ir.primitive =
     if not scope.library then report name;
-    let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+    let global : Ir.Global.t = { module_ = scope.visible.module_; name = name.text } in
     { name = global; scheme; foreign = None; doc; span = name.span }
   in
   let declaration (d : Syntax.Ir.declaration) =
@@ -55,7 +52,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
         Foreign_code.check_symbol scope ~kind symbol;
         if Interface.is_operator name.text then Bindings.report_operator scope name;
         let scheme = Types.scheme scope ty in
-        let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+        let global : Ir.Global.t = { module_ = scope.visible.module_; name = name.text } in
         let foreign = Some { Ir.kind; symbol = symbol.text } in
         [ { Ir.name = global; scheme; foreign; doc = d.doc; span = name.span } ]
     | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
@@ -77,24 +74,25 @@ let includes (scope : Scope.t) (program : Syntax.Ir.program) =
 
 (* The imports of a test file's program, and an import of the program itself that includes names it
    does not export. *)
-let seen_in_tests (program : Scope.t) : Scope.import list =
-  let span = Span.start_of_file program.syntax.file in
-  let qualified : Scope.import =
+let seen_in_tests (program : Scope.t) : Visible.import list =
+  let visible = program.visible in
+  let span = Span.start_of_file visible.syntax.file in
+  let qualified : Visible.import =
     {
-      module_ = program.module_;
-      qualifiers = [ program.module_ ];
+      module_ = visible.module_;
+      qualifiers = [ visible.module_ ];
       unqualified = false;
-      names = program.own;
+      names = visible.own;
       span;
     }
   in
-  qualified :: program.imports
+  qualified :: visible.imports
 
 (* [exports] and [scopes] are those of the modules resolved before this one. *)
 let resolve context ~elsewhere exports scopes (m : Modules.t) =
   let program = Option.bind m.program (fun name -> String_map.find_opt name scopes) in
-  let after = Option.map (fun (program : Scope.t) -> program.own) program in
-  let own = Interface.declared context ~module_:m.name ?after m.syntax in
+  let after = Option.map (fun (program : Scope.t) -> program.visible.own) program in
+  let own = Declared.program context ~module_:m.name ?after m.syntax in
   let known (i : Modules.import) =
     Option.map (fun names -> (i, names)) (String_map.find_opt i.module_ exports)
   in
@@ -107,8 +105,8 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
     let complete =
       m.complete && Option.fold program ~none:true ~some:(fun (p : Scope.t) -> p.complete)
     in
-    Scope.create context ~text:m.text ~module_:m.name ~library:m.library ~own ~imports ~complete
-      ~elsewhere ~syntax:m.syntax
+    Scope.create context ~library:m.library ~complete
+      (Visible.create ~text:m.text ~module_:m.name ~own ~imports ~elsewhere ~syntax:m.syntax)
   in
   let exported = Exports.of_module scope m.syntax.header in
   let units = Declarations.units scope m.syntax in
@@ -125,7 +123,7 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
   let instances =
     Classes.instances env ~expr:Expressions.expr ~command:Expressions.command m.syntax
   in
-  Context.tell context m.syntax;
+  Context.tell context scope.visible;
   let idle ((i : Modules.import), names) =
     Exports.idle scope i.declaration ~module_:i.module_ names
   in
@@ -162,12 +160,10 @@ let assemble ~params modules : Ir.program option =
           params;
         }
 
-let load sink ~files ~remember ~library ?also ?(given = []) ?(partial = false) main =
-  (* A separate sink distinguishes the errors of this run from earlier ones. *)
-  let mine = Diagnostic.sink () in
-  let context = Context.create mine in
-  let modules = Modules.load mine ~files ~remember ~library ?also main in
-  let modules = Parameters.give mine ~remember given modules in
+let load facts ~files ~remember ~library ?also ?(given = []) ?(partial = false) main =
+  let context = Context.create facts in
+  let modules = Modules.load context ~files ~remember ~library ?also main in
+  let modules = Parameters.give context ~remember given modules in
   let elsewhere = library_names ~files ~library in
   let add (exports, scopes, reversed) (m : Modules.t) =
     let scope, exported, resolved = resolve context ~elsewhere exports scopes m in
@@ -176,6 +172,5 @@ let load sink ~files ~remember ~library ?also ?(given = []) ?(partial = false) m
       resolved :: reversed )
   in
   let _, _, reversed = List.fold_left add (String_map.empty, String_map.empty, []) modules in
-  List.iter (Diagnostic.emit sink) (Diagnostic.all mine);
-  if Diagnostic.has_errors mine && not partial then None
+  if Context.has_errors context && not partial then None
   else assemble ~params:(Parameters.of_modules modules) (List.rev reversed)

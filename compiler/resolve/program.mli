@@ -2,7 +2,7 @@
 *)
 
 val load :
-  Basis.Diagnostic.sink ->
+  Fact.t Basis.Facts.t ->
   files:Files.t ->
   remember:(file:string -> string -> unit) ->
   library:string ->
@@ -11,9 +11,9 @@ val load :
   ?partial:bool ->
   string ->
   Ir.program option
-(** [load sink ~files ~remember ~library ~also ~given main] reads the module in the file [main], its
-    imports, the module in [also] (if any) and the prelude, from [files] and the folder [library],
-    and sets the parameters in [given]. It passes each text read to [remember], together with the
-    file name that spans use, for rendering diagnostics. All errors of all modules are emitted
-    (E01xx by the parser, E02xx here). The result is [None] after an error. With [partial], for
-    editors, erroneous parts become [()] instead. *)
+(** [load facts ~files ~remember ~library ~also ~given main] reads the module in the file [main],
+    its imports, the module in [also] (if any) and the prelude, from [files] and the folder
+    [library], and sets the parameters in [given]. It passes each text read to [remember], together
+    with the file name that spans use, for rendering diagnostics. Reports the errors of all modules.
+    The result is [None] after an error. With [partial], for editors, erroneous parts become [()]
+    instead. *)

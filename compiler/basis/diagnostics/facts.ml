@@ -1,20 +1,21 @@
-type 'fact held = { fact : 'fact; diagnostic : Diagnostic.t option }
+type 'fact held = { fact : 'fact; diagnostics : Diagnostic.t list }
 
 type 'fact t = {
   sink : Diagnostic.sink;
-  advise : 'fact -> Diagnostic.t option;
+  advise : 'fact -> Diagnostic.t list;
   mutable held : 'fact held list option;  (** newest first; [None] if facts are passed on *)
 }
 
-let into sink advise = { sink; advise = (fun fact -> Some (advise fact)); held = None }
-let ignored () = { sink = Diagnostic.sink (); advise = (fun _ -> None); held = None }
+let into_several sink advise = { sink; advise; held = None }
+let into sink advise = into_several sink (fun fact -> [ advise fact ])
+let ignored () = into_several (Diagnostic.sink ()) (fun _ -> [])
 
 let pass_on t held =
   match t.held with
   | Some earlier -> t.held <- Some (held :: earlier)
-  | None -> Option.iter (Diagnostic.emit t.sink) held.diagnostic
+  | None -> List.iter (Diagnostic.emit t.sink) held.diagnostics
 
-let report t fact = pass_on t { fact; diagnostic = t.advise fact }
+let report t fact = pass_on t { fact; diagnostics = t.advise fact }
 let has_errors t = Diagnostic.has_errors t.sink
 
 let hold t f =
@@ -35,6 +36,6 @@ let hold t f =
 let fact held = held.fact
 
 let diagnostic held =
-  match held.diagnostic with
-  | Some diagnostic -> diagnostic
-  | None -> Diagnostic.bug ~stage:"Facts" "a fact without a diagnostic"
+  match held.diagnostics with
+  | [ diagnostic ] -> diagnostic
+  | diagnostics -> Diagnostic.bug ~stage:"Facts" "%d diagnostics" (List.length diagnostics)

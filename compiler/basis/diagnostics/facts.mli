@@ -12,6 +12,9 @@ type 'fact t
 val into : Diagnostic.sink -> ('fact -> Diagnostic.t) -> 'fact t
 (** Emits the diagnostic of each fact into the sink. *)
 
+val into_several : Diagnostic.sink -> ('fact -> Diagnostic.t list) -> 'fact t
+(** Like {!into}, for facts about several places, such as all unknown names of a module. *)
+
 val ignored : unit -> 'fact t
 (** Discards all facts. *)
 

@@ -1,8 +1,8 @@
 let files = { Resolve.Files.on_disk with parsed = Prepared.Library.tree }
 
 let modules ~library file =
-  let sink = Basis.Diagnostic.sink () and remember ~file:_ _ = () in
-  let modules = Resolve.Modules.load sink ~files ~remember ~library file in
+  let context = Resolve.Context.create (Basis.Facts.ignored ()) and remember ~file:_ _ = () in
+  let modules = Resolve.Modules.load context ~files ~remember ~library file in
   let path (m : Resolve.Modules.t) =
     if m.library then Filename.concat library (m.name ^ ".frob") else m.file
   in

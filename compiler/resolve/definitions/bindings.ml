@@ -69,23 +69,14 @@ let signatures declarations =
 (* The signatures by name. Reports repeated signatures, and signatures of names that are not bound.
    [names]: the bound names, in source order. *)
 let signature_table (scope : Scope.t) ~is_bound ~names signatures =
-  let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text
-    |> Diagnostic.label ~at:first.span "the first one is here"
-    |> Context.emit scope.context
-  in
-  let report_unbound (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition" name.text
-    |> Context.suggest scope.context name.text names
-    |> Context.emit scope.context
-  in
+  let report = Context.report_definition scope.context in
   let add table ((name : Syntax.Ir.name), ty) =
     match String_map.find_opt name.text table with
     | Some (first, _) ->
-        report_repeated first name;
+        report (Two_signatures { first; second = name });
         table
     | None ->
-        if not (is_bound name.text) then report_unbound name;
+        if not (is_bound name.text) then report (Signature_alone { name; bound = names });
         String_map.add name.text (name, Types.scheme scope ty) table
   in
   List.fold_left add String_map.empty signatures
@@ -140,7 +131,7 @@ let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
     | Plain value -> [ (None, value) ]
     | Guarded guards -> Long_list.map (fun (condition, value) -> (Some condition, value)) guards
   in
-  let env = Env.beside_procs env r in
+  let env = Env.inside env r in
   guarded env ~expr ~command ~guards ~where:r.where
 
 and guarded env ~expr ~command ~guards ~where : Ir.right =
@@ -195,29 +186,8 @@ and declarations env ~expr ~command ~items ~signatures =
       let bindings = Array.mapi resolve items in
       (env, { groups = Groups.sort group bindings; signatures = destructured table binders })
 
-let report_pattern (scope : Scope.t) item =
-  Diagnostic.error ~code:"E0226" ~at:item.span
-    "a top-level definition defines one name, not a pattern"
-  |> Diagnostic.hint
-       (match item.left with
-       | Pattern
-           { desc = Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]); _ } ->
-           Printf.sprintf
-             "write `%s = …` without a type; if you want to give the type, write `%s :: %s` on the \
-              line above"
-             x.text x.text name.text
-       | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
-           Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
-             (Name_in_text.lower_case name.text)
-       | Pattern _ | Name _ | Function_name _ ->
-           "define each name separately, or match the pattern in a `let` or `where`")
-  |> Context.emit scope.context
-
 let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0227" ~at:name.span "a program cannot define operators"
-  |> Diagnostic.hint
-       "give the function a name; with backticks you can write it between its arguments: a `f` b"
-  |> Context.emit scope.context
+  Context.report_definition scope.context (Operator_defined name)
 
 (* The definitions of a module by name, in order. Only the first definition of a name is kept; the
    others are reported where the module's names are collected. *)
@@ -231,8 +201,8 @@ let definitions (scope : Scope.t) declarations =
         else (
           String_table.add index name.text count;
           (count + 1, (name, item) :: reversed))
-    | Pattern _ ->
-        report_pattern scope item;
+    | Pattern pattern ->
+        Context.report_definition scope.context (Top_level_pattern { at = item.span; pattern });
         all
   in
   let _, reversed = List.fold_left add (0, []) (items declarations) in
@@ -248,7 +218,7 @@ let top_level (scope : Scope.t) ~expr ~command declarations =
   in
   let resolve i ((name : Syntax.Ir.name), item) =
     let signature = Option.map snd (String_map.find_opt name.text table) in
-    let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+    let global : Ir.Global.t = { module_ = scope.visible.module_; name = name.text } in
     let name : Ir.binder = Top (global, name.span) in
     Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
   in

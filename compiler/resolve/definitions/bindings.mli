@@ -30,8 +30,8 @@ val declarations :
   items:item list ->
   signatures:(Syntax.Ir.name * Syntax.Ir.qualified_type) list ->
   Env.t * Ir.declarations
-(** Returns the environment of the code that follows, such as the body of a [let]. Emits E0212 for a
-    name bound twice and E0214 for a signature without a binding. *)
+(** Returns the environment of the code that follows, such as the body of a [let]. Reports a name
+    bound twice and a signature without a binding. *)
 
 val top_level :
   Scope.t ->
@@ -51,7 +51,7 @@ val binding :
   Ir.binding
 
 val report_operator : Scope.t -> Syntax.Ir.name -> unit
-(** Emits E0227: programs cannot define operators. *)
+(** Reports that programs cannot define operators. *)
 
 val right :
   Env.t ->

@@ -3,34 +3,7 @@ open Interface
 
 (* {1 Definitions of methods} *)
 
-let report_pattern (scope : Scope.t) (item : Bindings.item) =
-  Diagnostic.error ~code:"E0226" ~at:item.span
-    "an instance defines methods by name, not by a pattern"
-  |> Context.emit scope.context
-
-let report_twice (scope : Scope.t) (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0211" ~at:name.span "the method `%s` is defined twice" name.text
-  |> Diagnostic.label ~at:first.span "first defined here"
-  |> Context.emit scope.context
-
-let report_no_method (scope : Scope.t) (class_ : class_) (name : Syntax.Ir.name) =
-  let diagnostic =
-    Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is not a method of the class `%s`" name.text
-      class_.global.name
-  in
-  (if is_builtin_class class_ then diagnostic
-   else Diagnostic.label ~at:class_.span "the methods are declared here" diagnostic)
-  |> Context.suggest scope.context name.text (lazy class_.methods)
-  |> (fun d ->
-  if d.hints = [] then
-    Diagnostic.hint
-      (Printf.sprintf
-         "if it is a separate function, move it to the left margin; if every `%s` must have it, \
-          add its signature to the class"
-         class_.global.name)
-      d
-  else d)
-  |> Context.emit scope.context
+let report (scope : Scope.t) = Context.report_type scope.context
 
 (* The methods that a block defines, without duplicates, with their names and in order. *)
 let definitions (scope : Scope.t) (class_ : class_) members =
@@ -40,14 +13,14 @@ let definitions (scope : Scope.t) (class_ : class_) members =
     | Pattern { desc = Bound name; _ } | Name name | Function_name { name; _ } -> (
         match String_map.find_opt name.text seen with
         | Some first ->
-            report_twice scope first name;
+            report scope (Method_twice { first; second = name });
             (seen, reversed)
         | None when not (String_set.mem name.text methods) ->
-            report_no_method scope class_ name;
+            report scope (Not_a_method { class_; name });
             (seen, reversed)
         | None -> (String_map.add name.text name seen, (name, item) :: reversed))
     | Pattern _ ->
-        report_pattern scope item;
+        report scope (Pattern_in_instance item.span);
         (seen, reversed)
   in
   let _, reversed = List.fold_left add (String_map.empty, []) (Bindings.items members) in
@@ -62,7 +35,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
   let scope = Env.scope env in
   match d.desc with
   | Class { superclasses; name; variable; members } ->
-      let global text : Ir.Global.t = { module_ = scope.module_; name = text } in
+      let global text : Ir.Global.t = { module_ = scope.visible.module_; name = text } in
       let superclass (q : Syntax.Ir.qualified) =
         Option.map (fun (c : class_) -> (c.global, q.span)) (Lookup.find scope classes q)
       in
@@ -104,25 +77,16 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
   | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
       None
 
-let report_circle (scope : Scope.t) (circle : Ir.class_ list) =
-  match circle with
+let report_circle scope = function
   | [] -> ()
-  | main :: others ->
-      let label diagnostic (c : Ir.class_) =
-        Diagnostic.label ~at:c.span (Printf.sprintf "through `%s`" c.class_.name) diagnostic
-      in
-      List.fold_left label
-        (Diagnostic.error ~code:"E0229" ~at:main.span "the class `%s` is its own superclass"
-           main.class_.name)
-        others
-      |> Context.emit scope.context
+  | main :: others -> report scope (Class_circle { main; others })
 
 let classes env ~expr ~command (program : Syntax.Ir.program) =
   let scope = Env.scope env in
   let superclasses (c : Ir.class_) =
     List.filter_map
       (fun ((g : Ir.Global.t), _) ->
-        if String.equal g.module_ scope.module_ then Some g.name else None)
+        if String.equal g.module_ scope.visible.module_ then Some g.name else None)
       c.superclasses
   in
   Declarations.sort
@@ -131,12 +95,6 @@ let classes env ~expr ~command (program : Syntax.Ir.program) =
     ~uses:superclasses ~report:(report_circle scope)
 
 (* {1 Instances} *)
-
-let report_signature (scope : Scope.t) (class_ : class_) ((name : Syntax.Ir.name), _) =
-  Diagnostic.error ~code:"E0231" ~at:name.span "an instance cannot contain a signature"
-  |> Diagnostic.label ~at:class_.span (Printf.sprintf "the class gives the type of `%s`" name.text)
-  |> Diagnostic.hint "remove the signature"
-  |> Context.emit scope.context
 
 let constructor_name (head : Ir.ty) =
   match head.desc with
@@ -161,11 +119,13 @@ let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance 
       let context = Types.context scope context in
       let head = Types.ty scope Quantified head in
       let of_class (found : class_) : Ir.instance =
-        List.iter (report_signature scope found) (Bindings.signatures members);
+        List.iter
+          (fun (name, _) -> report scope (Signature_in_instance { class_ = found; name }))
+          (Bindings.signatures members);
         let definition ((name : Syntax.Ir.name), item) =
           let method_ : Ir.Global.t = { found.global with name = name.text } in
           let text = definition_name taken (name.text ^ "@" ^ constructor_name head) in
-          let own : Ir.Global.t = { module_ = scope.module_; name = text } in
+          let own : Ir.Global.t = { module_ = scope.visible.module_; name = text } in
           (method_, binding env ~expr ~command own item name.span)
         in
         let given = definitions scope found members in

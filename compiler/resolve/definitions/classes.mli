@@ -6,8 +6,8 @@ val classes :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.class_ list
-(** The classes, superclasses before subclasses. Emits E0229 for a class that is its own superclass,
-    and E0230 for a definition that is not one of the class's methods. *)
+(** The classes, superclasses before subclasses. Reports a class that is its own superclass, and a
+    definition that is not one of the class's methods. *)
 
 val instances :
   Env.t ->
@@ -15,5 +15,5 @@ val instances :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.instance list
-(** The instances, in source order. Emits E0230 for a definition that is not one of the class's
-    methods, and E0231 for a signature. *)
+(** The instances, in source order. Reports a definition that is not one of the class's methods, and
+    a signature. *)

@@ -19,14 +19,8 @@ let sort ~name ~uses ~report declarations =
   List.iter check components;
   Long_list.map (fun i -> all.(i)) (List.concat_map Fun.id components)
 
-(* Shows a cycle as `A` → `B` → `A`. *)
-let path names =
-  match names with
-  | [] -> ""
-  | first :: _ -> String.concat " → " (List.map (Printf.sprintf "`%s`") (names @ [ first ]))
-
 let own (scope : Scope.t) (g : Ir.Global.t) =
-  if String.equal g.module_ scope.module_ then Some g.name else None
+  if String.equal g.module_ scope.visible.module_ then Some g.name else None
 
 (* Types *)
 
@@ -49,58 +43,32 @@ let uses scope (d : Ir.type_declaration) =
       List.rev (List.fold_left constructor [] constructors)
 
 let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
-  let names = List.map (fun (d : Ir.type_declaration) -> d.tycon.name) circle in
   let is_data (d : Ir.type_declaration) =
     match d.definition with Data _ -> true | Alias _ | Builtin | Foreign _ -> false
   in
   (* The type at which to report the cycle: a data type if there is one, because its size is the
      problem; otherwise the first alias. *)
   let main = match List.find_opt is_data circle with Some d -> d | None -> List.hd circle in
-  let diagnostic =
-    if is_data main then
-      Diagnostic.error ~code:"E0218" ~at:main.span "the data type `%s` contains itself"
-        main.tycon.name
-      |> Diagnostic.note "every value has a fixed size, so a data type cannot be recursive"
-      |> Diagnostic.hint
-           "use an array of a fixed size, such as `Array 8 Distance`; if the number of valid \
-            elements varies, keep their count in a second field"
-    else
-      Diagnostic.error ~code:"E0217" ~at:main.span "the type alias `%s` is defined by itself"
-        main.tycon.name
-  in
-  let label diagnostic (d : Ir.type_declaration) =
-    if d == main then diagnostic
-    else Diagnostic.label ~at:d.span (Printf.sprintf "through `%s`" d.tycon.name) diagnostic
-  in
-  let diagnostic = List.fold_left label diagnostic circle in
-  (if List.length names > 1 then Diagnostic.note (path names) diagnostic else diagnostic)
-  |> Context.emit scope.context
+  Context.report_type scope.context (Type_circle { main; circle })
 
-let report_repeated (scope : Scope.t) what (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0211" ~at:second.span "the %s `%s` is declared twice" what second.text
-  |> Diagnostic.label ~at:first.span "first declared here"
-  |> Context.emit scope.context
-
-let check_distinct scope what (names : Syntax.Ir.name list) =
+let check_distinct ~twice (names : Syntax.Ir.name list) =
   let add seen (name : Syntax.Ir.name) =
     match String_map.find_opt name.text seen with
     | Some first ->
-        report_repeated scope what first name;
+        twice first name;
         seen
     | None -> String_map.add name.text name seen
   in
   ignore (List.fold_left add String_map.empty names)
 
 let check_parameters (scope : Scope.t) (parameters : Syntax.Ir.type_parameters) =
-  check_distinct scope "parameter" (parameters.units @ parameters.types);
+  let report = Context.report_type scope.context in
+  check_distinct (parameters.units @ parameters.types) ~twice:(fun first second ->
+      report (Parameter_twice { first; second }));
   let check (name : Syntax.Ir.name) =
     match Scope.look scope units name with
     | None -> ()
-    | Some _ ->
-        Diagnostic.error ~code:"E0224" ~at:name.span
-          "the unit parameter `%s` has the same name as a unit" name.text
-        |> Diagnostic.hint "use a letter that is not a unit, such as `u`"
-        |> Context.emit scope.context
+    | Some _ -> report (Parameter_is_a_unit name)
   in
   List.iter check parameters.units
 
@@ -116,11 +84,12 @@ let constructor (scope : Scope.t) variables tycon index (c : Syntax.Ir.construct
     match c.fields with
     | Positional types -> (Long_list.map (fun t -> (None, t)) types, false)
     | Named fields ->
-        check_distinct scope "field" (Long_list.map fst fields);
+        check_distinct (Long_list.map fst fields) ~twice:(fun first second ->
+            Context.report_type scope.context (Field_twice { first; second }));
         (Long_list.map (fun (name, t) -> (Some name, t)) fields, true)
   in
   {
-    constructor = { module_ = scope.module_; name = c.name.text };
+    constructor = { module_ = scope.visible.module_; name = c.name.text };
     tycon;
     index;
     fields = Long_list.map (field scope variables) fields;
@@ -136,7 +105,7 @@ let declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.type_declarat
   let declare (name : Syntax.Ir.name) (parameters : Syntax.Ir.type_parameters) definition =
     check_parameters scope parameters;
     let parameter (p : Syntax.Ir.name) : Ir.parameter = { name = p.text; span = p.span } in
-    let tycon : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+    let tycon : Ir.Global.t = { module_ = scope.visible.module_; name = name.text } in
     Some
       ({
          tycon;
@@ -186,7 +155,7 @@ let types (scope : Scope.t) (program : Syntax.Ir.program) =
       ~name:(fun (d : Ir.type_declaration) -> d.tycon.name)
       ~uses:(uses scope) ~report:(report_circle scope)
   in
-  if String.equal scope.module_ "Prelude" then
+  if String.equal scope.visible.module_ "Prelude" then
     Long_list.map builtin (builtin_types ~file:program.file) @ sorted
   else sorted
 
@@ -196,18 +165,17 @@ let check_unit_name (scope : Scope.t) (name : Syntax.Ir.name) =
   let proper =
     String.length name.text >= 2 || match name.text.[0] with 'A' .. 'Z' -> true | _ -> false
   in
-  if not (proper || scope.library) then
-    Diagnostic.error ~code:"E0220" ~at:name.span
-      "the name of the unit `%s` is a single lower-case letter" name.text
-    |> Diagnostic.note
-         "single lower-case letters are reserved for unit variables and the library's units"
-    |> Diagnostic.hint "use a name of at least two characters, or a capital letter"
-    |> Context.emit scope.context
+  if not (proper || scope.library) then Context.report_type scope.context (Unit_of_one_letter name)
 
 let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_declaration option =
   let declare (name : Syntax.Ir.name) definition : Ir.unit_declaration option =
     check_unit_name scope name;
-    Some { unit_name = { module_ = scope.module_; name = name.text }; definition; span = name.span }
+    Some
+      {
+        unit_name = { module_ = scope.visible.module_; name = name.text };
+        definition;
+        span = name.span;
+      }
   in
   match d.desc with
   | Base_unit name -> declare name Ir.Base
@@ -223,16 +191,9 @@ let units_used scope (d : Ir.unit_declaration) =
   in
   match d.definition with Base -> [] | Scaled (_, u) -> List.filter_map used u.factors
 
-let report_unit_circle (scope : Scope.t) (circle : Ir.unit_declaration list) =
-  let main = List.hd circle in
-  let label diagnostic (d : Ir.unit_declaration) =
-    Diagnostic.label ~at:d.span (Printf.sprintf "through `%s`" d.unit_name.name) diagnostic
-  in
-  List.fold_left label
-    (Diagnostic.error ~code:"E0219" ~at:main.span "the unit `%s` is defined by itself"
-       main.unit_name.name)
-    (List.tl circle)
-  |> Context.emit scope.context
+let report_unit_circle (scope : Scope.t) = function
+  | [] -> ()
+  | main :: others -> Context.report_type scope.context (Unit_circle { main; others })
 
 let units (scope : Scope.t) (program : Syntax.Ir.program) =
   sort

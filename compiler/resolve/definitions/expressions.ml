@@ -1,6 +1,10 @@
 open Basis
 
 let missing : Ir.expr_desc = Tuple []
+let report env = Context.report_unresolved (Env.context env)
+
+(* Words that begin a statement in other languages. *)
+let statements_elsewhere = [ "while"; "for"; "foreach"; "print"; "printf"; "disp"; "fprintf" ]
 
 let rec expr env (e : Syntax.Ir.expr) : Ir.expr =
   match e.desc with
@@ -27,20 +31,20 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Tuple es -> Tuple (Long_list.map (expr env) es)
   | Array es -> Array (Long_list.map (expr env) es)
   | Apply (head, { desc = Array [ unit_ ]; span }) when is_unit_of env head unit_ ->
-      report_apart env head unit_ span;
+      report env (Unit_apart { head; unit_; at = span });
       missing
   | Apply (head, { desc = Array [ unit_ ]; span })
     when head.span.stop = span.start && is_a_unit env unit_ ->
-      report_unit_of_a_value env head unit_ (Span.merge head.span span) span;
+      report env (Unit_of_a_value { head; unit_; at = span });
       missing
   | Apply (head, { desc = Parenthesized unit_; span }) when is_unit_of env head unit_ ->
-      report_apart env head unit_ span;
+      report env (Unit_apart { head; unit_; at = span });
       missing
   | Apply
       ( { desc = Variable { qualifier = None; name; _ }; _ },
         { desc = Variable { qualifier = None; name = record; _ }; _ } )
     when is_a_field env name && Env.is_known env record ->
-      report_field env e.span name record;
+      report env (Field_as_function { whole = e.span; field = name; record });
       missing
   | Apply (head, argument) ->
       let resolved = expr env head in
@@ -106,7 +110,7 @@ and head_of (e : Syntax.Ir.expr) =
    that language too, and is not resolved. *)
 and is_statement_elsewhere head =
   match (head_of head).desc with
-  | Variable { qualifier = None; name; _ } -> Other_languages.is_statement name.text
+  | Variable { qualifier = None; name; _ } -> List.mem name.text statements_elsewhere
   | _ -> false
 
 (* `f 3 [m/s]`: a unit separated from its number by a space. `m` and `s` must be names of units but
@@ -121,48 +125,11 @@ and is_a_unit env unit_ =
   let is_unit (name : Syntax.Ir.name) =
     (not (Env.is_known env name)) && Scope.look (Env.scope env) Interface.units name <> None
   in
-  Unit_word.is_expression is_unit unit_
-
-(* `(k * x)[m/s]`: a unit applied to a computed value. *)
-and report_unit_of_a_value env (head : Syntax.Ir.expr) unit_ whole span =
-  let unit_ = Unit_word.of_expression unit_ in
-  Diagnostic.error ~code:"E0205" ~at:span
-    "a unit can only follow a literal number or a type, not a computed value"
-  |> Diagnostic.hint
-       (Printf.sprintf
-          "a value already has its unit; to give a plain number a unit, multiply: `x * 1[%s]`" unit_)
-  |> (match head.desc with
-     | Parenthesized _ ->
-         let at = { whole with start = head.span.stop } in
-         Diagnostic.fix "multiply by the unit" [ (at, Printf.sprintf " * 1[%s]" unit_) ]
-     | _ -> Fun.id)
-  |> Context.emit (Env.context env)
+  Unit_expression.is_unit is_unit unit_
 
 (* Is this the name of a field but not of a variable? *)
 and is_a_field env (name : Syntax.Ir.name) =
   (not (Env.is_known env name)) && Scope.records_with (Env.scope env) [ name.text ] <> []
-
-and report_field env span (name : Syntax.Ir.name) (record : Syntax.Ir.name) =
-  let text = Printf.sprintf "%s.%s" record.text name.text in
-  Diagnostic.error ~code:"E0205" ~at:name.span "`%s` is a field, not a function" name.text
-  |> Diagnostic.hint
-       (Printf.sprintf "write `%s`; as a function, write `\\r -> r.%s`" text name.text)
-  |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
-  |> Context.emit (Env.context env)
-
-and report_apart env (head : Syntax.Ir.expr) unit_ span =
-  let number = match head.desc with Apply (_, argument) -> argument | _ -> head in
-  let digits = match number.desc with Number { digits; _ } -> digits | _ -> "3" in
-  Diagnostic.error ~code:"E0205" ~at:span "there is a space between this unit and its number"
-  |> Diagnostic.hint
-       (Printf.sprintf "write the unit in square brackets directly after the number: `%s[%s]`"
-          digits (Unit_word.of_expression unit_))
-  |> (match number.desc with
-     | Number { digits; _ } ->
-         Diagnostic.write (Span.merge number.span span)
-           (Printf.sprintf "%s[%s]" digits (Unit_word.of_expression unit_))
-     | _ -> Fun.id)
-  |> Context.emit (Env.context env)
 
 and declarations env bindings =
   Bindings.declarations env ~expr ~command ~items:(Bindings.items bindings)
@@ -288,9 +255,7 @@ and check_given_once (scope : Scope.t) names =
     match Interface.String_map.find_opt name.text seen with
     | None -> Interface.String_map.add name.text name seen
     | Some (first : Syntax.Ir.name) ->
-        Diagnostic.error ~code:"E0213" ~at:name.span "field `%s` is set twice" name.text
-        |> Diagnostic.label ~at:first.span "first set here"
-        |> Context.emit scope.context;
+        Context.report_record scope.context (Field_set_twice { first; second = name });
         seen
   in
   ignore (List.fold_left add Interface.String_map.empty names)
@@ -309,16 +274,6 @@ and record env span constructor fields : Ir.expr_desc =
             check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })
 
-(* Inserts the missing fields after the last one. Their values are `_`, which does not compile, so
-   the user must fill them in. *)
-and name_fields absent fields diagnostic =
-  match List.rev fields with
-  | (_, (last : Ir.expr)) :: _ ->
-      let at = { last.span with start = last.span.stop } in
-      let text = String.concat "" (List.map (Printf.sprintf ", %s = _") absent) in
-      Diagnostic.fix "name the missing fields" [ (at, text) ] diagnostic
-  | [] -> diagnostic
-
 and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given fields =
   let has =
     Interface.String_set.of_list (Long_list.map (fun ((n : Syntax.Ir.name), _) -> n.text) given)
@@ -331,13 +286,5 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
   match absent with
   | [] -> ()
   | _ ->
-      let names = Enumeration.all (List.map (Printf.sprintf "`%s`") absent) in
-      Diagnostic.error ~code:"E0228" ~at:span "this `%s` lacks its field%s %s"
-        constructor.global.name
-        (if List.length absent = 1 then "" else "s")
-        names
-      |> Diagnostic.label ~at:constructor.span "declared here"
-      |> Diagnostic.hint
-           (Printf.sprintf "give every field a value: add %s"
-              (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
-      |> name_fields absent fields |> Context.emit scope.context
+      let last = match List.rev fields with (_, (e : Ir.expr)) :: _ -> Some e.span | [] -> None in
+      Context.report_record scope.context (Fields_missing { constructor; at = span; absent; last })

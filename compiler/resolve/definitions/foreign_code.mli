@@ -1,5 +1,5 @@
 (** Checks the texts in [foreign] declarations, which end up in generated C. Each must have the C
-    syntax required at its place (E0232). *)
+    syntax required at its place. *)
 
 val check_symbol : Scope.t -> kind:Syntax.Ir.foreign_kind -> Syntax.Ir.name -> unit
 (** The name of a function, or the prefix of a component's names. It must not be a name that C
@@ -10,7 +10,7 @@ val check_type : Scope.t -> Syntax.Ir.name -> unit
 
 val check_includes : Scope.t -> Syntax.Ir.program -> unit
 (** C must know the size of everything that programs keep in their state, so a module that declares
-    a copyable foreign type or a foreign signal function must include a header (E0233). *)
+    a copyable foreign type or a foreign signal function must include a header. *)
 
 val check_header : Scope.t -> Syntax.Ir.name -> unit
 (** The path of a header inside the module's folder. *)

@@ -4,48 +4,12 @@ open Interface
 let number scope (n : Syntax.Ir.number) : Ir.number =
   { digits = n.digits; decimal = n.decimal; unit_ = Option.map (Types.concrete_unit scope) n.unit_ }
 
-let report_field (scope : Scope.t) (constructor : constructor) known (field : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0209" ~at:field.span "constructor `%s` has no field `%s`"
-    constructor.global.name field.text
-  |> Diagnostic.label ~at:constructor.span "declared here"
-  |> Context.suggest scope.context field.text (lazy known)
-  |> (fun d ->
-  if d.hints = [] then
-    Diagnostic.note ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)) d
-  else d)
-  |> Context.emit scope.context
-
-(* Several unknown fields are reported once: the user probably meant another record. *)
-let report_fields (scope : Scope.t) (constructor : constructor) known = function
-  | [] -> ()
-  | [ field ] -> report_field scope constructor known field
-  | (first : Syntax.Ir.name) :: _ as fields ->
-      let quoted (field : Syntax.Ir.name) = Printf.sprintf "`%s`" field.text in
-      Diagnostic.error ~code:"E0209" ~at:first.span "constructor `%s` has no fields %s"
-        constructor.global.name
-        (Enumeration.all (List.map quoted fields))
-      |> Diagnostic.label ~at:constructor.span "declared here"
-      |> (if List.compare_length_with known 8 <= 0 then
-            Diagnostic.hint
-              (Printf.sprintf "its fields are `%s { %s }`" constructor.global.name
-                 (String.concat ", " (List.map (Printf.sprintf "%s = …") known)))
-          else
-            Diagnostic.note
-              ("its fields: " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") known)))
-      |> Context.emit scope.context
-
-let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0213" ~at:second.span "field `%s` appears twice" second.text
-  |> Diagnostic.label ~at:first.span "first used here"
-  |> Context.emit scope.context
+let report (scope : Scope.t) = Context.report_record scope.context
 
 let construction (scope : Scope.t) (constructor : constructor) ~at given =
   match constructor.fields with
   | None ->
-      Diagnostic.error ~code:"E0209" ~at "constructor `%s` has no named fields"
-        constructor.global.name
-      |> Diagnostic.label ~at:constructor.span "declared here"
-      |> Context.emit scope.context;
+      report scope (No_fields { constructor; at });
       None
   | Some known ->
       let known_set = String_set.of_list known in
@@ -53,7 +17,7 @@ let construction (scope : Scope.t) (constructor : constructor) ~at given =
       let add (seen, reversed) ((field : Syntax.Ir.name), x) =
         match String_map.find_opt field.text seen with
         | Some first ->
-            report_repeated scope first field;
+            report scope (Field_repeated { first; second = field });
             (seen, reversed)
         | None when String_set.mem field.text known_set ->
             (String_map.add field.text field seen, (field, x) :: reversed)
@@ -62,23 +26,10 @@ let construction (scope : Scope.t) (constructor : constructor) ~at given =
             (seen, reversed)
       in
       let given = List.rev (snd (List.fold_left add (String_map.empty, []) given)) in
-      report_fields scope constructor known (List.rev !wrong);
+      (match List.rev !wrong with
+      | [] -> ()
+      | first :: others -> report scope (Unknown_fields { constructor; known; first; others }));
       Some given
-
-let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
-  Diagnostic.error ~code:"E0225" ~at "constructor `%s` has %d argument%s, not %d"
-    constructor.global.name constructor.arity
-    (if constructor.arity = 1 then "" else "s")
-    found
-  |> Diagnostic.label ~at:constructor.span "declared here"
-  |> (if constructor.arity = 0 || constructor.arity > 3 then Fun.id
-      else
-        let name i = String.make 1 (Char.chr (Char.code 'a' + i)) in
-        Diagnostic.hint
-          (Printf.sprintf "its pattern is `%s %s`: write `_` for an argument that you do not use"
-             constructor.global.name
-             (String.concat " " (List.init constructor.arity name))))
-  |> Context.emit scope.context
 
 let rec pattern (scope : Scope.t) (p : Syntax.Ir.pattern) : Ir.pattern =
   let any : Ir.pattern = { desc = Any; span = p.span } in
@@ -100,7 +51,8 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
       | None -> Tuple_of arguments
       | Some constructor ->
           let found = List.length arguments in
-          if found <> constructor.arity then report_arity scope constructor ~found p.span;
+          if found <> constructor.arity then
+            report scope (Wrong_number_of_arguments { constructor; at = p.span; found });
           Constructed (constructor.global, arguments))
   | Record_of (name, given) -> (
       let given = Long_list.map (fun (field, inner) -> (field, pattern scope inner)) given in

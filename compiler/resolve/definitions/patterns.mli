@@ -18,5 +18,4 @@ val construction :
   (Syntax.Ir.name * 'a) list ->
   (Syntax.Ir.name * 'a) list option
 (** Checks the fields given for a constructor, and returns each valid field once; [None] if the
-    constructor has no named fields. Emits E0209 for an unknown field and E0213 for a repeated one.
-*)
+    constructor has no named fields. Reports an unknown or repeated field. *)

@@ -36,38 +36,6 @@ let may_be_variable text =
   (match text.[0] with 'a' .. 'z' -> true | _ -> false)
   && String.for_all (function '0' .. '9' | '\'' -> true | _ -> false) rest
 
-(* `s^2` for `s2`, if `s` is a unit. *)
-let power_without_caret (scope : Scope.t) (name : Syntax.Ir.name) =
-  let text = name.text in
-  let last = String.length text - 1 in
-  if last < 1 || text.[last] < '2' || text.[last] > '9' then None
-  else
-    let stem = String.sub text 0 last in
-    if Option.is_some (Scope.look scope units { name with text = stem }) then
-      Some (Printf.sprintf "%s^%c" stem text.[last])
-    else None
-
-let unknown (name : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
-
-let with_power (name : Syntax.Ir.name) power d =
-  Diagnostic.hint (Printf.sprintf "write the power with `^`: `%s`" power) d
-  |> Diagnostic.write name.span power
-
-let explained (scope : Scope.t) (name : Syntax.Ir.name) =
-  let is_unit text = Scope.is_known scope units text in
-  Other_unit.explain ~is_unit ~text:scope.text name.span name.text
-
-let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
-  match (power_without_caret scope name, explained scope name) with
-  | Some power, _ -> unknown name |> with_power name power |> Context.emit scope.context
-  | None, Some explain -> unknown name |> explain |> Context.emit scope.context
-  | None, None when name.text = "F" ->
-      unknown name
-      |> Diagnostic.hint "write `A s/V` for a farad, and use kelvin, `K`, for a temperature"
-      |> Context.emit scope.context
-  | None, None -> ignore (Lookup.find scope units { qualifier = None; name; span = name.span })
-
 let factor (scope : Scope.t) ~variable (name, power) =
   match Scope.look scope units name with
   | Some entry -> Some (Ir.Declared entry.global, power)
@@ -75,103 +43,37 @@ let factor (scope : Scope.t) ~variable (name, power) =
       variable name;
       Some (Ir.Unit_variable name.text, power)
   | None ->
-      unknown_unit scope name;
+      ignore (Lookup.find scope units { qualifier = None; name; span = name.span });
       None
 
 let unit_with scope ~variable (u : Syntax.Ir.unit_) : Ir.unit_ =
   { factors = List.filter_map (factor scope ~variable) (factors u); span = u.span }
 
 let concrete_unit (scope : Scope.t) u =
-  let variable (name : Syntax.Ir.name) =
-    unknown name
-    |> (match Unit_word.symbol name.text with
-       | Some symbol ->
-           fun d ->
-             Diagnostic.hint
-               (match Name_in_text.unit_of_literal ~text:scope.text name.span with
-               | Some (digits, before, after) when before <> "" || after <> "" ->
-                   Printf.sprintf "the unit is `%s`: write `%s[%s%s%s]`" symbol digits before symbol
-                     after
-               | Some _ | None -> Printf.sprintf "the unit is `%s`" symbol)
-               d
-             |> Diagnostic.write name.span symbol
-       | None when explained scope name <> None -> Option.get (explained scope name)
-       | None when power_without_caret scope name <> None ->
-           fun d -> with_power name (Option.get (power_without_caret scope name)) d
-       | None -> Diagnostic.note "a unit variable is only allowed in a type")
-    |> Context.emit scope.context
-  in
+  let variable name = Context.report_unresolved scope.context (Variable_for_unit name) in
   unit_with scope ~variable u
 
-let parameter_missing (scope : Scope.t) owner kind (name : Syntax.Ir.name) =
-  Diagnostic.error ~code:"E0221" ~at:name.span "%s variable `%s` is not a parameter of `%s`" kind
-    name.text owner
-  |> Diagnostic.hint
-       (if String.equal kind "unit" then
-          Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
-        else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
-  |> Context.emit scope.context
+let report (scope : Scope.t) = Context.report_type scope.context
 
 let unit_ (scope : Scope.t) variables u =
   let variable (name : Syntax.Ir.name) =
     match variables with
     | Parameters { units; owner; _ } when not (String_set.mem name.text units) ->
-        parameter_missing scope owner "unit" name
+        report scope (Parameter_missing { name; owner; is_unit = true })
     | Parameters _ | Quantified -> ()
   in
   unit_with scope ~variable u
 
 (* Types *)
 
-let counted n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
-
 let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
-  let wrong ~expected ~found noun =
-    let diagnostic =
-      Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
-        (counted expected noun) found
-    in
-    (if String.equal tycon.global.name "Array" && is_builtin tycon then
-       Diagnostic.hint
-         (if found > 2 then "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
-          else "write the size and the type of the elements, as in `Array 4 Float`")
-         diagnostic
-     else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
-       Diagnostic.hint "combine several inputs in a tuple, as in `SF (a, b) c`" diagnostic
-     else if String.equal tycon.global.name "SF" && is_builtin tycon then
-       Diagnostic.hint
-         "write the types of the input and the output, as in `SF Float Bool`; use `()` for no input"
-         diagnostic
-     else if String.equal tycon.global.name "Task" && is_builtin tycon then
-       Diagnostic.hint
-         "write the types of the input, the output and the result, as in `Task i o ()`; use `()` \
-          for no result"
-         diagnostic
-     else if String.equal tycon.global.name "Program" && is_builtin tycon then
-       Diagnostic.hint
-         "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
-         diagnostic
-     else if String.equal noun "unit argument" && expected = 1 && found = 0 then
-       let name = tycon.global.name in
-       Diagnostic.label ~at:tycon.span "declared here" diagnostic
-       |> Diagnostic.hint
-            (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
-               name)
-     else if is_builtin tycon then diagnostic
-     else
-       Diagnostic.label ~at:tycon.span "declared here" diagnostic
-       |>
-       if found < expected && String.equal noun "type argument" then
-         Diagnostic.hint
-           (Printf.sprintf "give it %s, as in `%s`" (counted expected noun)
-              (String.concat " " (tycon.global.name :: List.init expected (fun _ -> "Float"))))
-       else Fun.id)
-    |> Context.emit scope.context
-  in
   let units_right = units = tycon.unit_arity || (units = 0 && tycon.units_optional) in
   let types_right = types = tycon.type_arity in
-  if not units_right then wrong ~expected:tycon.unit_arity ~found:units "unit argument";
-  if not types_right then wrong ~expected:tycon.type_arity ~found:types "type argument";
+  let wrong ~of_units expected found =
+    report scope (Wrong_arity { at; tycon; of_units; expected; found })
+  in
+  if not units_right then wrong ~of_units:true tycon.unit_arity units;
+  if not types_right then wrong ~of_units:false tycon.type_arity types;
   units_right && types_right
 
 let rec ty (scope : Scope.t) variables (t : Syntax.Ir.ty) : Ir.ty =
@@ -183,7 +85,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
   | Type_variable name ->
       (match variables with
       | Parameters { types; owner; _ } when not (String_set.mem name.text types) ->
-          parameter_missing scope owner "type" name
+          report scope (Parameter_missing { name; owner; is_unit = false })
       | Parameters _ | Quantified -> ());
       Type_variable name.text
   | Type { name; units; arguments } -> (
@@ -204,12 +106,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
   | Representation { name; unit_ = u } ->
       (match variables with
       | Quantified -> ()
-      | Parameters { owner; _ } ->
-          Diagnostic.error ~code:"E0222" ~at:name.span
-            "`%s` can be a Float or an Int, and `%s` has no parameter to choose between them"
-            name.text owner
-          |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
-          |> Context.emit scope.context);
+      | Parameters { owner; _ } -> report scope (Representation_without_parameter { name; owner }));
       Representation { variable = name.text; unit_ = unit_ scope variables u }
   | Function (a, b) ->
       let a = ty scope variables a in
@@ -229,26 +126,17 @@ and known_size scope (t : Syntax.Ir.ty) =
   | Type { name; units = None; arguments = [] } ->
       Option.bind (Lookup.find scope tycons name) (fun (alias : tycon) ->
           if alias.size = None then
-            Diagnostic.error ~code:"E0330" ~at:t.span "`%s` is not a number, but part of a size"
-              name.name.text
-            |> Diagnostic.hint "define a size as `type N = 25`"
-            |> Context.emit scope.context;
+            report scope (Size_not_a_number { at = t.span; alias = Some name.name.text });
           alias.size)
   | Size_operation { operator; left; right } -> (
       match (known_size scope left, known_size scope right) with
       | Some left, Some right -> Some (size_operation operator left right)
       | _ -> None)
   | Type_variable name ->
-      Diagnostic.error ~code:"E0330" ~at:t.span
-        "`%s` is a variable, but arithmetic on sizes needs known numbers" name.text
-      |> Diagnostic.hint
-           "use another variable for the result, as in `take :: Array n a -> Array k a`"
-      |> Context.emit scope.context;
+      report scope (Size_of_variable { at = t.span; variable = name.text });
       None
   | Type _ | Representation _ | Function _ | Tuple_type _ ->
-      Diagnostic.error ~code:"E0330" ~at:t.span "this type is part of a size, but not a number"
-      |> Diagnostic.hint "define a size as `type N = 25`"
-      |> Context.emit scope.context;
+      report scope (Size_not_a_number { at = t.span; alias = None });
       None
 
 (* Signatures *)

@@ -10,7 +10,7 @@ type variables =
 val ty : Scope.t -> variables -> Syntax.Ir.ty -> Ir.ty
 
 val context : Scope.t -> (Syntax.Ir.qualified * Syntax.Ir.ty) list -> Ir.constraint_ list
-(** The constraints before [=>]. Emits E0223 for an unknown class. *)
+(** The constraints before [=>]. Reports an unknown class. *)
 
 val scheme : Scope.t -> Syntax.Ir.qualified_type -> Ir.scheme
 

@@ -57,45 +57,15 @@ and binding found (b : Ir.binding) =
 and visitor found reader : Walk.visitor =
   { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
 
-(* [circle]: the names that depend on each other, if the equation is part of a cycle. *)
-let report_equation sink ~circle at name =
-  Diagnostic.warning ~code:"W0304" ~at "%s here, but nothing uses %s"
-    (if name = "" then "these are defined" else Printf.sprintf "`%s` is defined" name)
-    (if name = "" then "them" else "it")
-  |> (match circle with
-     | [] -> Fun.id
-     | [ _ ] -> Diagnostic.note "only its own equation uses it"
-     | names -> Diagnostic.note (Enumeration.all names ^ " use only each other"))
-  |> Diagnostic.hint
-       (if name = "" then "use one of them in an output, or remove the equation"
-        else
-          Printf.sprintf
-            "use it in an output, or remove it; if it is unused on purpose, call it `_%s`" name)
-  |> (if name = "" || name.[0] < 'a' then Fun.id
-      else Diagnostic.fix (Printf.sprintf "rename it to `_%s`" name) [ (at, "_" ^ name) ])
-  |> Diagnostic.emit sink
-
-let report_variable sink v =
-  Diagnostic.warning ~code:"W0305" ~at:v.at "`%s` is never used" v.name
-  |> Diagnostic.hint (Printf.sprintf "replace it by `_` or `_%s`" v.name)
-  |> Diagnostic.fix ~safe:true (Printf.sprintf "write `_%s`" v.name) [ (v.at, "_" ^ v.name) ]
-  |> Diagnostic.emit sink
-
 (* The unread variables of one pattern; many of them are reported together. *)
-let report_variables sink = function
-  | a :: b :: c :: (_ :: _ as others) ->
-      let told = List.map (fun v -> Printf.sprintf "`%s`" v.name) [ a; b; c ] in
-      Diagnostic.warning ~code:"W0305" ~at:a.at "%s are never used"
-        (Enumeration.some told ~more:(List.length others))
-      |> Diagnostic.hint (Printf.sprintf "replace them by `_` or by names such as `_%s`" a.name)
-      |> Diagnostic.fix ~safe:true
-           (Printf.sprintf "write `_%s`, and `_` before the other names" a.name)
-           (List.map (fun v -> (v.at, "_" ^ v.name)) (a :: b :: c :: others))
-      |> Diagnostic.emit sink
-  | few -> List.iter (report_variable sink) few
+let report_variables report vertices =
+  let variables = List.map (fun v : Fact.variable -> { name = v.name; at = v.at }) vertices in
+  match variables with
+  | first :: (_ :: _ :: _ :: _ as others) -> report (Fact.Unused_variables (first, others))
+  | few -> List.iter (fun variable -> report (Fact.Unused_variables (variable, []))) few
 
 (* Reports the unused names in one definition. *)
-let of_definition sink ~is_labelled (b : Ir.binding) =
+let of_definition report ~is_mentioned (b : Ir.binding) =
   let found = { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] } in
   binding found b;
   let vertices = Array.of_list (List.rev found.vertices) in
@@ -122,21 +92,22 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   let components = List.rev (Graph.components graph) in
   List.iter component components;
   let unread = ref [] in
-  let report members =
+  let report_component members =
     let number = List.hd members in
     let v = vertices.(number) in
     if unused.(number) && not (List.exists (fun whole -> unused.(whole)) v.needs) then
       match v.kind with
       | Equation when String.starts_with ~prefix:"_" v.name -> ()
       | Equation ->
-          let name v =
-            if vertices.(v).name = "" then None else Some (Printf.sprintf "`%s`" vertices.(v).name)
+          let name v = if v.name = "" then None else Some v.name in
+          let name_of number = name vertices.(number) in
+          let circle =
+            if Graph.is_cyclic graph members then List.filter_map name_of members else []
           in
-          let circle = if Graph.is_cyclic graph members then List.filter_map name members else [] in
-          report_equation sink ~circle v.at v.name
-      | Variable _ -> if not (is_labelled v.at) then unread := number :: !unread
+          report (Fact.Unused_equation { at = v.at; name = name v; circle })
+      | Variable _ -> if not (is_mentioned v.at) then unread := number :: !unread
   in
-  List.iter report components;
+  List.iter report_component components;
   (* Groups the variables by pattern. The variables of a pattern have consecutive numbers. *)
   let by_pattern patterns number =
     let v = vertices.(number) in
@@ -146,21 +117,11 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   in
   List.sort (fun a b -> Int.compare b a) !unread
   |> List.fold_left by_pattern []
-  |> List.iter (report_variables sink)
-
-let report_import sink (idle : Ir.idle) =
-  (match idle.listed with
-  | Some name -> Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but not used" name
-  | None ->
-      Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but nothing from it is used"
-        idle.of_module)
-  |> Diagnostic.hint "remove it"
-  |> Diagnostic.fix ~safe:true "remove it" [ (idle.whole, "") ]
-  |> Diagnostic.emit sink
+  |> List.iter (report_variables report)
 
 (* A module may be imported only for its instances, or, if it is not in the library, for the
    instances of the modules that it imports. *)
-let imports sink (program : Ir.program) =
+let imports report (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in
   List.iter
@@ -175,13 +136,12 @@ let imports sink (program : Ir.program) =
     | Some _ | None -> own_give_instances
   in
   let told (idle : Ir.idle) = idle.listed <> None || not (may_be_for_instances idle.of_module) in
-  let report (m : Ir.module_) = List.iter (report_import sink) (List.filter told m.idle_imports) in
-  List.iter report own
+  let of_module (m : Ir.module_) =
+    List.iter (fun idle -> report (Fact.Unused_import idle)) (List.filter told m.idle_imports)
+  in
+  List.iter of_module own
 
-let warn sink program =
-  imports sink program;
-  (* Skips places that another warning mentions, because that warning may explain the unused name:
-     `stop` where `Stop` was meant. *)
-  let labels = List.concat_map (fun (d : Diagnostic.t) -> d.labels) (Diagnostic.all sink) in
-  let is_labelled at = List.exists (fun (l : Diagnostic.label) -> l.at = at) labels in
-  List.iter (of_definition sink ~is_labelled) (Walk.own program)
+let warn facts ~is_mentioned program =
+  let report warning = Facts.report facts (Fact.Warning warning) in
+  imports report program;
+  List.iter (of_definition report ~is_mentioned) (Walk.own program)

@@ -1,9 +1,12 @@
-(** Warns about unused names inside definitions, and about unused imports.
+(** Finds unused names inside definitions, and unused imports: an equation or definition that
+    nothing depends on, a pattern variable that nothing reads, an import that the module does not
+    use. *)
 
-    Codes: [W0304] an equation or definition that nothing depends on · [W0305] a pattern variable
-    that nothing reads · [W0306] an import that the module does not use. *)
+open Basis
 
-val warn : Basis.Diagnostic.sink -> Ir.program -> unit
+val warn : Fact.t Facts.t -> is_mentioned:(Span.t -> bool) -> Ir.program -> unit
 (** Checks the program's own modules. Definitions used only by unused equations are not reported
-    separately. Names that begin with [_] are not reported. Do not call it for programs with errors,
-    because an unresolved name may be a use of the definition. *)
+    separately. Names that begin with [_] are not reported, nor pattern variables at a place that
+    satisfies the predicate: places that other warnings mention, because they may explain the unused
+    name ([stop] where [Stop] was meant). Do not call it for programs with errors, because an
+    unresolved name may be a use of the definition. *)

@@ -6,30 +6,26 @@ let texts names =
     (fun set (name : Syntax.Ir.name) -> String_set.add name.text set)
     String_set.empty names
 
-let report_absent context names ~module_ (name : Syntax.Ir.name) what =
-  Diagnostic.error ~code:"E0215" ~at:name.span "module `%s` has no `%s` to %s" module_ name.text
-    what
-  |> Context.suggest context name.text (lazy (all names))
-  |> Context.emit context
-
 let of_module (scope : Scope.t) (header : Syntax.Ir.header option) =
+  let visible = scope.visible in
   match header with
-  | None | Some { exports = None; _ } -> scope.own
+  | None | Some { exports = None; _ } -> visible.own
   | Some { exports = Some listed; _ } ->
       let wanted = texts listed in
-      let add names (import : Scope.import) =
+      let add names (import : Visible.import) =
         if import.unqualified then union names (select import.names wanted) else names
       in
-      let exported = List.fold_left add (select scope.own wanted) scope.imports in
+      let exported = List.fold_left add (select visible.own wanted) visible.imports in
       let check (name : Syntax.Ir.name) =
         String_table.replace scope.used name.text ();
         if scope.complete && not (mem exported name.text) then
-          report_absent scope.context scope.own ~module_:scope.module_ name "export"
+          Context.report_unresolved scope.context
+            (Not_exported { name; module_ = visible.module_; known = lazy (all visible.own) })
       in
       List.iter check listed;
       exported
 
-let imported context (declaration : Syntax.Ir.import option) ~module_ names : Scope.import =
+let imported context (declaration : Syntax.Ir.import option) ~module_ names : Visible.import =
   match declaration with
   | None ->
       { module_; qualifiers = [ module_ ]; unqualified = true; names; span = Span.start_of_file "" }
@@ -39,7 +35,9 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Sc
         | None -> names
         | Some items ->
             let check (name : Syntax.Ir.name) =
-              if not (mem names name.text) then report_absent context names ~module_ name "import"
+              if not (mem names name.text) then
+                Context.report_unresolved context
+                  (Not_in_import { name; module_; known = lazy (all names) })
             in
             List.iter check items;
             select names (texts items)

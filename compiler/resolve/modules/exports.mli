@@ -7,9 +7,9 @@ val of_module : Scope.t -> Syntax.Ir.header option -> Interface.names
 val texts : Syntax.Ir.name list -> Interface.String_set.t
 
 val imported :
-  Context.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Scope.import
+  Context.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Visible.import
 (** The part of a module's exports that an import brings into scope. [None] is the implicit import
-    of the prelude. Emits E0215 for a name that is not exported. *)
+    of the prelude. Reports a name that is not exported. *)
 
 val idle : Scope.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Ir.idle list
 (** The unused parts of an import in a resolved module: the unused names of the import list, or, if

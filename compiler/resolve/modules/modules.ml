@@ -19,7 +19,7 @@ type found = { path : string; shown : string; in_library : bool; text : string }
 type state = Loading | Loaded of t | Failed
 
 type loader = {
-  sink : Diagnostic.sink;
+  context : Context.t;
   files : Files.t;
   remember : file:string -> string -> unit;
   library : string;
@@ -42,8 +42,10 @@ let beside directory name =
 
 let shown_in_library loader name = Filename.basename loader.library ^ "/" ^ file_of name
 
-(* An import and the module that contains it, for messages. [written]: the import is explicit. *)
-type place = { importer : string; written : bool; at : Span.t; target : Syntax.Ir.name }
+(* An import. [written]: it is explicit. *)
+type place = { written : bool; place : Fact.import_place }
+
+let report loader fact = Context.report loader.context (In_modules fact)
 
 let read loader path =
   match String_map.find_opt path loader.texts with
@@ -64,15 +66,6 @@ let modules_in loader directory =
 (* Further messages are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-(* The hint for an unknown module whose contents are in a library module with a different name. *)
-let hint_for_library ~imported (target : Syntax.Ir.name) =
-  Option.map
-    (fun (what, module_) ->
-      if List.mem module_ imported then
-        (Printf.sprintf "remove this line: %s in `%s`, which is already imported" what module_, None)
-      else (Printf.sprintf "%s in `%s`: write `import %s`" what module_ module_, Some module_))
-    (Other_languages.in_library target.text)
-
 (* [imported]: the other modules that the importing module names. *)
 let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   loader.missing <- loader.missing + 1;
@@ -80,67 +73,24 @@ let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
     if loader.missing > most_suggestions then []
     else modules_in loader loader.library @ modules_in loader directory
   in
-  let diagnostic =
-    Diagnostic.error ~code:"E0201" ~at:target.span "there is no module `%s`" target.text
-    |> Diagnostic.note
-         (Printf.sprintf "frobc looked for `%s` in the folder of this file and in the library"
-            (file_of target.text))
-  in
-  let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
-  let modules, others = List.partition is_module known in
-  let same name = String.equal (String.capitalize_ascii name) target.text in
-  let near = Suggest.closest target.text modules in
-  let elsewhere = hint_for_library ~imported target in
-  (match (List.find_opt same others, Other_languages.module_ target.text, near) with
-  | None, None, None when elsewhere <> None ->
-      let hint, module_ = Option.get elsewhere in
-      Diagnostic.hint hint diagnostic
-      |> Option.fold module_ ~none:Fun.id ~some:(Diagnostic.write target.span)
-  | Some file, _, _ ->
-      Diagnostic.hint
-        (Printf.sprintf
-           "the file name of a module must also start with a capital: rename `%s` to `%s`"
-           (file_of file) (file_of target.text))
-        diagnostic
-  | None, Some hint, _ -> Diagnostic.hint hint diagnostic
-  | None, None, Some near ->
-      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
-      |> Diagnostic.write target.span near
-  | None, None, None -> diagnostic)
-  |> Diagnostic.emit loader.sink
-
-let report_unreadable loader ~at shown reason =
-  Diagnostic.error ~code:"E0201" ~at "cannot read `%s`: %s" shown reason
-  |> Diagnostic.emit loader.sink
+  report loader (Missing_module { target; imported; known })
 
 (* [way]: the imports that led here, newest first. *)
 let report_cycle loader way (target : Syntax.Ir.name) =
   let rec circle taken = function
     | [] -> taken
-    | place :: rest ->
+    | { place; _ } :: rest ->
         let taken = place :: taken in
         if String.equal place.importer target.text then taken else circle taken rest
   in
   let places = circle [] way in
-  let names = List.map (fun place -> Printf.sprintf "`%s`" place.importer) places in
-  let path = String.concat " → " (names @ [ Printf.sprintf "`%s`" target.text ]) in
-  let label diagnostic place =
-    if Span.compare place.at target.span = 0 then diagnostic
-    else
-      Diagnostic.label ~at:place.at
-        (Printf.sprintf "`%s` imports `%s`" place.importer place.target.text)
-        diagnostic
-  in
-  List.fold_left label
-    (Diagnostic.error ~code:"E0202" ~at:target.span "modules import each other: %s" path)
-    places
-  |> Diagnostic.emit loader.sink
+  report loader (Import_cycle { target; places })
 
 (* Does the module import itself? Also detects this if the file name differs from the module name.
    *)
 let imports_itself way (target : Syntax.Ir.name) =
   match way with
-  | place :: _ -> String.equal place.importer target.text && place.written
+  | { place; written } :: _ -> String.equal place.importer target.text && written
   | [] -> false
 
 let read_library loader name =
@@ -158,7 +108,8 @@ let find loader ~directory ~imported ~importer_in_library (target : Syntax.Ir.na
         report_missing loader ~imported ~directory target;
         None
     | Error (Unreadable reason) ->
-        report_unreadable loader ~at:target.span (shown_in_library loader name) reason;
+        let file = shown_in_library loader name in
+        report loader (Unreadable_file { at = target.span; file; reason });
         None
   in
   if importer_in_library || String.equal name prelude then from_library ()
@@ -172,7 +123,7 @@ let find loader ~directory ~imported ~importer_in_library (target : Syntax.Ir.na
     | Ok text -> Some { path; shown = path; in_library = false; text }
     | Error Missing -> from_library ()
     | Error (Unreadable reason) ->
-        report_unreadable loader ~at:target.span path reason;
+        report loader (Unreadable_file { at = target.span; file = path; reason });
         None
 
 let is_module_name text =
@@ -189,25 +140,17 @@ let name_of loader ~file_name (syntax : Syntax.Ir.program) =
   | None -> if is_module_name file_name then file_name else "Main"
   | Some { module_name; _ } ->
       if is_module_name file_name && not (String.equal file_name module_name.text) then
-        Diagnostic.error ~code:"E0203" ~at:module_name.span
-          "the module `%s` is in a file named `%s`" module_name.text (file_of file_name)
-        |> Diagnostic.hint
-             (Printf.sprintf "rename the module to `%s` or the file to `%s`" file_name
-                (file_of module_name.text))
-        |> Diagnostic.emit loader.sink;
+        report loader (Other_file_name { module_ = module_name; file = file_name });
       if is_module_name file_name then file_name else module_name.text
 
 let report_two_files loader (target : Syntax.Ir.name) ~earlier ~later =
   loader.clashes <- String_set.add target.text loader.clashes;
-  Diagnostic.error ~code:"E0203" ~at:target.span "two modules are named `%s`: `%s` and `%s`"
-    target.text earlier later
-  |> Diagnostic.hint "give your own module another name"
-  |> Diagnostic.emit loader.sink
+  report loader (Two_files { target; earlier; later })
 
 let parse loader found =
   match loader.files.parsed ~file:found.shown found.text with
   | Some syntax -> Some syntax
-  | None -> Syntax.Parse.program loader.sink ~file:found.shown found.text
+  | None -> Context.parse loader.context ~file:found.shown found.text
 
 let rec load_found loader ~way ~name_hint found =
   loader.remember ~file:found.shown found.text;
@@ -243,7 +186,7 @@ and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.p
   let imported = List.map (fun (d : Syntax.Ir.import) -> d.module_.text) syntax.imports in
   let import ~declaration (target : Syntax.Ir.name) at =
     let written = Option.is_some declaration in
-    let place = { importer = name; written; at; target } in
+    let place = { written; place = { importer = name; at; target } } in
     match
       import_module loader ~way:(place :: way) ~directory ~imported
         ~importer_in_library:found.in_library target
@@ -298,29 +241,15 @@ let load_program loader file text =
 
 (* {1 Test files} *)
 
-let report_no_program loader file program reason =
-  Diagnostic.error ~code:"E0236" ~at:(Span.start_of_file file)
-    "this is a test file, but the program `%s` %s" (Filename.basename program) reason
-  |> Diagnostic.hint "put the tests of `NAME.frob` into `NAME.test.frob` in the same folder"
-  |> Diagnostic.emit loader.sink
-
-let report_in_tests loader ~at what hint =
-  Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what
-  |> Diagnostic.hint hint |> Diagnostic.emit loader.sink
-
 (* Reports and removes the header and the [main] of a test file, which are not allowed there. *)
 let without_program loader (syntax : Syntax.Ir.program) : Syntax.Ir.program =
   Option.iter
-    (fun (h : Syntax.Ir.header) ->
-      report_in_tests loader ~at:h.module_name.span "`module` header"
-        "remove the header: the tests belong to the module of the program")
+    (fun (h : Syntax.Ir.header) -> report loader (Header_in_tests h.module_name.span))
     syntax.header;
   let is_other (d : Syntax.Ir.declaration) =
     match d.desc with
     | Binding { left = Name name | Function_name { name; _ }; _ } when name.text = "main" ->
-        report_in_tests loader ~at:name.span "`main`"
-          "a program is compiled without its test file: define `main` in the program, or give this \
-           definition another name";
+        report loader (Main_in_tests name.span);
         false
     | Signature { names = [ { text = "main"; _ } ]; _ } -> false
     | _ -> true
@@ -331,14 +260,15 @@ let without_program loader (syntax : Syntax.Ir.program) : Syntax.Ir.program =
    is checked. *)
 let load_tests loader ~program file text =
   let found = { path = file; shown = file; in_library = false; text } in
+  let no_program reason = report loader (No_program { tests = file; program; reason }) in
   let tested =
     match read loader program with
     | Ok text -> load_program loader program text
     | Error Missing ->
-        report_no_program loader file program "does not exist";
+        no_program None;
         None
     | Error (Unreadable reason) ->
-        report_no_program loader file program ("cannot be read: " ^ reason);
+        no_program (Some reason);
         None
   in
   loader.remember ~file text;
@@ -350,10 +280,10 @@ let load_tests loader ~program file text =
       ignore (add_loaded loader ~name ~imports ~program:tested.name found syntax)
   | _, _ -> ()
 
-let load sink ~files ~remember ~library ?also main =
+let load context ~files ~remember ~library ?also main =
   let loader =
     {
-      sink;
+      context;
       files;
       remember;
       library;
@@ -374,10 +304,10 @@ let load sink ~files ~remember ~library ?also main =
         (import_module loader ~way:[] ~directory:(Filename.dirname file) ~imported:[]
            ~importer_in_library:false target)
   | Some _ | None -> ());
+  let at = Span.start_of_file main in
   (match read loader main with
-  | Error Missing ->
-      report_unreadable loader ~at:(Span.start_of_file main) main "there is no such file"
-  | Error (Unreadable reason) -> report_unreadable loader ~at:(Span.start_of_file main) main reason
+  | Error Missing -> report loader (Missing_file { at; file = main })
+  | Error (Unreadable reason) -> report loader (Unreadable_file { at; file = main; reason })
   | Ok text -> (
       match Test_file.program main with
       | Some program -> load_tests loader ~program main text

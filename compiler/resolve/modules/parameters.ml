@@ -2,8 +2,6 @@ open Basis
 
 type setting = { name : string; text : string }
 
-let no_such = "E0507"
-
 let split text =
   match String.index_opt text '=' with
   | None | Some 0 -> None
@@ -25,47 +23,29 @@ let declared (m : Modules.t) =
 (* The names that a command line can use for the parameter. *)
 let names (m : Modules.t) (name : Syntax.Ir.name) = [ name.text; m.name ^ "." ^ name.text ]
 
-let report sink setting ?note ?hint format =
+let report context setting problem =
   let at = Span.start_of_file (file_of setting) in
-  Printf.ksprintf
-    (fun text ->
-      Diagnostic.error ~code:no_such ~at "%s" text
-      |> Option.fold ~none:Fun.id ~some:Diagnostic.note note
-      |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
-      |> Diagnostic.emit sink)
-    format
-
-let report_unknown sink setting modules =
-  let own (m : Modules.t) = List.map (fun (n : Syntax.Ir.name) -> n.text) (declared m) in
-  let all = List.concat_map own modules in
-  let quoted = List.map (Printf.sprintf "`%s`") (List.sort_uniq String.compare all) in
-  let note =
-    if all = [] then "the program has no parameters; declare one by `param NAME :: TYPE = VALUE`"
-    else "the program has " ^ Enumeration.all quoted
-  in
-  let hint = Option.map (Printf.sprintf "did you mean `%s`?") (Suggest.closest setting.name all) in
-  report sink setting ~note ?hint "the program has no parameter `%s`" setting.name
+  Context.report context (Setting { name = setting.name; at; problem })
 
 (* The module whose parameter the setting refers to. A parameter of the program's own module takes
    precedence over imported ones. *)
-let owner sink modules setting =
+let owner context modules setting =
   let has (m : Modules.t) = List.exists (fun n -> List.mem setting.name (names m n)) (declared m) in
   match List.filter has (List.rev modules) with
   | [] ->
-      report_unknown sink setting modules;
+      let own (m : Modules.t) = List.map (fun (n : Syntax.Ir.name) -> n.text) (declared m) in
+      report context setting (No_parameter { known = List.concat_map own modules });
       None
   | main :: _ when main == List.hd (List.rev modules) -> Some main
   | [ owner ] -> Some owner
   | several ->
-      let qualified (m : Modules.t) = Printf.sprintf "`%s.%s`" m.name setting.name in
-      report sink setting "several modules have a parameter `%s`" setting.name
-        ~hint:
-          ("write the name of its module too: " ^ Enumeration.one_of (List.map qualified several));
+      let qualified (m : Modules.t) = m.name ^ "." ^ setting.name in
+      report context setting (Several_modules { qualified = List.map qualified several });
       None
 
 (* In diagnostics, the span of the value covers the whole setting. Replacing the name with a
    placeholder of the same width turns the setting into a definition. *)
-let expression sink setting =
+let expression context setting =
   let width = String.length setting.name in
   let value =
     (* the spelling that hosts and recordings use *)
@@ -75,7 +55,7 @@ let expression sink setting =
     | _ -> setting.text
   in
   let text = "x" ^ String.make (max 0 (width - 1)) '_' ^ "= " ^ value in
-  match Syntax.Parse.program sink ~file:(file_of setting) text with
+  match Context.parse context ~file:(file_of setting) text with
   | Some
       {
         declarations =
@@ -86,17 +66,16 @@ let expression sink setting =
       } ->
       Some e
   | Some _ ->
-      report sink setting "`%s` is not an expression" (String.trim setting.text)
-        ~hint:(Printf.sprintf "write the value as in `--param %s=5`" setting.name);
+      report context setting (Invalid_value { value = String.trim setting.text });
       None
   | None -> None
 
-let set sink ~remember modules setting =
+let set context ~remember modules setting =
   remember ~file:(file_of setting) (setting.name ^ "= " ^ setting.text);
-  match owner sink modules setting with
+  match owner context modules setting with
   | None -> modules
   | Some owner -> (
-      match expression sink setting with
+      match expression context setting with
       | None -> modules
       | Some value ->
           let is_it (d : Syntax.Ir.declaration) =
@@ -124,7 +103,8 @@ let set sink ~remember modules setting =
             (fun (m : Modules.t) -> if String.equal m.name owner.name then { m with syntax } else m)
             modules)
 
-let give sink ~remember settings modules = List.fold_left (set sink ~remember) modules settings
+let give context ~remember settings modules =
+  List.fold_left (set context ~remember) modules settings
 
 let of_modules modules =
   let of_module (m : Modules.t) =

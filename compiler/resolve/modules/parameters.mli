@@ -5,9 +5,6 @@ type setting = {
   text : string;  (** the source text of the expression *)
 }
 
-val no_such : string
-(** The code E0507: the program has no parameter of that name, or more than one. *)
-
 val split : string -> setting option
 (** Parses [k=text]. Spaces around the name are ignored. *)
 
@@ -16,7 +13,7 @@ val shown : string -> string
     shown under the parameter's name. *)
 
 val give :
-  Basis.Diagnostic.sink ->
+  Context.t ->
   remember:(file:string -> string -> unit) ->
   setting list ->
   Modules.t list ->

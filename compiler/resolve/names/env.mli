@@ -12,9 +12,9 @@ val of_module : Scope.t -> t
 (** An environment without local variables and without group analysis, for code outside all groups.
 *)
 
-val beside_procs : t -> Syntax.Ir.right -> t
-(** The environment of a right-hand side and its [proc]s. Messages use it to recognize names that
-    are signals of a [proc] elsewhere in the definition. *)
+val inside : t -> Syntax.Ir.right -> t
+(** The environment of a right-hand side. The facts about names without a meaning contain it,
+    because such a name may be a signal of a [proc] elsewhere in the definition. *)
 
 val with_sizes : t -> Sizes.t list -> t
 (** The environment inside a definition with these size variables, for messages. *)
@@ -29,14 +29,14 @@ type owner = { group : Groups.t; index : int; signed : bool }
 type variable = { local : Ir.Local.t; owner : owner option  (** [None] for parameters *) }
 
 val bind : t -> variable list -> t
-(** Adds variables that come into scope together. Emits E0212 if two have the same name, and W0201
-    if one hides a local variable. *)
+(** Adds variables that come into scope together. Reports two with the same name, and warns if one
+    hides a local variable. *)
 
 val is_known : t -> Syntax.Ir.name -> bool
 
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
-(** Looks up a variable, and records the reference in the group analysis. Emits a diagnostic if the
-    variable does not exist. *)
+(** Looks up a variable, and records the reference in the group analysis. Reports a variable that
+    does not exist. *)
 
 val global : t -> string -> Span.t -> Ir.expr_desc option
 (** Looks up an operator or another module-level name, ignoring local variables. *)

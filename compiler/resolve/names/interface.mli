@@ -45,9 +45,10 @@ type names = {
 }
 (** The tables are not modified after they have been built. *)
 
+type namespace = Values | Constructors | Types | Units | Classes
+
 type 'a space = {
-  noun : string;  (** for messages, for example ["type"] *)
-  unknown : string;  (** code of the diagnostic for an unknown name *)
+  namespace : namespace;
   table : names -> 'a String_table.t;
   global : 'a -> Ir.Global.t;
   place : 'a -> Span.t;
@@ -59,10 +60,16 @@ val constructors : constructor space
 val tycons : tycon space
 val units : unit_name space
 val classes : class_ space
+
+type any_space = Any : 'a space -> any_space
+
 val none : unit -> names
 
 val size_operation : Syntax.Ir.size_operator -> int -> int -> int
 (** Arithmetic on sizes, in types. *)
+
+val prelude : string
+(** The name of its module. *)
 
 val is_operator : string -> bool
 (** Is the name an operator symbol? *)
@@ -70,15 +77,13 @@ val is_operator : string -> bool
 val builtin_types : file:string -> (string * tycon) list
 (** The types without a declaration. They belong to the prelude, whose file name is given. *)
 
+val builtin_names : file:string -> names
+(** The built-in types, their constructors, and the built-in classes. *)
+
 val is_builtin : tycon -> bool
 
 val is_builtin_class : class_ -> bool
 (** Is it [Eq] or [Ord] of the prelude? *)
-
-val declared : Context.t -> module_:string -> ?after:names -> Syntax.Ir.program -> names
-(** The names declared at a module's top level; the prelude's include the built-in types and
-    classes. Emits E0211 for a name declared twice. [after]: for a test file, the names of its
-    program; they are included in the result and count as declared. *)
 
 val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
 (** The method names that a class body declares. *)

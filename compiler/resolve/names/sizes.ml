@@ -1,6 +1,4 @@
-open Basis
-
-type t = { variable : string; of_ : string; array : string option }
+type t = Fact.size = { variable : string; of_ : string; array : string option }
 
 (* The size variables of an array [xs] of this type, each with an array of this size. *)
 let of_array (ty : Ir.ty) xs =
@@ -36,22 +34,3 @@ let of_signature ~name (scheme : Ir.scheme) parameters =
   List.map size (List.sort_uniq String.compare (size_variables scheme.ty))
 
 let find sizes name = List.find_opt (fun size -> String.equal size.variable name) sizes
-
-let report context size (name : Syntax.Ir.name) =
-  let diagnostic = Diagnostic.error ~code:"E0205" ~at:name.span "unknown name `%s`" name.text in
-  (match size.array with
-  | Some array ->
-      let text = "length " ^ array in
-      Diagnostic.hint
-        (Printf.sprintf "`%s` is a size in the type of `%s`; as a number, write `%s`" name.text
-           size.of_ text)
-        diagnostic
-      |> Diagnostic.write name.span (Source.grouped text)
-  | None ->
-      Diagnostic.hint
-        (Printf.sprintf
-           "`%s` is a size in the type of `%s`; as a number, write `length xs`, where `xs` is an \
-            array of this size"
-           name.text size.of_)
-        diagnostic)
-  |> Context.emit context

@@ -1,13 +1,10 @@
 (** Size variables of signatures, such as the [n] of [Array n Float]. They cannot be used as values,
     so messages explain how to compute the size. *)
 
-type t
+type t = Fact.size
 
 val of_signature : name:string -> Ir.scheme -> Ir.pattern list -> t list
 (** The size variables in the signature of a definition with these parameters. *)
 
 val find : t list -> string -> t option
 (** The innermost one with this name; the list starts with the innermost. *)
-
-val report : Context.t -> t -> Syntax.Ir.name -> unit
-(** Emits E0205 for a use of the variable as a value. *)

@@ -54,7 +54,7 @@ let load name =
   let sink = Diagnostic.sink () in
   let file = stdlib / (name ^ ".frob") in
   match
-    Resolve.Program.load sink ~files:Resolve.Files.on_disk
+    Resolve.Program.load (Advice.Of_resolve.into sink) ~files:Resolve.Files.on_disk
       ~remember:(fun ~file:_ _ -> ())
       ~library:stdlib file
   with

@@ -18,7 +18,8 @@ let () =
   let remember ~file text = Source.add source ~file text in
   let typed =
     Option.bind
-      (Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file)
+      (Resolve.Program.load (Advice.Of_resolve.into sink) ~files:Resolve.Files.on_disk ~remember
+         ~library file)
       (Typing.Of_resolved.program sink (Advice.Of_typing.into sink) ~real:Double)
   in
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));

@@ -7,7 +7,10 @@ let stdlib = "../../../stdlib"
 let diagnostics file =
   let sink = Diagnostic.sink () in
   let remember ~file:_ _ = () in
-  (match Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library:stdlib file with
+  (match
+     Resolve.Program.load (Advice.Of_resolve.into sink) ~files:Resolve.Files.on_disk ~remember
+       ~library:stdlib file
+   with
   | None -> ()
   | Some resolved ->
       Resolve.Lint.program resolved;

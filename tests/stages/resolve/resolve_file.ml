@@ -14,7 +14,10 @@ let () =
   let library = Sys.argv.(1) and file = Sys.argv.(2) in
   let sink = Diagnostic.sink () in
   let remember ~file:_ _ = () in
-  let program = Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file in
+  let program =
+    Resolve.Program.load (Advice.Of_resolve.into sink) ~files:Resolve.Files.on_disk ~remember
+      ~library file
+  in
   List.iter print_diagnostic (Diagnostic.all sink);
   match program with
   | None -> ()

@@ -21,7 +21,9 @@ let load ?(main = "main.frob") files =
   let sink = Diagnostic.sink () in
   let files = Resolve.Files.in_memory (files @ Lazy.force library_texts) in
   let remember ~file:_ _ = () in
-  let program = Resolve.Program.load sink ~files ~remember ~library:"stdlib" main in
+  let program =
+    Resolve.Program.load (Advice.Of_resolve.into sink) ~files ~remember ~library:"stdlib" main
+  in
   Option.iter Resolve.Lint.program program;
   (Diagnostic.all sink, program)
 

@@ -20,7 +20,7 @@ let resolved =
   let on_disk = Resolve.Files.on_disk in
   let read path = if String.equal path "main.frob" then Ok text else on_disk.read path in
   the
-    (Resolve.Program.load sink ~files:{ on_disk with read }
+    (Resolve.Program.load (Advice.Of_resolve.into sink) ~files:{ on_disk with read }
        ~remember:(fun ~file:_ _ -> ())
        ~library "main.frob")
 

@@ -23,7 +23,8 @@ let infer text =
   let typed =
     Option.map
       (Typing.Infer.program sink (Advice.Of_typing.into sink) ~real:Double)
-      (Resolve.Program.load sink ~files ~remember ~library:"stdlib" "main.frob")
+      (Resolve.Program.load (Advice.Of_resolve.into sink) ~files ~remember ~library:"stdlib"
+         "main.frob")
   in
   match typed with
   | Some typed when not (Diagnostic.has_errors sink) ->

@@ -72,7 +72,7 @@ let stage_of code =
   if String.equal code Build.Interpreted.no_interpreter then Interpret
   else if String.equal code "E0392" then Test
   else if String.equal code Build.Probes.unknown then Probe "speed"
-  else if String.equal code Resolve.Parameters.no_such then Set "speed"
+  else if String.equal code "E0507" then Set "speed"
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 

@@ -7,8 +7,9 @@ type t = {
   of_do : bool;  (** the [proc] is a whole right-hand side and uses a [do] *)
 }
 
-val of_body : Syntax.Ir.body -> t list
-(** The names bound by a body that is a [proc]: its input and, if it uses a [do], its statements. *)
+val of_surroundings : Syntax.Ir.right list -> t list
+(** The names bound by the [proc]s in these right-hand sides, which contain each other, innermost
+    first: the signals of the outermost one, and those of each body that is a [proc] with a [do]. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** The names bound by all [proc]s in the module's definitions. *)
@@ -30,9 +31,3 @@ type c_declaration = {
 (** A definition such as [const int m = 1]. *)
 
 val c_declarations : Syntax.Ir.program -> c_declaration list
-
-val of_right : Syntax.Ir.right -> t list
-(** The names bound by all [proc]s within a right-hand side. *)
-
-val params : Syntax.Ir.program -> Syntax.Ir.name list
-(** The names declared by [param]. *)

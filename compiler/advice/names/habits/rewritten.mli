@@ -4,22 +4,22 @@
 
 open Basis
 
-val unit_after_number : Scope.t -> 'a Interface.space -> Syntax.Ir.name -> Name_in_text.unit_ option
+val unit_after_number : Unknown.t -> Name_in_text.unit_ option
 (** The unit of [0.5 m/s], where the name is in a unit without brackets. *)
 
-val integral : Scope.t -> Syntax.Ir.name -> (string * string * Span.t) option
+val integral : Unknown.t -> (string * string * Span.t) option
 (** For a time step in the equation [x = x + v * dt]: [x], its integral, and the place of the right
     side. *)
 
-val member : Scope.t -> Syntax.Ir.name -> (Span.t * string) option
+val member : Unknown.t -> (Span.t * string) option
 (** [k] for [self.k]. *)
 
-val controller : Scope.t -> Syntax.Ir.name -> (Span.t * string) option
+val controller : Unknown.t -> string option
 (** A use of [pid] for [PID 0.5 0.1 0 e]. *)
 
-val call : Scope.t -> 'a Interface.space -> Syntax.Ir.name -> (Span.t * string) option
+val call : Unknown.t -> (Span.t * string) option
 (** The application of a function with its arguments, such as [x ^ 2] for [pow(x, 2)]. *)
 
-val import_of : Scope.t -> Syntax.Ir.name -> string -> string
+val import_of : Unknown.t -> string -> string
 (** The end of a hint that names the import which this rewritten application needs; empty if it
     needs none. *)

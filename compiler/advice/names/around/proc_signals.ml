@@ -46,6 +46,14 @@ let of_right r =
   List.fold_left add [] (Syntax.Node.of_right r)
   |> List.sort (fun a b -> Basis.Span.compare a.name.span b.name.span)
 
+let of_surroundings rights =
+  let rec from = function
+    | [] -> []
+    | [ outermost ] -> of_body outermost.body @ of_right outermost
+    | (r : right) :: outer -> of_body r.body @ from outer
+  in
+  from rights
+
 let rights (program : program) =
   let declaration (d : declaration) = match d.desc with Binding b -> Some b.right | _ -> None in
   List.filter_map declaration program.declarations
@@ -60,11 +68,6 @@ let in_capitals (program : program) =
     | _ -> None
   in
   List.filter_map declared program.declarations
-
-let params (program : program) =
-  List.filter_map
-    (fun (d : declaration) -> match d.desc with Parameter { name; _ } -> Some name | _ -> None)
-    program.declarations
 
 let without_definition (program : program) =
   let defined = Hashtbl.create 16 in

@@ -1,0 +1,150 @@
+open Basis
+
+let explained (t : Unknown.t) hint = Diagnostic.hint hint (Other_meaning.diagnostic t)
+
+(* {1 Notations} *)
+
+(* `self.k` *)
+let member t =
+  Option.map
+    (fun (whole, field) ->
+      explained t (Printf.sprintf "Frob has no objects with methods: write `%s` alone" field)
+      |> Diagnostic.write whole field)
+    (Rewritten.member t)
+
+(* `x = x + v * dt` *)
+let integral t =
+  Option.map
+    (fun (x, integral, place) ->
+      explained t
+        (Printf.sprintf "for the sum over time, write `%s = %s`, which needs no time step" x
+           integral)
+      |> Diagnostic.write place integral)
+    (Rewritten.integral t)
+
+let symbol (t : Unknown.t) =
+  match (t.namespace, t.name.text) with
+  | (Values | Constructors), ("and" | "AND") -> Some "&&"
+  | (Values | Constructors), ("or" | "OR") -> Some "||"
+  | Values, "xor" -> Some "/="
+  | Values, "is" -> Some "=="
+  | _ -> None
+
+let operator (t : Unknown.t) =
+  Option.map
+    (fun symbol ->
+      let name = t.name.text in
+      Diagnostic.error ~code:(Namespace.unknown t.namespace) ~at:t.name.span "Frob has no `%s`" name
+      |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name)
+      |> Diagnostic.write t.name.span symbol)
+    (symbol t)
+
+let capital (t : Unknown.t) =
+  if
+    t.namespace = Constructors && Name_in_text.starts_an_equation ~text:(Unknown.text t) t.name.text
+  then
+    Some
+      (explained t
+         (Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
+            (Name_in_text.lower_case t.name.text)))
+  else None
+
+(* `f"{speed} m/s"` *)
+let before_a_text (t : Unknown.t) =
+  if t.namespace = Values && Name_in_text.after ~text:(Unknown.text t) t.name.span = '"' then
+    Some
+      (explained t
+         (Printf.sprintf
+            "remove `%s`: a text is only a label, so it cannot contain values; make the value an \
+             output"
+            t.name.text))
+  else None
+
+let call (t : Unknown.t) =
+  Option.map
+    (fun (whole, text) ->
+      Printf.sprintf "write `%s`%s" text (Rewritten.import_of t text)
+      |> Imports.without_imported t.module_.visible
+      |> explained t
+      |> Diagnostic.write whole (Source.grouped text))
+    (Rewritten.call t)
+
+(* {1 Words} *)
+
+let of_last_element =
+  "to get the last element of an array, write its index, as in `xs ! 2` for the third: the first \
+   is `xs ! 0`"
+
+let hint_of_word (t : Unknown.t) =
+  let name = t.name.text in
+  match t.namespace with
+  | Values
+    when String.equal name "end" && Name_in_text.before ~text:(Unknown.text t) t.name.span = '(' ->
+      Some of_last_element
+  | Values -> Resolve.Other_languages.value name
+  | Constructors -> Resolve.Other_languages.constructor name
+  | Types -> Resolve.Other_languages.type_ name
+  | Classes -> Resolve.Other_languages.class_ name
+  | Units -> None
+
+(* The name in a hint such as "write `return`", which suggests only another name. *)
+let only_a_name hint =
+  let is_inner = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' -> true | _ -> false in
+  match String.split_on_char '`' hint with
+  | [ "write "; name; "" ] when String.for_all is_inner name -> Some name
+  | _ -> None
+
+let word (t : Unknown.t) =
+  Option.map
+    (fun hint ->
+      explained t (Imports.without_imported t.module_.visible hint)
+      |> Option.fold (only_a_name hint) ~none:Fun.id ~some:(Diagnostic.write t.name.span))
+    (hint_of_word t)
+
+(* {1 Declarations of C} *)
+
+(* The type and the value to suggest in place of a declaration in the notation of C. *)
+let of_c_declaration (d : Proc_signals.c_declaration) =
+  let text = d.declared.text in
+  let name =
+    if String.equal text (String.uppercase_ascii text) then String.lowercase_ascii text
+    else String.uncapitalize_ascii text
+  in
+  let type_ =
+    match d.type_ with
+    | "bool" | "boolean" -> "Bool"
+    | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
+    | _ -> "Int"
+  in
+  match d.value with
+  | Some value ->
+      Printf.sprintf "declare it as `%s :: %s` and, on the next line, `%s = %s`" name type_ name
+        value
+  | None when List.mem d.head.text [ "var"; "let"; "auto"; "val"; "const" ] && d.type_ = d.head.text
+    ->
+      Printf.sprintf "remove `%s` before `%s`" d.head.text text
+  | None ->
+      Printf.sprintf
+        "remove the words before `%s`, and write its type on the line above: `%s :: %s`" text name
+        type_
+
+let c_declaration t =
+  Option.map
+    (fun (d : Proc_signals.c_declaration) ->
+      Other_meaning.diagnostic t
+      |> Diagnostic.label ~at:d.head.span
+           (Printf.sprintf "this defines a function `%s`" d.head.text)
+      |> Diagnostic.hint (of_c_declaration d))
+    (Unknown.c_declaration t)
+
+let rules = [ member; integral; operator; capital; before_a_text; call; word; c_declaration ]
+
+let controller (t : Unknown.t) =
+  Option.map
+    (fun text ->
+      Printf.sprintf "use `%s`, with `import Control`" text
+      |> Imports.without_imported t.module_.visible
+      |> explained t
+      |> Diagnostic.note
+           "each gain has its unit, such as `0.5[1/s]`, and `largest` is the largest output")
+    (Rewritten.controller t)

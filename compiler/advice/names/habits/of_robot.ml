@@ -1,0 +1,107 @@
+open Basis
+
+type hint = {
+  text : string;
+  edit : (Span.t * string) option;
+  is_certain : bool;  (** better than a similar name *)
+}
+
+let plain text = { text; edit = None; is_certain = false }
+let is_a_word name = Resolve.Other_languages.robot name <> None
+
+(* The name of a sensor in another language, applied to the input: `speed i`. *)
+let of_a_reading (t : Unknown.t) =
+  match Name_in_text.application ~text:(Unknown.text t) t.name.span with
+  | Some (whole, [ (("i" | "input") as input) ]) ->
+      Option.map
+        (fun reading ->
+          let text = Printf.sprintf reading input in
+          { text = Printf.sprintf "write `%s`" text; edit = Some (whole, text); is_certain = true })
+        (Resolve.Other_languages.reading t.name.text)
+  | Some _ | None -> None
+
+(* `v_prev`, `prevV` or `lastV`, if `v` is known *)
+let of_a_previous_value (t : Unknown.t) =
+  let own = t.module_.visible.own.values in
+  let is_signal base = List.mem base (Lazy.force t.locals) || String_table.mem own base in
+  Option.map
+    (fun base ->
+      let text =
+        Printf.sprintf
+          "for the value of `%s` one instant ago, write `delay 0 %s`, where 0 is the initial value"
+          base base
+      in
+      { text; edit = None; is_certain = true })
+    (List.find_opt is_signal (Resolve.Other_languages.current t.name.text))
+
+let of_an_index (t : Unknown.t) =
+  if Name_in_text.is_index ~text:(Unknown.text t) t.name.span then
+    Some
+      (plain
+         "for the value of a signal `x` one instant ago, write `delay 0 x`, where 0 is the initial \
+          value")
+  else None
+
+(* `roMake (setSpeed 0.3[m/s] 0)`, with the arguments of [setVelTR] *)
+let of_speeds (t : Unknown.t) =
+  let source = Unknown.text t in
+  if not (Resolve.Other_languages.is_of_speed t.name.text) then None
+  else
+    match Name_in_text.application ~text:source t.name.span with
+    | Some (whole, ([ _; _ ] as arguments))
+      when Name_in_text.follows ~text:source "roMake (" t.name.span ->
+        let text = String.concat " " ("setVelTR" :: arguments) in
+        Some
+          {
+            text = Printf.sprintf "write `%s`, which sets the speed and the turn rate" text;
+            edit = Some (whole, text);
+            is_certain = false;
+          }
+    | Some _ | None -> None
+
+let of_a_word (t : Unknown.t) = Option.map plain (Resolve.Other_languages.robot t.name.text)
+
+let of_the_input (t : Unknown.t) =
+  match t.name.text with
+  | "i" | "input" | "sensors" ->
+      Some
+        (plain
+           "only a `proc` has a name for the robot's input, as in `proc i -> …`; in a task, write \
+            `d <- ask frontSonar` to read it once")
+  | _ -> None
+
+let rules = [ of_the_input; of_a_reading; of_a_previous_value; of_an_index; of_speeds; of_a_word ]
+
+(* `a'` for the transpose of a matrix `a` *)
+let transposed (t : Unknown.t) =
+  let name = t.name.text in
+  let base = String.sub name 0 (max 0 (String.length name - 1)) in
+  let signature () =
+    Option.value (Name_in_text.signature ~text:(Unknown.text t) t.name.span) ~default:""
+  in
+  if
+    t.namespace = Values && String.ends_with ~suffix:"'" name
+    && List.mem base (Lazy.force t.names)
+    && List.mem "Matrix" (String.split_on_char ' ' (signature ()))
+  then
+    let text = Printf.sprintf "(transpose %s)" base in
+    Printf.sprintf
+      "a `'` is a part of the name: for the transpose of `%s`, write `%s`, with `import Matrix`"
+      base text
+    |> Imports.without_imported t.module_.visible
+    |> fun hint ->
+    Some (Diagnostic.hint hint (Other_meaning.diagnostic t) |> Diagnostic.write t.name.span text)
+  else None
+
+let diagnostic suggestions (t : Unknown.t) =
+  match transposed t with
+  | Some diagnostic -> diagnostic
+  | None -> (
+      let diagnostic = Other_meaning.diagnostic t in
+      let suggested = Suggestion.add suggestions t.name.text t.names diagnostic in
+      let hint = if t.namespace = Values then List.find_map (fun rule -> rule t) rules else None in
+      match hint with
+      | Some { text; edit; is_certain } when is_certain || suggested.hints = [] ->
+          Diagnostic.hint text diagnostic
+          |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
+      | Some _ | None -> suggested)

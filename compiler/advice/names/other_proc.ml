@@ -1,0 +1,91 @@
+open Basis
+
+let signal_of (t : Unknown.t) signals =
+  let is_it (signal : Proc_signals.t) = String.equal signal.name.text t.name.text in
+  List.find_opt is_it (Lazy.force signals)
+
+let signal (t : Unknown.t) = signal_of t t.signals
+
+(* {1 A [proc] that ends before the name} *)
+
+let ended (t : Unknown.t) =
+  let syntax = t.module_.visible.syntax in
+  let may_be_input =
+    t.namespace = Values
+    && (List.mem t.name.text [ "i"; "input"; "sensors" ] || Option.is_some (signal t))
+  in
+  if not may_be_input then None
+  else
+    match Ended_proc.without_name syntax t.name with
+    | Some hint -> Some hint
+    | None -> Ended_proc.of_switch ~text:(Unknown.text t) syntax t.name
+
+let with_hint ({ text; edits } : Ended_proc.hint) diagnostic =
+  Diagnostic.hint text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
+
+let of_an_input t = Option.map (fun hint -> with_hint hint (Other_meaning.diagnostic t)) (ended t)
+
+(* Is it in an equation of the `where` of the definition? *)
+let is_in_a_where (t : Unknown.t) =
+  let text = Unknown.text t in
+  match (Name_in_text.assigned ~text t.name.span, Name_in_text.definition ~text t.name.span) with
+  | Some (x, _, _), Some (whole, has_where) -> has_where && not (String.equal x whole)
+  | _ -> false
+
+let hint_of_this (t : Unknown.t) (signal : Proc_signals.t) =
+  if signal.of_do then
+    "a `where` after `do` belongs to the whole definition and cannot use signals: write a `let` in \
+     the `do`"
+  else if Ended_proc.is_in_second_where t.module_.visible.syntax t.name then
+    "this second `where` belongs to the whole definition, so it cannot use signals: move its \
+     equations into the first `where`"
+  else if is_in_a_where t then
+    "the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: \
+     move that bracket to the end of the last equation"
+  else
+    "a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, \
+     nor in a `where` after that"
+
+let of_this (t : Unknown.t) =
+  Option.map
+    (fun (signal : Proc_signals.t) ->
+      Other_meaning.diagnostic t
+      |> Diagnostic.label ~at:signal.name.span
+           (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)
+      |>
+      match if signal.of_do then None else ended t with
+      | Some hint -> with_hint hint
+      | None -> Diagnostic.hint (hint_of_this t signal))
+    (signal t)
+
+(* {1 A [proc] in another definition} *)
+
+let hint_of_another (t : Unknown.t) (signal : Proc_signals.t) =
+  let text = Unknown.text t in
+  match
+    (Name_in_text.equation ~text signal.name.span, Name_in_text.definition ~text t.name.span)
+  with
+  | Some equation, Some (definition, has_where) ->
+      Printf.sprintf
+        "a signal can only be used inside its `proc`: %s, or make the value a part of this \
+         `proc`'s input"
+        (if has_where then Printf.sprintf "add `%s` to the `where` of `%s`" equation definition
+         else
+           Printf.sprintf "add a `where` to the `proc` in `%s`, and `%s` below it" definition
+             equation)
+  | _ ->
+      Printf.sprintf
+        "a signal can only be used inside its `proc`: move the equation to the `where` of that \
+         `proc`, or write a signal function, `proc %s -> …`"
+        t.name.text
+
+let of_another (t : Unknown.t) =
+  if t.namespace <> Values then None
+  else
+    Option.map
+      (fun (signal : Proc_signals.t) ->
+        Other_meaning.diagnostic t
+        |> Diagnostic.label ~at:signal.name.span
+             (Printf.sprintf "this `%s` is a signal of a `proc`" t.name.text)
+        |> Diagnostic.hint (hint_of_another t signal))
+      (signal_of t t.module_.signals)

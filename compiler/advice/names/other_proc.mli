@@ -1,0 +1,12 @@
+(** Names that are signals of a [proc], used where that [proc] has ended. *)
+
+open Basis
+
+val of_this : Unknown.t -> Diagnostic.t option
+(** The [proc] is in the same definition. *)
+
+val of_an_input : Unknown.t -> Diagnostic.t option
+(** The name seems to be the input of a [proc] around it or next to it. *)
+
+val of_another : Unknown.t -> Diagnostic.t option
+(** The [proc] is in another definition. *)

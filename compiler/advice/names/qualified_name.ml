@@ -1,0 +1,79 @@
+open Basis
+open Resolve
+
+(* {1 Qualifiers} *)
+
+type rule = Visible.t -> Syntax.Ir.name -> Syntax.Ir.name -> (Diagnostic.t -> Diagnostic.t) option
+
+let of_the_library : rule =
+ fun visible qualifier _ ->
+  let is_it (m : Visible.of_library) = String.equal m.module_ qualifier.text in
+  if List.exists is_it (Lazy.force visible.elsewhere) then
+    let import = Printf.sprintf "import qualified %s" qualifier.text in
+    Some
+      (fun d ->
+        Diagnostic.hint (Printf.sprintf "it is in the library: `%s`" import) d
+        |> Imports.add visible.syntax import)
+  else None
+
+(* `Mode.Drive`, where `Mode` is a type and not a module. *)
+let of_a_type : rule =
+ fun visible qualifier name ->
+  if
+    Visible.is_known visible Interface.tycons qualifier.text
+    && Visible.is_known visible Interface.constructors name.text
+  then
+    let title = Printf.sprintf "remove `%s.`" qualifier.text in
+    Some
+      (fun d ->
+        Diagnostic.hint
+          (Printf.sprintf "`%s` is a type; write its constructors without it: %s" qualifier.text
+             title)
+          d
+        |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ])
+  else None
+
+let of_another_language : rule =
+ fun visible qualifier name ->
+  Option.map
+    (fun hint ->
+      let whole = { qualifier.span with stop = name.span.stop } in
+      match Name_in_text.call ~text:visible.text whole with
+      | Some (at, text) when Syntax.Other_notation.expression text <> None ->
+          fun d ->
+            Diagnostic.hint
+              (Printf.sprintf "mathematical functions are built in: write `%s`" text)
+              d
+            |> Diagnostic.write at (Source.grouped text)
+      | Some _ | None -> Diagnostic.hint hint)
+    (Resolve.Other_languages.qualifier qualifier.text)
+
+let similar suggestions (visible : Visible.t) (qualifier : Syntax.Ir.name) =
+  let imported =
+    lazy
+      (List.filter (fun i -> not (Visible.is_implied i)) visible.imports
+      |> List.concat_map (fun (i : Visible.import) -> i.qualifiers))
+  in
+  Suggestion.add suggestions qualifier.text imported
+
+let unknown_qualifier suggestions visible (qualifier : Syntax.Ir.name) name =
+  let rules = [ of_the_library; of_a_type; of_another_language ] in
+  let explain =
+    match List.find_map (fun (rule : rule) -> rule visible qualifier name) rules with
+    | Some explain -> explain
+    | None -> similar suggestions visible qualifier
+  in
+  Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here" qualifier.text
+  |> explain
+
+(* {1 Names} *)
+
+let unknown_in_module suggestions namespace ~(qualifier : Syntax.Ir.name) ~known
+    (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:(Namespace.unknown namespace) ~at:name.span "module `%s` has no %s `%s`"
+    qualifier.text (Namespace.noun namespace) name.text
+  |> Suggestion.add suggestions name.text known
+
+let absent suggestions ~module_ ~known ~to_ (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0215" ~at:name.span "module `%s` has no `%s` to %s" module_ name.text to_
+  |> Suggestion.add suggestions name.text known

@@ -1,0 +1,25 @@
+(** Qualified names without a meaning, and names that a module does not have. *)
+
+open Basis
+
+val unknown_qualifier :
+  Suggestion.t -> Resolve.Visible.t -> Syntax.Ir.name -> Syntax.Ir.name -> Diagnostic.t
+(** The qualifier, and the name that it qualifies. *)
+
+val unknown_in_module :
+  Suggestion.t ->
+  Resolve.Interface.namespace ->
+  qualifier:Syntax.Ir.name ->
+  known:string list Lazy.t ->
+  Syntax.Ir.name ->
+  Diagnostic.t
+
+val absent :
+  Suggestion.t ->
+  module_:string ->
+  known:string list Lazy.t ->
+  to_:string ->
+  Syntax.Ir.name ->
+  Diagnostic.t
+(** A list of names contains one that the module does not have. [to_]: the purpose of the list,
+    [export] or [import]. *)

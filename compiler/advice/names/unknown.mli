@@ -1,0 +1,34 @@
+(** An unqualified name without a meaning, with what its rules need. *)
+
+open Basis
+
+type t = {
+  module_ : Module_syntax.t;
+  namespace : Resolve.Interface.namespace;
+  name : Syntax.Ir.name;
+  names : string list Lazy.t;  (** the names that are visible there, including local ones *)
+  locals : string list Lazy.t;
+  signals : Proc_signals.t list Lazy.t;
+      (** of [proc]s in the definition; the ones in scope are also among the locals *)
+  is_in : Resolve.Interface.names -> bool;  (** Is the unknown name one of these? *)
+}
+
+val create :
+  Module_syntax.t ->
+  Resolve.Interface.any_space ->
+  Syntax.Ir.name ->
+  locals:string list Lazy.t ->
+  around:Syntax.Ir.right list ->
+  t
+
+val text : t -> string
+(** The source text of the module. *)
+
+val is_unit : t -> string -> bool
+
+val diagnostic : t -> Diagnostic.t
+(** The diagnostic without hints. *)
+
+val c_declaration : t -> Proc_signals.c_declaration option
+(** The declaration of the name in the notation of C: [int m = n + 1], which parses as the
+    definition of a function [int]. *)

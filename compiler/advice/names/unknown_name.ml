@@ -1,0 +1,93 @@
+open Basis
+open Resolve
+
+type outcome = Report of Diagnostic.t | Import of Imports.absent | Class_as_type | Silent
+
+(* `0.5 m/s`, a unit without brackets. Only its first name is reported. *)
+let unit_without_brackets (t : Unknown.t) =
+  Option.map
+    (fun { Name_in_text.number; measure; whole; is_first } ->
+      let text = Printf.sprintf "%s[%s]" number measure in
+      if not is_first then Silent
+      else
+        Report
+          (Diagnostic.error ~code:"E0205" ~at:t.name.span "the unit `%s` needs brackets" measure
+          |> Diagnostic.hint (Printf.sprintf "write it directly after its number: `%s`" text)
+          |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" text) [ (whole, text) ]))
+    (Rewritten.unit_after_number t)
+
+(* The definition has already been reported. *)
+let of_a_reported_definition (t : Unknown.t) =
+  let reported =
+    match t.namespace with
+    | Constructors -> Lazy.force t.module_.in_capitals
+    | Values -> Lazy.force t.module_.without_definition
+    | Types | Units | Classes -> []
+  in
+  if List.mem t.name.text reported then Some Silent else None
+
+(* The module of the name is imported with `qualified`. *)
+let of_a_qualified_import (t : Unknown.t) =
+  let has (i : Visible.import) =
+    (not i.unqualified) && (not (Visible.is_implied i)) && t.is_in i.names
+  in
+  match List.find_opt has t.module_.visible.imports with
+  | Some { qualifiers = q :: _; _ } ->
+      let text = q ^ "." ^ t.name.text in
+      Some
+        (Other_meaning.diagnostic t
+        |> Diagnostic.hint
+             (Printf.sprintf "it is imported under its module's name: write `%s`" text)
+        |> Diagnostic.write t.name.span text)
+  | Some _ | None -> None
+
+let class_ (t : Unknown.t) =
+  if t.namespace = Types && Visible.is_known t.module_.visible Interface.classes t.name.text then
+    Some Class_as_type
+  else None
+
+let of_the_library t =
+  match Other_proc.of_this t with
+  | Some _ -> None
+  | None -> Option.map (fun absent -> Import absent) (Imports.absent t)
+
+let other_spelling (t : Unknown.t) =
+  if t.namespace = Values && Of_robot.is_a_word t.name.text then None
+  else
+    Option.map
+      (fun other ->
+        Other_meaning.diagnostic t
+        |> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other)
+        |> Diagnostic.write t.name.span other)
+      (Other_meaning.spelling t)
+
+(* The first rule that applies determines the outcome. Certain explanations come first, and those
+   that depend on the text around the name come before those that depend only on its letters. *)
+let outcome suggestions (t : Unknown.t) =
+  let report rule t = Option.map (fun d -> Report d) (rule t) in
+  let rules =
+    [
+      unit_without_brackets;
+      of_a_reported_definition;
+      report Unknown_unit.diagnostic;
+      report Of_another_language.controller;
+      report of_a_qualified_import;
+      class_;
+      of_the_library;
+      report Other_proc.of_this;
+      report other_spelling;
+      report Other_proc.of_an_input;
+    ]
+    @ List.map report Of_another_language.rules
+    @ [ report Other_proc.of_another ]
+  in
+  match List.find_map (fun rule -> rule t) rules with
+  | Some outcome -> outcome
+  | None -> Report (Of_robot.diagnostic suggestions t)
+
+let class_hint =
+  "write the class before `=>` and use a type variable, as in `(HasSonar i, DiffDrive o) => SF i o`"
+
+let class_as_type (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, not a type" name.text
+  |> Diagnostic.hint class_hint

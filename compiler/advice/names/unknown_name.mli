@@ -1,0 +1,15 @@
+(** Unqualified names without a meaning, with advice: a similar name, the module to import, Frob's
+    equivalent for a word of another language, or the place where the name would have a meaning. *)
+
+open Basis
+
+type outcome =
+  | Report of Diagnostic.t
+  | Import of Imports.absent  (** to be reported together with other names of the same import *)
+  | Class_as_type  (** reported once for each line *)
+  | Silent  (** another diagnostic explains the problem *)
+
+val outcome : Suggestion.t -> Unknown.t -> outcome
+
+val class_as_type : Syntax.Ir.name -> Diagnostic.t
+(** [SF HasSonar DiffDrive] uses classes as types. *)

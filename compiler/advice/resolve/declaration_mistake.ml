@@ -1,0 +1,172 @@
+open Basis
+open Resolve
+
+(* {1 Parameters and arguments} *)
+
+let parameter_missing (name : Syntax.Ir.name) ~owner ~is_unit =
+  Diagnostic.error ~code:"E0221" ~at:name.span "%s variable `%s` is not a parameter of `%s`"
+    (if is_unit then "unit" else "type")
+    name.text owner
+  |> Diagnostic.hint
+       (if is_unit then
+          Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
+        else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
+
+let counted n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
+
+let hint_of_builtin name ~found =
+  match name with
+  | "Array" when found > 2 -> Some "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
+  | "Array" -> Some "write the size and the type of the elements, as in `Array 4 Float`"
+  | "SF" when found > 2 -> Some "combine several inputs in a tuple, as in `SF (a, b) c`"
+  | "SF" ->
+      Some
+        "write the types of the input and the output, as in `SF Float Bool`; use `()` for no input"
+  | "Task" ->
+      Some
+        "write the types of the input, the output and the result, as in `Task i o ()`; use `()` \
+         for no result"
+  | "Program" ->
+      Some "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
+  | _ -> None
+
+let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found at =
+  let name = tycon.global.name in
+  let noun = if of_units then "unit argument" else "type argument" in
+  let diagnostic =
+    Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" name (counted expected noun)
+      found
+  in
+  let is_builtin = Interface.is_builtin tycon in
+  match if is_builtin then hint_of_builtin name ~found else None with
+  | Some hint -> Diagnostic.hint hint diagnostic
+  | None when of_units && expected = 1 && found = 0 ->
+      Diagnostic.label ~at:tycon.span "declared here" diagnostic
+      |> Diagnostic.hint
+           (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
+              name)
+  | None when is_builtin -> diagnostic
+  | None ->
+      Diagnostic.label ~at:tycon.span "declared here" diagnostic
+      |>
+      if found < expected && not of_units then
+        Diagnostic.hint
+          (Printf.sprintf "give it %s, as in `%s`" (counted expected noun)
+             (String.concat " " (name :: List.init expected (fun _ -> "Float"))))
+      else Fun.id
+
+let size_not_a_number ~at alias =
+  (match alias with
+  | Some alias ->
+      Diagnostic.error ~code:"E0330" ~at "`%s` is not a number, but part of a size" alias
+  | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but not a number")
+  |> Diagnostic.hint "define a size as `type N = 25`"
+
+(* {1 Circles} *)
+
+(* Shows a cycle as `A` → `B` → `A`. *)
+let path names =
+  match names with
+  | [] -> ""
+  | first :: _ -> String.concat " → " (List.map (Printf.sprintf "`%s`") (names @ [ first ]))
+
+let through name ~at = Diagnostic.label ~at (Printf.sprintf "through `%s`" name)
+
+let type_circle (main : Ir.type_declaration) circle =
+  let diagnostic =
+    match main.definition with
+    | Data _ ->
+        Diagnostic.error ~code:"E0218" ~at:main.span "the data type `%s` contains itself"
+          main.tycon.name
+        |> Diagnostic.note "every value has a fixed size, so a data type cannot be recursive"
+        |> Diagnostic.hint
+             "use an array of a fixed size, such as `Array 8 Distance`; if the number of valid \
+              elements varies, keep their count in a second field"
+    | Alias _ | Builtin | Foreign _ ->
+        Diagnostic.error ~code:"E0217" ~at:main.span "the type alias `%s` is defined by itself"
+          main.tycon.name
+  in
+  let label diagnostic (d : Ir.type_declaration) =
+    if d == main then diagnostic else through d.tycon.name ~at:d.span diagnostic
+  in
+  let names = List.map (fun (d : Ir.type_declaration) -> d.tycon.name) circle in
+  List.fold_left label diagnostic circle
+  |> if List.length names > 1 then Diagnostic.note (path names) else Fun.id
+
+let unit_circle (main : Ir.unit_declaration) others =
+  let label diagnostic (d : Ir.unit_declaration) = through d.unit_name.name ~at:d.span diagnostic in
+  List.fold_left label
+    (Diagnostic.error ~code:"E0219" ~at:main.span "the unit `%s` is defined by itself"
+       main.unit_name.name)
+    others
+
+let class_circle (main : Ir.class_) others =
+  let label diagnostic (c : Ir.class_) = through c.class_.name ~at:c.span diagnostic in
+  List.fold_left label
+    (Diagnostic.error ~code:"E0229" ~at:main.span "the class `%s` is its own superclass"
+       main.class_.name)
+    others
+
+(* {1 Classes and instances} *)
+
+let not_a_method suggestions (class_ : Interface.class_) (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is not a method of the class `%s`" name.text
+    class_.global.name
+  |> (if Interface.is_builtin_class class_ then Fun.id
+      else Diagnostic.label ~at:class_.span "the methods are declared here")
+  |> Suggestion.add suggestions name.text (lazy class_.methods)
+  |> fun d ->
+  if d.hints <> [] then d
+  else
+    Diagnostic.hint
+      (Printf.sprintf
+         "if it is a separate function, move it to the left margin; if every `%s` must have it, \
+          add its signature to the class"
+         class_.global.name)
+      d
+
+let twice what (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0211" ~at:second.span "the %s `%s` is declared twice" what second.text
+  |> Diagnostic.label ~at:first.span "first declared here"
+
+let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
+  | Parameter_missing { name; owner; is_unit } -> parameter_missing name ~owner ~is_unit
+  | Wrong_arity { at; tycon; of_units; expected; found } ->
+      wrong_arity tycon ~of_units ~expected ~found at
+  | Representation_without_parameter { name; owner } ->
+      Diagnostic.error ~code:"E0222" ~at:name.span
+        "`%s` can be a Float or an Int, and `%s` has no parameter to choose between them" name.text
+        owner
+      |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
+  | Size_not_a_number { at; alias } -> size_not_a_number ~at alias
+  | Size_of_variable { at; variable } ->
+      Diagnostic.error ~code:"E0330" ~at
+        "`%s` is a variable, but arithmetic on sizes needs known numbers" variable
+      |> Diagnostic.hint
+           "use another variable for the result, as in `take :: Array n a -> Array k a`"
+  | Type_circle { main; circle } -> type_circle main circle
+  | Unit_circle { main; others } -> unit_circle main others
+  | Class_circle { main; others } -> class_circle main others
+  | Parameter_twice { first; second } -> twice "parameter" first second
+  | Field_twice { first; second } -> twice "field" first second
+  | Parameter_is_a_unit name ->
+      Diagnostic.error ~code:"E0224" ~at:name.span
+        "the unit parameter `%s` has the same name as a unit" name.text
+      |> Diagnostic.hint "use a letter that is not a unit, such as `u`"
+  | Unit_of_one_letter name ->
+      Diagnostic.error ~code:"E0220" ~at:name.span
+        "the name of the unit `%s` is a single lower-case letter" name.text
+      |> Diagnostic.note
+           "single lower-case letters are reserved for unit variables and the library's units"
+      |> Diagnostic.hint "use a name of at least two characters, or a capital letter"
+  | Pattern_in_instance at ->
+      Diagnostic.error ~code:"E0226" ~at "an instance defines methods by name, not by a pattern"
+  | Method_twice { first; second } ->
+      Diagnostic.error ~code:"E0211" ~at:second.span "the method `%s` is defined twice" second.text
+      |> Diagnostic.label ~at:first.span "first defined here"
+  | Not_a_method { class_; name } -> not_a_method suggestions class_ name
+  | Signature_in_instance { class_; name } ->
+      Diagnostic.error ~code:"E0231" ~at:name.span "an instance cannot contain a signature"
+      |> Diagnostic.label ~at:class_.span
+           (Printf.sprintf "the class gives the type of `%s`" name.text)
+      |> Diagnostic.hint "remove the signature"

@@ -1,0 +1,5 @@
+(** Declarations of types, units, classes and instances, and types that are used wrongly. *)
+
+open Basis
+
+val diagnostic : Suggestion.t -> Resolve.Fact.in_types -> Diagnostic.t

@@ -1,0 +1,102 @@
+open Basis
+open Resolve
+
+(* {1 Unused names} *)
+
+let unused_equation ~at ~circle name =
+  let pronoun = if name = None then "them" else "it" in
+  Diagnostic.warning ~code:"W0304" ~at "%s here, but nothing uses %s"
+    (match name with
+    | None -> "these are defined"
+    | Some name -> Printf.sprintf "`%s` is defined" name)
+    pronoun
+  |> (match circle with
+     | [] -> Fun.id
+     | [ _ ] -> Diagnostic.note "only its own equation uses it"
+     | names ->
+         let names = List.map (Printf.sprintf "`%s`") names in
+         Diagnostic.note (Enumeration.all names ^ " use only each other"))
+  |> Diagnostic.hint
+       (match name with
+       | None -> "use one of them in an output, or remove the equation"
+       | Some name ->
+           Printf.sprintf
+             "use it in an output, or remove it; if it is unused on purpose, call it `_%s`" name)
+  |>
+  match name with
+  | Some name when name.[0] >= 'a' ->
+      Diagnostic.fix (Printf.sprintf "rename it to `_%s`" name) [ (at, "_" ^ name) ]
+  | Some _ | None -> Fun.id
+
+let unused_variables (first : Fact.variable) (others : Fact.variable list) =
+  match others with
+  | [] ->
+      Diagnostic.warning ~code:"W0305" ~at:first.at "`%s` is never used" first.name
+      |> Diagnostic.hint (Printf.sprintf "replace it by `_` or `_%s`" first.name)
+      |> Diagnostic.fix ~safe:true
+           (Printf.sprintf "write `_%s`" first.name)
+           [ (first.at, "_" ^ first.name) ]
+  | _ ->
+      let all = first :: others in
+      let told = List.filteri (fun i _ -> i < 3) all in
+      let quoted = List.map (fun (v : Fact.variable) -> Printf.sprintf "`%s`" v.name) told in
+      Diagnostic.warning ~code:"W0305" ~at:first.at "%s are never used"
+        (Enumeration.some quoted ~more:(List.length all - List.length told))
+      |> Diagnostic.hint (Printf.sprintf "replace them by `_` or by names such as `_%s`" first.name)
+      |> Diagnostic.fix ~safe:true
+           (Printf.sprintf "write `_%s`, and `_` before the other names" first.name)
+           (List.map (fun (v : Fact.variable) -> (v.at, "_" ^ v.name)) all)
+
+let unused_import (idle : Ir.idle) =
+  (match idle.listed with
+  | Some name -> Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but not used" name
+  | None ->
+      Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but nothing from it is used"
+        idle.of_module)
+  |> Diagnostic.hint "remove it"
+  |> Diagnostic.fix ~safe:true "remove it" [ (idle.whole, "") ]
+
+(* {1 Deprecated names} *)
+
+type advice = Renamed of string | Other of string
+
+let advice text =
+  match String.split_on_char '`' text with
+  | [ "renamed to "; name; rest ] when String.length rest <= 1 -> Renamed name
+  | _ ->
+      let text = String.concat " " (List.map String.trim (String.split_on_char '\n' text)) in
+      let n = String.length text in
+      Other (if String.ends_with ~suffix:"." text then String.sub text 0 (n - 1) else text)
+
+(* A qualified name is longer, and the new name might need another qualifier. *)
+let is_plain (name : Ir.Global.t) (span : Span.t) =
+  Span.line span.start = Span.line span.stop
+  && Span.column span.stop - Span.column span.start = String.length name.name
+
+let deprecated (name : Ir.Global.t) ~at ~text ~is_visible =
+  let write fresh = Printf.sprintf "write `%s`, its new name" fresh in
+  Diagnostic.warning ~code:"W0317" ~at "`%s` is deprecated" name.name
+  |>
+  match advice text with
+  | Other text -> Diagnostic.hint text
+  | Renamed fresh when not (is_plain name at) -> Diagnostic.hint (write fresh)
+  | Renamed fresh when is_visible ->
+      fun d ->
+        Diagnostic.hint (write fresh) d
+        |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" fresh) [ (at, fresh) ]
+  | Renamed fresh -> Diagnostic.hint (write fresh ^ ", and import it")
+
+let diagnostic : Fact.warning -> Diagnostic.t = function
+  | Hides_local { outer; inner } ->
+      Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides a local variable of the same name"
+        inner.name
+      |> Diagnostic.label ~at:outer.span "this variable is hidden"
+  | Hides_parameter { param; inner } ->
+      Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides the parameter of the same name"
+        inner.name
+      |> Diagnostic.label ~at:param.span "setting this parameter has no effect where it is hidden"
+      |> Diagnostic.hint "give one of them another name"
+  | Unused_equation { at; name; circle } -> unused_equation ~at ~circle name
+  | Unused_variables (first, others) -> unused_variables first others
+  | Unused_import idle -> unused_import idle
+  | Deprecated { name; at; text; is_visible } -> deprecated name ~at ~text ~is_visible

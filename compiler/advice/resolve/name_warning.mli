@@ -1,0 +1,5 @@
+(** Warnings about hidden, unused and deprecated names. *)
+
+open Basis
+
+val diagnostic : Resolve.Fact.warning -> Diagnostic.t

@@ -1,0 +1,195 @@
+(** What name resolution reports, as values without any text. The library [advice] turns each fact
+    into a diagnostic. *)
+
+open Basis
+open Syntax.Ir
+
+(** {1 Names without a meaning} *)
+
+type size = {
+  variable : string;
+  of_ : string;  (** the definition with this signature *)
+  array : string option;  (** one of its parameters that is an array of this size *)
+}
+(** A size variable of a signature, such as the [n] of [Array n Float]. *)
+
+type unresolved =
+  | Unknown of {
+      space : Interface.any_space;
+      name : name;
+      locals : string list Lazy.t;  (** the local names in scope *)
+      around : right list;
+          (** the right-hand sides around the name, innermost first, that have a [where], and the
+              outermost one *)
+    }
+  | Unknown_qualifier of { qualifier : name; name : name }  (** no imported module is meant *)
+  | Unknown_in_module of {
+      space : Interface.any_space;
+      qualifier : name;
+      name : name;
+      known : string list Lazy.t;  (** the names of the module *)
+    }
+  | Variable_for_unit of name  (** a unit variable in a number or in the declaration of a unit *)
+  | Size_as_value of { size : size; name : name }
+  | Unit_of_a_value of { head : expr; unit_ : expr; at : Span.t }
+      (** [(k * x)[m/s]]; [at]: the brackets *)
+  | Unit_apart of { head : expr; unit_ : expr; at : Span.t }
+      (** [3 [m/s]]; [head] is the number, or an application of a function to it *)
+  | Field_as_function of { whole : Span.t; field : name; record : name }  (** [x p] for [p.x] *)
+  | Not_exported of { name : name; module_ : string; known : string list Lazy.t }
+  | Not_in_import of { name : name; module_ : string; known : string list Lazy.t }
+      (** an import lists a name that the module does not have *)
+
+(** {1 Modules} *)
+
+type import_place = { importer : string; at : Span.t; target : name }
+
+type in_modules =
+  | Missing_module of {
+      target : name;
+      imported : string list;  (** the modules that the importing module names *)
+      known : string list;  (** the names of the files that could be modules, for suggestions *)
+    }
+  | Missing_file of { at : Span.t; file : string }
+  | Unreadable_file of { at : Span.t; file : string; reason : string }
+  | Import_cycle of { target : name; places : import_place list }
+      (** the imports from the target back to it, in order *)
+  | Other_file_name of { module_ : name; file : string }  (** without the extension *)
+  | Two_files of { target : name; earlier : string; later : string }
+  | No_program of { tests : string; program : string; reason : string option }
+      (** A test file's program does not exist, or cannot be read for this reason. *)
+  | Header_in_tests of Span.t
+  | Main_in_tests of Span.t
+  | Primitive_outside_library of name
+
+(** {1 Parameters that are set on the command line} *)
+
+type setting =
+  | No_parameter of { known : string list }
+  | Several_modules of { qualified : string list }  (** each parameter with its module's name *)
+  | Invalid_value of { value : string }
+
+(** {1 Definitions and names} *)
+
+type defined = {
+  first : Ir.Local.t;
+  second : Ir.Local.t;
+  is_equation : bool;
+  text : string;  (** the source text of the module *)
+}
+
+type in_definitions =
+  | Ambiguous of {
+      namespace : Interface.namespace;
+      name : name;
+      candidates : candidate list;  (** at least two *)
+    }
+  | Declared_twice of {
+      namespace : Interface.namespace;
+      name : name;
+      first : Span.t;
+      is_function : bool;  (** the second one is a function with parameters *)
+    }
+  | Defined_twice of defined  (** local variables that come into scope together *)
+  | Two_labels of { first : Span.t; second : Span.t }
+  | Two_signatures of { first : name; second : name }
+  | Signature_alone of { name : name; bound : string list Lazy.t }
+  | Top_level_pattern of { at : Span.t; pattern : pattern }
+  | Operator_defined of name
+  | Misplaced_claim of { at : Span.t; kind : claim }
+  | Bad_label of Span.t
+  | Label_without_quotes of { label : name; kind : string }
+  | Too_deep of Span.t
+
+and candidate = { module_ : string; qualifier : string; place : Span.t }
+
+(** {1 Types, units and classes} *)
+
+type in_types =
+  | Parameter_missing of { name : name; owner : string; is_unit : bool }
+  | Wrong_arity of {
+      at : Span.t;
+      tycon : Interface.tycon;
+      of_units : bool;  (** the number of unit arguments is wrong, and not that of types *)
+      expected : int;
+      found : int;
+    }
+  | Representation_without_parameter of { name : name; owner : string }
+  | Size_not_a_number of { at : Span.t; alias : string option }
+  | Size_of_variable of { at : Span.t; variable : string }
+  | Type_circle of { main : Ir.type_declaration; circle : Ir.type_declaration list }
+      (** [circle] contains [main] *)
+  | Unit_circle of { main : Ir.unit_declaration; others : Ir.unit_declaration list }
+  | Class_circle of { main : Ir.class_; others : Ir.class_ list }
+  | Parameter_twice of { first : name; second : name }
+  | Field_twice of { first : name; second : name }
+  | Parameter_is_a_unit of name
+  | Unit_of_one_letter of name
+  | Pattern_in_instance of Span.t
+  | Method_twice of { first : name; second : name }
+  | Not_a_method of { class_ : Interface.class_; name : name }
+  | Signature_in_instance of { class_ : Interface.class_; name : name }
+
+(** {1 Constructors and records} *)
+
+type in_records =
+  | Unknown_fields of {
+      constructor : Interface.constructor;
+      known : string list;
+      first : name;
+      others : name list;
+    }
+  | No_fields of { constructor : Interface.constructor; at : Span.t }
+  | Field_repeated of { first : name; second : name }
+  | Field_set_twice of { first : name; second : name }
+  | Wrong_number_of_arguments of { constructor : Interface.constructor; at : Span.t; found : int }
+  | Fields_missing of {
+      constructor : Interface.constructor;
+      at : Span.t;
+      absent : string list;
+      last : Span.t option;  (** the value of the last field *)
+    }
+
+(** {1 Foreign code} *)
+
+type in_foreign_code =
+  | Not_a_name of name
+  | Reserved_name of { name : name; meaning : c_meaning }
+  | Not_a_type of name
+  | Not_a_header of name
+  | Header_elsewhere of name
+  | State_without_header of { name : name; symbol : string }
+  | Type_without_header of { name : name; c_type : string }
+
+and c_meaning = Reserved_by_c | In_c_headers | Of_generated_c | Main_function
+
+(** {1 Warnings} *)
+
+type variable = { name : string; at : Span.t }
+
+type warning =
+  | Hides_local of { outer : Ir.Local.t; inner : Ir.Local.t }
+  | Hides_parameter of { param : name; inner : Ir.Local.t }
+  | Unused_equation of { at : Span.t; name : string option; circle : string list }
+      (** [name]: [None] for a pattern; [circle]: the names that use only each other *)
+  | Unused_variables of variable * variable list  (** of one pattern *)
+  | Unused_import of Ir.idle
+  | Deprecated of {
+      name : Ir.Global.t;
+      at : Span.t;
+      text : string;  (** the text after [Deprecated:] in its documentation *)
+      is_visible : bool;
+          (** Can the module use all names of the declaring module without a qualifier? *)
+    }
+
+type t =
+  | Syntax of Diagnostic.t
+  | In_modules of in_modules
+  | Setting of { name : string; at : Span.t; problem : setting }
+  | Unresolved of { visible : Visible.t; names : unresolved list }
+      (** all names of one module that have no meaning, in the order in which they were found *)
+  | In_definitions of in_definitions
+  | In_types of in_types
+  | In_records of in_records
+  | In_foreign_code of in_foreign_code
+  | Warning of warning
