@@ -46,7 +46,7 @@ let of_another_language : rule =
               d
             |> Diagnostic.write at (Source.grouped text)
       | Some _ | None -> Diagnostic.hint hint)
-    (Resolve.Other_languages.qualifier qualifier.text)
+    (Other_languages.qualifier qualifier.text)
 
 let similar suggestions (visible : Visible.t) (qualifier : Syntax.Ir.name) =
   let imported =

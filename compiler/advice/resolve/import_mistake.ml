@@ -24,7 +24,7 @@ let lower_case : rule =
     (List.find_opt same known)
 
 let of_another_language : rule =
- fun { target; _ } -> Option.map Diagnostic.hint (Resolve.Other_languages.module_ target.text)
+ fun { target; _ } -> Option.map Diagnostic.hint (Other_languages.module_ target.text)
 
 let similar : rule =
  fun { target; known; _ } ->
@@ -45,7 +45,7 @@ let in_library : rule =
       else fun d ->
         Diagnostic.hint (Printf.sprintf "%s in `%s`: write `import %s`" what module_ module_) d
         |> Diagnostic.write target.span module_)
-    (Resolve.Other_languages.in_library target.text)
+    (Other_languages.in_library target.text)
 
 let missing_module (missing : missing) =
   let rules = [ lower_case; of_another_language; similar; in_library ] in

@@ -9,7 +9,7 @@ let diagnostics suggestions (fact : Resolve.Fact.t) =
   | In_definitions fact -> [ Naming_mistake.diagnostic suggestions fact ]
   | In_types fact -> [ Declaration_mistake.diagnostic suggestions fact ]
   | In_records fact -> [ Construction_mistake.diagnostic suggestions fact ]
-  | In_foreign_code fact -> [ Foreign_mistake.diagnostic fact ]
+  | In_foreign_code fact -> [ Foreign_declaration_mistake.diagnostic fact ]
   | Warning fact -> [ Name_warning.diagnostic fact ]
 
 let into sink = Facts.into_several sink (diagnostics (Suggestion.create ()))

@@ -81,10 +81,10 @@ let hint_of_word (t : Unknown.t) =
   | Values
     when String.equal name "end" && Name_in_text.before ~text:(Unknown.text t) t.name.span = '(' ->
       Some of_last_element
-  | Values -> Resolve.Other_languages.value name
-  | Constructors -> Resolve.Other_languages.constructor name
-  | Types -> Resolve.Other_languages.type_ name
-  | Classes -> Resolve.Other_languages.class_ name
+  | Values -> Other_languages.value name
+  | Constructors -> Other_languages.constructor name
+  | Types -> Other_languages.type_ name
+  | Classes -> Other_languages.class_ name
   | Units -> None
 
 (* The name in a hint such as "write `return`", which suggests only another name. *)

@@ -7,7 +7,7 @@ type hint = {
 }
 
 let plain text = { text; edit = None; is_certain = false }
-let is_a_word name = Resolve.Other_languages.robot name <> None
+let is_a_word name = Other_languages.robot name <> None
 
 (* The name of a sensor in another language, applied to the input: `speed i`. *)
 let of_a_reading (t : Unknown.t) =
@@ -17,7 +17,7 @@ let of_a_reading (t : Unknown.t) =
         (fun reading ->
           let text = Printf.sprintf reading input in
           { text = Printf.sprintf "write `%s`" text; edit = Some (whole, text); is_certain = true })
-        (Resolve.Other_languages.reading t.name.text)
+        (Other_languages.reading t.name.text)
   | Some _ | None -> None
 
 (* `v_prev`, `prevV` or `lastV`, if `v` is known *)
@@ -32,7 +32,7 @@ let of_a_previous_value (t : Unknown.t) =
           base base
       in
       { text; edit = None; is_certain = true })
-    (List.find_opt is_signal (Resolve.Other_languages.current t.name.text))
+    (List.find_opt is_signal (Other_languages.current t.name.text))
 
 let of_an_index (t : Unknown.t) =
   if Name_in_text.is_index ~text:(Unknown.text t) t.name.span then
@@ -45,7 +45,7 @@ let of_an_index (t : Unknown.t) =
 (* `roMake (setSpeed 0.3[m/s] 0)`, with the arguments of [setVelTR] *)
 let of_speeds (t : Unknown.t) =
   let source = Unknown.text t in
-  if not (Resolve.Other_languages.is_of_speed t.name.text) then None
+  if not (Other_languages.is_of_speed t.name.text) then None
   else
     match Name_in_text.application ~text:source t.name.span with
     | Some (whole, ([ _; _ ] as arguments))
@@ -59,7 +59,7 @@ let of_speeds (t : Unknown.t) =
           }
     | Some _ | None -> None
 
-let of_a_word (t : Unknown.t) = Option.map plain (Resolve.Other_languages.robot t.name.text)
+let of_a_word (t : Unknown.t) = Option.map plain (Other_languages.robot t.name.text)
 
 let of_the_input (t : Unknown.t) =
   match t.name.text with

@@ -59,7 +59,7 @@ let of_a_module (t : Unknown.t) =
   if not (List.mem t.name.text [ "math"; "np"; "numpy"; "Math" ]) then None
   else
     Option.bind (field t) (fun (whole, field) ->
-        match Resolve.Other_languages.constant field with
+        match Other_languages.constant field with
         | Some text -> Some (whole, text)
         | None -> Name_in_text.call ~text:(Unknown.text t) whole)
 
@@ -74,7 +74,7 @@ let of_a_container (t : Unknown.t) =
         String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
   in
   let kinds = List.filter (fun kind -> List.mem kind words) [ "Array"; "Event"; "Task" ] in
-  match (Resolve.Other_languages.of_each t.name.text, kinds) with
+  match (Other_languages.of_each t.name.text, kinds) with
   | Some choices, [ kind ] ->
       Option.map (fun text -> (t.name.span, text)) (List.assoc_opt kind choices)
   | _ -> None
@@ -97,17 +97,15 @@ let counted_in_text (t : Unknown.t) =
 (* `constrain x 0 255`, with the arguments in the order of Frob *)
 let applied_in_text (t : Unknown.t) =
   Option.bind (application t) (fun (whole, arguments) ->
-      Option.map
-        (fun (text, _) -> (whole, text))
-        (Resolve.Other_languages.applied t.name.text arguments))
+      Option.map (fun (text, _) -> (whole, text)) (Other_languages.applied t.name.text arguments))
 
 let member (t : Unknown.t) =
-  if t.namespace = Values && Resolve.Other_languages.is_an_object t.name.text then field t else None
+  if t.namespace = Values && Other_languages.is_an_object t.name.text then field t else None
 
 let import_of (t : Unknown.t) text =
   let module_ =
     match application t with
-    | Some (_, arguments) -> Option.bind (Resolve.Other_languages.applied t.name.text arguments) snd
+    | Some (_, arguments) -> Option.bind (Other_languages.applied t.name.text arguments) snd
     | None -> None
   in
   match module_ with
@@ -121,7 +119,7 @@ let import_of (t : Unknown.t) text =
 
 let controller (t : Unknown.t) =
   match application t with
-  | Some (_, [ kp; ki; kd; e ]) when Resolve.Other_languages.is_of_gains t.name.text ->
+  | Some (_, [ kp; ki; kd; e ]) when Other_languages.is_of_gains t.name.text ->
       Some (Printf.sprintf "pid (Pid { kp = %s, ki = %s, kd = %s, largest = … }) %s" kp ki kd e)
   | Some _ | None -> None
 

@@ -32,9 +32,7 @@ let of_that_name words (name : Syntax.Ir.name) =
 let as_a_function words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
   match of_that_name words name with
   | None ->
-      Option.map
-        (fun text -> Diagnostic.hint text diagnostic)
-        (Resolve.Other_languages.robot name.text)
+      Option.map (fun text -> Diagnostic.hint text diagnostic) (Other_languages.robot name.text)
   | Some kind ->
       let argument = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
       Some
