@@ -10,7 +10,7 @@ runs no other step, and the robot receives a stop.
   > #endif
   > END
   $ cat > count.c <<'END'
-  > #include "drive.h"
+  > #include "walker.h"
   > void count_reset(struct count_state *self) { self->last[0] = self->last[1] = 0; }
   > void count_step(struct count_state *self, double dt, const struct count_input *in,
   >                 struct count_output *out)
@@ -24,7 +24,7 @@ runs no other step, and the robot receives a stop.
   >     out->value = last[0];
   > }
   > END
-  $ cat > drive.frob <<'END'
+  $ cat > walker.frob <<'END'
   > import Robot
   > foreign include "count.h"
   > foreign sf count :: SF Velocity Int = "count"
@@ -35,7 +35,7 @@ runs no other step, and the robot receives a stop.
   > walk :: SF Int Velocity
   > walk = switch (proc n -> (0.3[m/s], edge (n > 1000))) (\_ -> constant 0)
   > END
-  $ frobc build drive.frob --robot pioneer --with count.c --with count.h -o drive
+  $ frobc build walker.frob --robot pioneer --with count.c --with count.h -o drive
   $ start_driving; mark; wait $run
   [4]
   $ until_stopped; tail -1 messages
