@@ -34,18 +34,17 @@ let of_a_type : rule =
   else None
 
 let of_another_language : rule =
- fun visible qualifier name ->
+ fun visible qualifier _ ->
   Option.map
     (fun hint ->
-      let whole = { qualifier.span with stop = name.span.stop } in
-      match Name_in_text.call ~text:visible.text whole with
-      | Some (at, text) when Syntax.Other_notation.expression text <> None ->
+      match Rewritten.of_a_module ~text:visible.text qualifier with
+      | Some (at, text) ->
           fun d ->
             Diagnostic.hint
               (Printf.sprintf "mathematical functions are built in: write `%s`" text)
               d
             |> Diagnostic.write at (Source.grouped text)
-      | Some _ | None -> Diagnostic.hint hint)
+      | None -> Diagnostic.hint hint)
     (Other_languages.qualifier qualifier.text)
 
 let similar suggestions (visible : Visible.t) (qualifier : Syntax.Ir.name) =

@@ -41,6 +41,12 @@ let of_a_qualified_import (t : Unknown.t) =
         |> Diagnostic.write t.name.span text)
   | Some _ | None -> None
 
+let typed_left t =
+  let rule rule =
+    Option.map (function Typed_left.Report d -> Report d | Typed_left.Reported -> Silent) (rule t)
+  in
+  List.find_map rule Typed_left.rules
+
 let class_ (t : Unknown.t) =
   if t.namespace = Types && Visible.is_known t.module_.visible Interface.classes t.name.text then
     Some Class_as_type
@@ -69,6 +75,7 @@ let outcome suggestions (t : Unknown.t) =
     [
       unit_without_brackets;
       of_a_reported_definition;
+      typed_left;
       report Unknown_unit.diagnostic;
       report Of_another_language.controller;
       report of_a_qualified_import;

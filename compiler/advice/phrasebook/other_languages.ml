@@ -7,14 +7,6 @@ let no_module = "the mathematical functions are built in: write `abs x`, `sqrt x
 let filled = "use `generate (const 0)`: its type gives the number of elements"
 let fixed_size = "the size of an array is fixed; to change the element at i, write `replace i x xs`"
 
-let constant = function
-  | "pi" | "PI" | "Pi" -> Some "pi"
-  | "tau" -> Some "2 * pi"
-  | "e" -> Some "exp 1"
-  | "inf" | "INFINITY" -> Some "1 / 0"
-  | "nan" -> Some "0 / 0"
-  | _ -> None
-
 let of_each = function
   | "fmap" -> Some [ ("Array", "map"); ("Event", "mapE"); ("Task", "mapT") ]
   | "filter" -> Some [ ("Event", "filterEvent") ]

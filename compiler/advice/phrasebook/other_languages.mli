@@ -4,9 +4,6 @@
     Words that a robot program is likely to use for its own definitions, such as [range] and
     [error], are left out: an unknown [range] is more likely a misspelt name of the program. *)
 
-val constant : string -> string option
-(** The constant of a mathematical module in Frob, such as [pi] for [math.pi]. *)
-
 val of_each : string -> (string * string) list option
 (** The functions in place of one for several types of containers, each with its container. *)
 

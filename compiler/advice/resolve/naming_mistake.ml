@@ -95,8 +95,7 @@ let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
        (match pattern.desc with
        | Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]) ->
            Printf.sprintf
-             "write `%s = …` without a type; if you want to give the type, write `%s :: %s` on the \
-              line above"
+             "write `%s = …`; to give its type, write `%s :: %s` on a line of its own above it"
              x.text x.text name.text
        | Constructed ({ qualifier = None; name; _ }, _) ->
            Printf.sprintf "start the name of a value with a lower-case letter: `%s`"

@@ -211,6 +211,12 @@ let types_a_parameter text start at =
 let end_of_line text at =
   Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
 
+(* `v: Velocity = 0.3[m/s]`, as in Python *)
+let typed_equation text start at =
+  match Typed_equation.of_colon (String.sub text start (end_of_line text at - start)) with
+  | Some typed when typed.stop = at - start -> Some typed
+  | Some _ | None -> None
+
 (* The text up to the first closing bracket that has no partner. *)
 let without_closing text =
   let rec last i depth =
@@ -306,6 +312,8 @@ let of_colon text at =
       hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
       hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
+  | _ when typed_equation text start at <> None ->
+      hint (Typed_equation.advice (Option.get (typed_equation text start at)))
   | name :: _ when types_a_parameter text start at ->
       hint
         (Printf.sprintf

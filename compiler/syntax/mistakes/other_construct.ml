@@ -78,6 +78,17 @@ let value_after_type found =
       |> Option.some
   | _ -> None
 
+(* `Float[m/s] v = 0.3[m/s]`, as in C *)
+let type_before_equation found =
+  let bol = found.token.start.pos_bol in
+  let line = String.sub found.text bol (end_of_line found bol - bol) in
+  match (found.token.token, Typed_equation.of_line line) with
+  | (UNIT_BRACKET | LBRACKET), Some typed when found.token.start.pos_cnum - bol < typed.stop ->
+      error found "an equation cannot start with a type"
+      |> Diagnostic.hint (Typed_equation.advice typed)
+      |> Option.some
+  | _ -> None
+
 (* {1 Haskell keywords} *)
 
 let absent found format =
@@ -281,6 +292,7 @@ let rules =
     index_in_brackets;
     value_after_type;
     reserved;
+    type_before_equation;
     bracket_after_name;
     type_in_brackets;
   ]

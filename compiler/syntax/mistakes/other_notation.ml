@@ -11,13 +11,6 @@ let symbols =
   [ "==="; "&&"; "||"; "=="; "!="; "~="; "/="; "<>"; "<="; ">="; "**" ]
   @ [ "+"; "-"; "*"; "/"; "^"; "<"; ">"; "!"; "?"; ":"; "," ]
 
-(* Modules of other languages whose functions are built in. *)
-let without_module word =
-  match String.index_opt word '.' with
-  | Some i when List.mem (String.sub word 0 i) [ "math"; "Math"; "np"; "numpy" ] ->
-      String.sub word (i + 1) (String.length word - i - 1)
-  | _ -> word
-
 let tokens text =
   let length = String.length text in
   let char i = if i < length then text.[i] else '\000' in
@@ -25,7 +18,10 @@ let tokens text =
   let is_digit = Character.is_digit in
   let rec word i =
     let i = while_ Character.is_name i in
-    if char i = '.' && Character.is_lower (char (i + 1)) then word (i + 1) else i
+    let is_name c = Character.is_lower c || Character.is_upper c in
+    if char i = '.' && is_name (char (i + 1)) then word (i + 1)
+    else if char i = ':' && char (i + 1) = ':' && is_name (char (i + 2)) then word (i + 2)
+    else i
   in
   let number i =
     let j = while_ is_digit i in
@@ -54,7 +50,7 @@ let tokens text =
           add (Number digits) stop
       | c when Character.is_lower c || Character.is_upper c ->
           let stop = word i in
-          add (Word (without_module (String.sub text i (stop - i)))) stop
+          add (Word (String.sub text i (stop - i))) stop
       | ('(' | '[') as c -> add (Open c) (i + 1)
       | (')' | ']') as c -> add (Close c) (i + 1)
       | _ -> (
@@ -78,12 +74,8 @@ let operator = function
 let symbol = function "!=" | "~=" | "<>" -> "/=" | "===" -> "==" | other -> other
 
 let function_ = function
-  | "fabs" | "fabsf" -> "abs"
-  | "fmin" | "fminf" -> "min"
-  | "fmax" | "fmaxf" -> "max"
-  | "sqrtf" -> "sqrt"
-  | "sinf" -> "sin"
-  | "cosf" -> "cos"
+  | ("fabs" | "fabsf" | "fmin" | "fminf" | "fmax" | "fmaxf" | "sqrtf" | "sinf" | "cosf") as name ->
+      Option.value (Other_function.alone name) ~default:name
   | "len" -> "length"
   | name -> name
 
@@ -213,6 +205,18 @@ and with_brackets text = function
       | _ -> raise Unknown)
   | rest -> (text, rest)
 
+(* `math.cos(a)` and `std::max(a, b)` *)
+and of_a_module name = function
+  | { token = Open '('; adjacent = true } :: rest -> (
+      let arguments, rest = elements ')' rest in
+      match Other_function.applied name arguments with
+      | Some text -> with_brackets text rest
+      | None -> raise Unknown)
+  | rest -> (
+      match (Other_function.constant name, Other_function.alone name) with
+      | Some text, _ | None, Some text -> (text, rest)
+      | None, None -> raise Unknown)
+
 and bracketed closing rest =
   let inside, rest = elements closing rest in
   let opening = if closing = ')' then "(" else "[" in
@@ -241,7 +245,11 @@ and parts found = function
       match operator word with
       | Some op -> parts (Operator op :: found) rest
       | None ->
-          let text, rest = with_brackets (constant word) rest in
+          let text, rest =
+            match Other_function.without_module word with
+            | Some name -> of_a_module name rest
+            | None -> with_brackets (constant word) rest
+          in
           parts (Operand text :: found) rest)
   | { token = Number digits; _ } :: rest -> parts (Operand digits :: found) rest
   | { token = Open bracket; _ } :: rest ->

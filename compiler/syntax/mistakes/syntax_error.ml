@@ -77,6 +77,13 @@ let text_alone found =
     Some "write a comment as `-- …`, or as `-- | …` to document the definition below"
   else None
 
+(* `Velocity v` without a value *)
+let type_before_name found =
+  let bol = found.token.start.pos_bol in
+  Option.map
+    (Printf.sprintf "write the type after the name: `%s`")
+    (Typed_equation.alone (between found bol (end_of_line found bol)))
+
 let no_effect =
   "Frob has no calls for their effect: write an equation that names a value, as in `v = 0.3[m/s]`"
 
@@ -196,7 +203,7 @@ let plain found =
   let hints =
     match hint found ~state_hints with
     | [] when String.equal expected called_for_its_effect ->
-        let rules = [ compares_instead; text_alone ] in
+        let rules = [ compares_instead; text_alone; type_before_name ] in
         [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected ->
         [ "write `->` between the input and the output; `=` is for equations" ]

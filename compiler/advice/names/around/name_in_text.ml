@@ -117,6 +117,45 @@ let field ~text (span : Span.t) =
     Some (on_line span (Span.column span.start - 1) stop)
   else None
 
+let member ~text (span : Span.t) =
+  let line = line_of text span in
+  let point = Span.column span.stop - 1 in
+  let stop = forward is_of_a_name line point in
+  if char_at line point = '.' && stop > point + 1 then
+    Some (on_line span (Span.column span.start - 1) stop)
+  else None
+
+let written ~text (span : Span.t) =
+  let first = Span.column span.start - 1 in
+  String.sub (line_of text span) first (Span.column span.stop - 1 - first)
+
+let without_modules module_ text =
+  let prefix = module_ ^ "." in
+  let n = String.length prefix in
+  let rec go i =
+    if i >= String.length text then ""
+    else
+      let stop = forward is_of_a_name text i in
+      let word = String.sub text i (stop - i) in
+      if stop = i then String.make 1 text.[i] ^ go (i + 1)
+      else if String.starts_with ~prefix word then
+        let member = String.sub word n (String.length word - n) in
+        Option.value (Syntax.Other_function.alone member) ~default:member ^ go stop
+      else word ^ go stop
+  in
+  go 0
+
+let is_an_argument ~text (span : Span.t) =
+  let line = line_of text span in
+  let at = Span.column span.start - 1 in
+  let stop = backward (Char.equal ' ') line at in
+  let first = backward Character.is_name line stop in
+  let word = String.sub line first (stop - first) in
+  stop < at
+  && (char_at line (stop - 1) = ')'
+     || word <> ""
+        && not (List.mem word [ "if"; "then"; "else"; "of"; "in"; "let"; "case"; "not" ]))
+
 let equation ~text (span : Span.t) =
   let line = String.trim (line_of text span) in
   let start = forward Character.is_name line 0 in

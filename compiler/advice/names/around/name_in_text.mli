@@ -9,6 +9,9 @@ type unit_ = {
   is_first : bool;  (** is the name the first one in the unit? *)
 }
 
+val line_of : string -> Span.t -> string
+(** The line on which the place starts. *)
+
 val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> unit_ option
 (** The unit that contains the name, if the unit follows a number without brackets, as in [0.5 m/s].
 *)
@@ -42,6 +45,20 @@ val lower_case : string -> string
 
 val field : text:string -> Span.t -> Span.t option
 (** The place of the name together with the field after it, as in [math.sin]. *)
+
+val member : text:string -> Span.t -> Span.t option
+(** The place of the name together with all names after it that are joined by points, as in
+    [np.linalg.norm]. *)
+
+val written : text:string -> Span.t -> string
+(** The text at a place on one line. *)
+
+val without_modules : string -> string -> string
+(** The expression with the functions of the module replaced by those of Frob: [abs a] for
+    [math.fabs a]. *)
+
+val is_an_argument : text:string -> Span.t -> bool
+(** Does the name follow a function or another argument? *)
 
 val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)

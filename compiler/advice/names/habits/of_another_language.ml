@@ -131,10 +131,15 @@ let of_c_declaration (d : Proc_signals.c_declaration) =
 let c_declaration t =
   Option.map
     (fun (d : Proc_signals.c_declaration) ->
+      let hint =
+        match (d.value, Typed_left.of_declaration t Syntax.Typed_equation.of_c d) with
+        | None, Some typed -> Syntax.Typed_equation.without_type typed
+        | _ -> of_c_declaration d
+      in
       Other_meaning.diagnostic t
       |> Diagnostic.label ~at:d.head.span
            (Printf.sprintf "this defines a function `%s`" d.head.text)
-      |> Diagnostic.hint (of_c_declaration d))
+      |> Diagnostic.hint hint)
     (Unknown.c_declaration t)
 
 let rules = [ member; integral; operator; capital; before_a_text; call; word; c_declaration ]

@@ -54,14 +54,25 @@ let field (t : Unknown.t) =
       (whole, String.sub line (Span.column t.name.span.stop) n))
     (Name_in_text.field ~text:(Unknown.text t) t.name.span)
 
-(* `math.sin(x)`, which is parsed as a field of `math` *)
-let of_a_module (t : Unknown.t) =
-  if not (List.mem t.name.text [ "math"; "np"; "numpy"; "Math" ]) then None
-  else
-    Option.bind (field t) (fun (whole, field) ->
-        match Other_languages.constant field with
-        | Some text -> Some (whole, text)
-        | None -> Name_in_text.call ~text:(Unknown.text t) whole)
+(* `math.sin x`, `np.linalg.norm v` or `math.pi`, which are parsed as fields of `math` *)
+let of_a_module ~text (name : Syntax.Ir.name) =
+  let open Basis.Let_syntax.Option in
+  let* whole = Name_in_text.member ~text name.span in
+  let* member = Syntax.Other_function.without_module (Name_in_text.written ~text whole) in
+  match (Syntax.Other_function.constant member, Name_in_text.call ~text whole) with
+  | Some text, _ -> Some (whole, text)
+  | None, Some (at, text) -> Some (at, text)
+  | None, None -> (
+      match Name_in_text.application ~text whole with
+      | Some (at, arguments) when not (Name_in_text.is_an_argument ~text name.span) ->
+          let arguments = List.map (Name_in_text.without_modules name.text) arguments in
+          let* text = Syntax.Other_function.applied member arguments in
+          Some (at, text)
+      | Some _ | None ->
+          let* text = Syntax.Other_function.alone member in
+          Some (whole, text))
+
+let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name
 
 (* `fmap f e` or `filter f e`, where the signature contains only one kind of container, and
    `length (filter f xs)` *)
@@ -115,6 +126,7 @@ let import_of (t : Unknown.t) text =
   | None when String.starts_with ~prefix:"delay 0 " text ->
       ", where 0 is the value at the first instant"
   | None when String.starts_with ~prefix:"sleepT " text -> ": the robot rests meanwhile"
+  | None when of_module t <> None -> Printf.sprintf ", without `%s.`" t.name.text
   | None -> ""
 
 let controller (t : Unknown.t) =
@@ -134,7 +146,7 @@ let call (t : Unknown.t) =
         power_in_text;
         length_in_text;
         rate_in_text;
-        of_a_module;
+        of_module;
         counted_in_text;
         of_a_container;
         applied_in_text;

@@ -17,6 +17,10 @@ val member : Unknown.t -> (Span.t * string) option
 val controller : Unknown.t -> string option
 (** A use of [pid] for [PID 0.5 0.1 0 e]. *)
 
+val of_a_module : text:string -> Syntax.Ir.name -> (Span.t * string) option
+(** [cos a] for [math.cos a], where the name is a module of another language whose functions are
+    built in. *)
+
 val call : Unknown.t -> (Span.t * string) option
 (** The application of a function with its arguments, such as [x ^ 2] for [pow(x, 2)]. *)
 

@@ -265,6 +265,14 @@ let else_if found =
   | THEN when opens_with Layout.Then found.context -> words stop
   | _ -> None
 
+(* The `std::` of which this token is the `::`. *)
+let namespace found =
+  match (found.token.token, found.before) with
+  | DOUBLE_COLON, Some ({ token = LOWER _; _ } as before)
+    when is_adjacent found before && Basis.Character.is_name (after found) ->
+      Some (before.start.pos_cnum, found.token.stop.pos_cnum)
+  | _ -> None
+
 let foreign found =
   let at (line : Lexing.position) ((first, last) as it) =
     let there offset = { line with pos_cnum = offset } in
@@ -274,7 +282,8 @@ let foreign found =
   match (beginning found, foreign_operator_around found) with
   | Some (line, _), _ -> Some (at line (first_word_from found line.pos_bol))
   | None, Some it -> Some (at here it)
-  | None, None -> Option.map (at here) (else_if found)
+  | None, None ->
+      Option.map (at here) (match namespace found with Some it -> Some it | None -> else_if found)
 
 let other_place found diagnostic =
   match found.context with

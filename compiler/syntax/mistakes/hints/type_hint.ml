@@ -91,6 +91,22 @@ let hyphenated line =
       Some (String.concat "" (first :: List.map String.capitalize_ascii others))
   | _ -> None
 
+(* `max 0 x` for `std::max(0, x)`, where the token is the `::` *)
+let of_a_namespace found (before : Layout.token) =
+  let text = found.text and first = before.start.pos_cnum in
+  let is_of_a_name c = Basis.Character.is_name c || c = ':' in
+  let rec forward i = if is_of_a_name (char_at found i) then forward (i + 1) else i in
+  let rec close i depth =
+    match char_at found i with
+    | '(' -> close (i + 1) (depth + 1)
+    | ')' -> if depth = 1 then i + 1 else close (i + 1) (depth - 1)
+    | '\n' -> i
+    | _ -> close (i + 1) depth
+  in
+  let name = forward first in
+  let stop = if char_at found name = '(' then close name 0 else name in
+  Other_notation.expression (String.sub text first (stop - first))
+
 let misplaced found =
   let general = "put the expression and its type in parentheses: `(e :: T)`" in
   let at = found.token.start.pos_cnum in
@@ -102,8 +118,13 @@ let misplaced found =
       Printf.sprintf "a name cannot contain `-`: write `%s`" (Option.get (hyphenated line))
   | Some ({ token = LOWER _; _ } as before)
     when is_adjacent found before && Basis.Character.is_lower (after found) ->
-      Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`"
-        (written found before)
+      let prefix = written found before in
+      Option.fold (of_a_namespace found before)
+        ~none:
+          (Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`" prefix)
+        ~some:(fun text ->
+          Printf.sprintf "write `%s`, without `%s::`%s" text prefix
+            (if String.starts_with ~prefix:"clamp " text then "; it needs `import Control`" else ""))
   | _ when String.length line + String.length ty > 70 || String.contains ty '=' -> (
       match words with
       | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->

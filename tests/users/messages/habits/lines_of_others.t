@@ -198,7 +198,7 @@ Mathematical functions with a module:
   2 | f x = Math.max(x, 0) + math.sin(x)
     |                        ^^^^
     |
-    = hint: write `sin x`
+    = hint: write `sin x`, without `math.`
   
   2 errors
   [1]

@@ -69,7 +69,7 @@ C and Arduino:
   3 |     int m = n + 1
     |     --- this defines a function `int`
     |
-    = hint: remove the words before `m`, and write its type on the line above: `m :: Int`
+    = hint: write `m = n + 1`, without a type
   
   1 error
   [1]

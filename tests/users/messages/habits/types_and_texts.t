@@ -14,7 +14,7 @@ Types before names, texts in other quotes, fields that are assigned.
   3 | Velocity speed = 0.3[m/s]
     | ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: write `speed = …` without a type; if you want to give the type, write `speed :: Velocity` on the line above
+    = hint: write `speed = …`; to give its type, write `speed :: Velocity` on a line of its own above it
   
   1 error
   [1]

@@ -30,7 +30,7 @@ Constants of a module, units and signs:
   $ M='f :: Float -> Float\nf x ='
   $ try "$M sin (2 * math.pi * x)" "$M sin (2 * pi * x)"
   error[E0205]: unknown name `math`
-    = hint: write `pi`
+    = hint: write `pi`, without `math.`
   [1]
   $ try "$M x * 50[%%]" "$M x * 0.5"
   error[E0103]: unexpected character `%`

@@ -1034,7 +1034,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 |     int m = n + 1
     |     --- this defines a function `int`
     |
-    = hint: remove the words before `m`, and write its type on the line above: `m :: Int`
+    = hint: write `m = n + 1`, without a type
   
   1 error
   # 091_slash_comment.frob

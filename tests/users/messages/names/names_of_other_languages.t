@@ -60,9 +60,9 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   wrapToPi: write `wrapAngle x`, with `import Geometry`
   normalize_angle: write `wrapAngle x`, with `import Geometry`
   shortest_angular_distance: use `angleDiff a b`, with `import Geometry`
-  math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
-  Math.sqrt: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
-  np.abs: the mathematical functions are built in: write `abs x`, `sqrt x`, `pi`
+  math.sqrt: write `sqrt x`, without `math.`
+  Math.sqrt: mathematical functions are built in: write `sqrt x`
+  np.abs: write `abs x`, without `np.`
   random: use `whiteNoise 1 ()`, where 1 is the seed, with `import Sources`: each run has the same noise
   $ hint minimum maximum average len enumerate zeros append null TRUE
   minimum: write `minimumBy id x`

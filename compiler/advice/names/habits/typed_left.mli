@@ -1,0 +1,15 @@
+(** Definitions whose left-hand side contains types, as in C: [Velocity v = 0.3[m/s]] and
+    [f (Float x) = …]. *)
+
+open Basis
+
+type advice = Report of Diagnostic.t | Reported  (** already, at another word of the definition *)
+
+val rules : (Unknown.t -> advice option) list
+
+val of_declaration :
+  Unknown.t ->
+  (string -> Syntax.Typed_equation.t option) ->
+  Proc_signals.c_declaration ->
+  Syntax.Typed_equation.t option
+(** The equation on the line of the declaration, read by the function. *)

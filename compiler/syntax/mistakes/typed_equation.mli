@@ -1,0 +1,33 @@
+(** Equations that start with a type, as declarations do in C: [Velocity v = 0.3[m/s]]. *)
+
+type t = {
+  first : int;  (** the index of the first word in the line *)
+  start : int;  (** the index of the type *)
+  stop : int;  (** the index of the name that the equation defines *)
+  type_ : string;  (** the type, without words such as [const] *)
+  name : string;
+  sign : string;  (** [=], or [<-] in a [do] *)
+  value : string;  (** the right-hand side, or [""] if it is on the next line *)
+  in_a_let : bool;  (** does the line start with [let]? *)
+}
+
+val of_line : string -> t option
+(** The equation that this line consists of. The type starts with a capital letter. *)
+
+val of_colon : string -> t option
+(** [v: Velocity = 0.3[m/s]], as in Python. *)
+
+val of_c : string -> t option
+(** [float v = 2 * x], with a type of C, [var] or [auto]. *)
+
+val without_type : t -> string
+(** The hint that suggests the equation only. *)
+
+val advice : t -> string
+(** The hint that suggests the equation, and its signature. *)
+
+val alone : string -> string option
+(** [v :: Velocity] for a line [Velocity v;]. *)
+
+val of_parameters : string -> string option
+(** The hint for the definition [f (Float x, Int n) = …]. *)
