@@ -4,29 +4,18 @@
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "../common/claims.h"
-#include "../common/console.h"
-#include "../common/publisher.h"
-#include "../common/record.h"
-#include "../common/streams.h"
-#include "../common/touches.h"
-#include "controller.h"
-#include "core/robot.h"
-#include "guard.h"
 #include "hal/posix/clock.h"
-#include "instants.h"
-#include "line.h"
 #include "realtime.h"
+#include "run.h"
+#include "session.h"
+#include "summary.h"
 #include <frob/console.h>
 #include <frob/result.h>
-
-enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
 #define JUDGE_NS INT64_C(1000000000)    /* period of published verdicts */
 #define BEAT_NS INT64_C(20000000)       /* maximum time between heartbeats to the guards */
@@ -40,218 +29,22 @@ static void on_signal(int number)
     ended_by = number;
 }
 
-struct supervisor {
-    const struct options *options;
-    const struct frob_program *program;
-    const struct params *all_params;
-    const void *params; /* their values */
-    const struct frob_driver *driver;
-    int64_t patience_ns, period_ns;
-
-    struct line line;
-    struct frob_robot robot;
-    void *device;
-    struct guards guards;
-    struct controller controller;
-    struct record record;
-    struct instants instants;
-    struct claims claims;
-    size_t failing;    /* assertions that failed when verdicts were published last */
-    int64_t judged_ns; /* time of those verdicts */
-    struct console console;
-    struct touches touches;
-    struct publisher publisher;
-    struct cameras cameras;
-    sigset_t waiting_mask; /* unblocks signals, only while waiting */
-    bool tells;
-
-    void *input, *output;
-    /* The program's time follows the monotonic clock, or a simulator (line.h). */
-    bool started;       /* the first instant has begun */
-    int64_t first_ns;   /* the program's time in the first instant */
-    int64_t instant_ns; /* last instant, from the first one on */
-    int64_t due_ns;     /* the program's time in the next instant, if `scheduled` */
-    bool scheduled;     /* false: the next instant begins as soon as the robot is ready */
-    int64_t asked_ns;   /* when the last step was requested */
-    bool stepping;      /* a step was requested and has not been answered */
-    bool late;          /* this step has exceeded the patience */
-    bool paused;        /* others have ordered that the program does not step */
-    bool was_paused;    /* the next instant is the first one after a pause */
-    uint32_t resets;    /* how often the program was reset */
-    int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
-    int64_t looped_ns;  /* start of the last loop iteration; 0: none yet */
-    int64_t awake_ns;   /* when this process last resumed after a pause */
-
-    uint64_t steps, overruns, late_steps;
-    int64_t longest_ns;
-    bool record_ended; /* the recording contains no more instants */
-    bool ended;        /* the program's task has ended */
-    int64_t ended_ns;
-
-    bool over;
-    int status;
-    char cause[512];
-};
-
-static int64_t now_ns(void)
-{
-    return frob_now_ns(&frob_posix_clock);
-}
-
-/* The program's time, or INT64_MIN if it is not known yet. */
-static int64_t program_ns(const struct supervisor *s, int64_t now)
-{
-    const struct line_opening *opening = s->line.opening;
-    return opening != NULL && opening->time_ns != NULL ? opening->time_ns(s->device, now) : now;
-}
-
-static bool follows_our_clock(const struct supervisor *s, int64_t now)
-{
-    return program_ns(s, now) == now;
-}
-
-static void tell(const struct supervisor *s, const char *format, ...)
-{
-    va_list arguments;
-    if (!s->tells)
-        return;
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fputc('\n', stderr);
-}
-
-/* Ends the run. Only the first cause is reported. */
-static void end(struct supervisor *s, int status, const char *format, ...)
-{
-    va_list arguments;
-    if (s->over)
-        return;
-    s->over = true;
-    s->status = status;
-    va_start(arguments, format);
-    vsnprintf(s->cause, sizeof s->cause, format, arguments);
-    va_end(arguments);
-}
-
-/* ---- The robot */
-
-/* Returns a setting of the driver by name; NULL if it has no such setting. */
-static const double *setting(const struct supervisor *s, const char *name)
-{
-    for (size_t i = 0; i < s->driver->setting_count; i++) {
-        if (strcmp(s->driver->settings[i].name, name) == 0)
-            return &s->options->settings[i];
-    }
-    return NULL;
-}
-
-/* Starts a session on the newly opened line. */
-static void begin_session(struct supervisor *s)
-{
-    struct frob_serial serial = frob_posix_serial(&s->line.port);
-    frob_robot_start(&s->robot, s->driver, s->device, s->options->settings, &serial,
-                     &frob_posix_clock, s->patience_ns);
-    guards_start(&s->guards, &s->robot, s->patience_ns, s->controller.socket);
-    s->scheduled = false;
-    instants_restart(&s->instants);
-}
-
-static void leave_line(struct supervisor *s)
-{
-    guards_end(&s->guards);
-    line_close(&s->line);
-    s->scheduled = false;
-    if (s->lost_ns == 0)
-        s->lost_ns = now_ns();
-}
-
-static const char *reason(const struct supervisor *s, enum frob_status status)
-{
-    if (status == FROB_TIMEOUT)
-        return "it does not answer";
-    return s->line.opening != NULL ? s->line.opening->lost : "its line was disconnected";
-}
-
-/* Reports what was tried and the likely cause. Bytes that are not an answer suggest a wrong rate or
- * another device; silence may also mean that the power is off or the cable unplugged. */
-static void nobody_answers(struct supervisor *s)
-{
-    const char *device = s->line.device, *robot = s->driver->robot;
-    const double *baud = setting(s, "baud");
-    bool has_rate = !frob_posix_is_tcp(device) && (baud == NULL || *baud > 0.0);
-    const char *its = has_rate && baud != NULL ? "check the line and its rate (`--set baud=...`)"
-                                               : "check the line";
-    char rate[40] = "";
-    if (has_rate)
-        snprintf(rate, sizeof rate, " at %.0f baud", baud != NULL ? *baud : s->driver->rate);
-    if (s->line.port.heard)
-        end(s, FAULT, "a device sends data on %s, but no %s answers%s: %s", device, robot, rate,
-            its);
-    else
-        end(s, FAULT, "no %s answers on %s%s: turn it on, plug in its cable, and %s", robot, device,
-            rate, its);
-}
-
-static void robot_failed(struct supervisor *s)
-{
-    enum frob_status status = s->robot.status;
-    if (status == FROB_REFUSED) {
-        const char *who = s->driver->describe(s->device);
-        end(s, FAULT, "cannot drive the robot%s%s", who[0] != '\0' ? ": " : "", who);
-    } else if (s->robot.connections == 0 && s->line.opening == NULL) {
-        nobody_answers(s);
-    } else {
-        tell(s, "lost the connection to the robot: %s", reason(s, status));
-        if (s->options->reconnect_s <= 0.0)
-            end(s, FAULT, "lost the connection to the robot: %s", reason(s, status));
-        leave_line(s);
-    }
-}
-
-static void look_after_robot(struct supervisor *s)
-{
-    uint32_t connections = s->robot.connections;
-    if (!line_is_open(&s->line) && line_reopen(&s->line, now_ns()))
-        begin_session(s);
-    if (line_is_open(&s->line) && frob_robot_poll(&s->robot) == FROB_ROBOT_FAILED)
-        robot_failed(s);
-    if (s->robot.connections > connections) {
-        tell(s, "connected: %s", s->driver->describe(s->device));
-        s->lost_ns = 0;
-    }
-    if (s->lost_ns != 0 && (double)(now_ns() - s->lost_ns) > s->options->reconnect_s * 1e9)
-        end(s, FAULT, "lost the connection to the robot, and could not reconnect within %g s",
-            s->options->reconnect_s);
-}
-
-static bool is_ready(const struct supervisor *s)
-{
-    return line_is_open(&s->line) && s->robot.state == FROB_ROBOT_READY;
-}
-
-static void halt(struct supervisor *s)
-{
-    if (line_is_open(&s->line))
-        frob_robot_halt(&s->robot);
-}
-
 /* ---- The controller */
 
 /* Handles a step that has taken longer than the patience: discards its output. */
-static void be_late(struct supervisor *s)
+static void be_late(struct run *s)
 {
     s->late = true;
     s->late_steps++;
-    halt(s);
-    tell(s, "a step takes longer than %g s: stopping the robot", s->options->patience_s);
+    session_halt(s);
+    run_tell(s, "a step takes longer than %g s: stopping the robot", s->options->patience_s);
 }
 
 /* Publishes the verdicts once a second, and when an assertion starts or stops failing. */
-static void publish_claims(struct supervisor *s)
+static void publish_claims(struct run *s)
 {
     const struct line_opening *opening = s->line.opening;
-    const int64_t now = now_ns();
+    const int64_t now = run_now_ns();
     size_t failing = 0;
     if (opening == NULL || opening->judge == NULL || !line_is_open(&s->line))
         return;
@@ -269,44 +62,44 @@ static void publish_claims(struct supervisor *s)
 }
 
 /* Handles the end of a step: records it, and commands its output if it ended in time. */
-static void answered(struct supervisor *s)
+static void answered(struct run *s)
 {
-    int64_t took_ns = now_ns() - s->asked_ns;
+    int64_t took_ns = run_now_ns() - s->asked_ns;
     s->stepping = false;
     s->steps++;
     if (took_ns > s->longest_ns)
         s->longest_ns = took_ns;
     if (!s->late && took_ns > s->patience_ns)
         be_late(s);
-    if (!s->late && is_ready(s))
+    if (!s->late && session_is_ready(s))
         frob_robot_command(&s->robot, s->output);
     if (!s->record_ended && !record_row(&s->record, s->instant_ns, s->input, s->output))
-        end(s, FAULT, "the recording could not be written");
+        run_end(s, FAULT, "the recording could not be written");
     instants_put(&s->instants, &s->line, s->instant_ns, s->input, s->output);
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
     publish_claims(s);
     if (s->options->stop_when_violated && s->claims.violated != NULL)
-        end(s, FAULT, "\"%s\" (%s) was violated at %.3f s", s->claims.violated->label,
-            s->claims.violated->place, (double)s->claims.violated_ns * 1e-9);
+        run_end(s, FAULT, "\"%s\" (%s) was violated at %.3f s", s->claims.violated->label,
+                s->claims.violated->place, (double)s->claims.violated_ns * 1e-9);
     if (!s->ended && frob_has_ended(s->program, s->output)) {
         s->ended = true;
         s->ended_ns = s->instant_ns;
         if (s->options->exit_when_done)
-            end(s, DONE, "%s", "");
+            run_end(s, DONE, "%s", "");
     }
 }
 
-static void look_after_controller(struct supervisor *s)
+static void look_after_controller(struct run *s)
 {
-    int64_t now = now_ns(), asked_ns = s->asked_ns;
+    int64_t now = run_now_ns(), asked_ns = s->asked_ns;
     const char *fate;
     switch (controller_take(&s->controller, s->output)) {
     case CONTROLLER_ANSWERED: answered(s); return;
     case CONTROLLER_GONE:
-        halt(s); /* before anything else */
+        session_halt(s); /* before anything else */
         fate = controller_end(&s->controller, 100);
-        end(s, FAULT, "the controller %s", fate != NULL ? fate : "has ended");
+        run_end(s, FAULT, "the controller %s", fate != NULL ? fate : "has ended");
         return;
     case CONTROLLER_BUSY: break;
     }
@@ -317,12 +110,12 @@ static void look_after_controller(struct supervisor *s)
     if (asked_ns < s->awake_ns)
         asked_ns = s->awake_ns;
     if (now - asked_ns > GIVE_UP * s->patience_ns)
-        end(s, FAULT, "the controller has not finished a step for %g s",
-            (double)GIVE_UP * s->options->patience_s);
+        run_end(s, FAULT, "the controller has not finished a step for %g s",
+                (double)GIVE_UP * s->options->patience_s);
 }
 
 /* Starts the program again at its initial state. A recording contains only one run. */
-static void reset_program(struct supervisor *s)
+static void reset_program(struct run *s)
 {
     s->ended = false;
     if (!s->started)
@@ -336,16 +129,16 @@ static void reset_program(struct supervisor *s)
 }
 
 /* Obeys the orders of other programs. */
-static void obey(struct supervisor *s)
+static void obey(struct run *s)
 {
     struct line_orders orders;
     if (s->line.opening == NULL || s->line.opening->orders == NULL || s->stepping)
         return;
     orders = s->line.opening->orders(s->device);
     if (orders.ends)
-        end(s, DONE, "%s", "");
+        run_end(s, DONE, "%s", "");
     if (orders.pauses && !s->paused)
-        halt(s);
+        session_halt(s);
     s->was_paused = s->was_paused || orders.pauses;
     s->paused = orders.pauses;
     if (orders.resets != s->resets)
@@ -356,10 +149,10 @@ static void obey(struct supervisor *s)
 /* Starts the next instant if it is due. Instant k is due at a multiple of the period after the
  * robot was ready; dt is measured. If an instant is so late that others are due too, these are
  * counted as overruns. */
-static void next_instant(struct supervisor *s)
+static void next_instant(struct run *s)
 {
-    int64_t now = now_ns(), time = program_ns(s, now), missed, before;
-    if (!is_ready(s) || s->over || s->paused) {
+    int64_t now = run_now_ns(), time = run_program_ns(s, now), missed, before;
+    if (!session_is_ready(s) || s->over || s->paused) {
         s->scheduled = false;
         return;
     }
@@ -403,16 +196,16 @@ static int64_t earlier(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-static void wait_for_something(struct supervisor *s)
+static void wait_for_something(struct run *s)
 {
-    int64_t now = now_ns(), until = now + BEAT_NS, left;
+    int64_t now = run_now_ns(), until = now + BEAT_NS, left;
     struct pollfd inputs[2] = { { s->line.port.fd, POLLIN, 0 },
                                 { s->controller.socket, POLLIN, 0 } };
     struct timespec patience;
     if (line_is_open(&s->line))
         until = earlier(until, frob_robot_due_ns(&s->robot));
     /* A simulator's time changes when a message arrives. */
-    if (is_ready(s) && !s->stepping && !s->paused && follows_our_clock(s, now))
+    if (session_is_ready(s) && !s->stepping && !s->paused && run_follows_our_clock(s, now))
         until = earlier(until, s->scheduled ? s->due_ns : now);
     if (s->stepping && !s->late)
         until = earlier(until, s->asked_ns + s->patience_ns + 1);
@@ -423,15 +216,15 @@ static void wait_for_something(struct supervisor *s)
 }
 
 /* All processes of the run may have been stopped, including the controller. */
-static void note_own_gap(struct supervisor *s)
+static void note_own_gap(struct run *s)
 {
-    int64_t now = now_ns();
+    int64_t now = run_now_ns();
     if (s->looped_ns == 0 || now - s->looped_ns > s->patience_ns)
         s->awake_ns = now;
     s->looped_ns = now;
 }
 
-static void run(struct supervisor *s)
+static void run(struct run *s)
 {
     while (!s->over) {
         note_own_gap(s);
@@ -439,40 +232,40 @@ static void run(struct supervisor *s)
         ring_show_alive(&s->publisher.ring);
         look_after_controller(s);
         if (!s->over)
-            look_after_robot(s);
+            session_look_after(s);
         obey(s);
         next_instant(s);
         cameras_hear(&s->cameras);
         if (s->options->duration_s > 0.0 && s->started && !s->stepping && !s->paused &&
             !s->was_paused &&
-            (double)(program_ns(s, now_ns()) - s->first_ns) >= s->options->duration_s * 1e9)
-            end(s, DONE, "%s", "");
+            (double)(run_program_ns(s, run_now_ns()) - s->first_ns) >= s->options->duration_s * 1e9)
+            run_end(s, DONE, "%s", "");
         if (ended_by != 0)
-            end(s, FAULT, "the run was ended by %s",
-                ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
+            run_end(s, FAULT, "the run was ended by %s",
+                    ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
         if (ring_is_stopped(&s->publisher.ring))
-            end(s, FAULT, "the run was ended by the Stop button of its page");
+            run_end(s, FAULT, "the run was ended by the Stop button of its page");
         if (!s->over)
             wait_for_something(s);
     }
 }
 
 /* Stops the robot, waits until it stands still, and disconnects. Returns the result. */
-static enum ring_fate say_farewell(struct supervisor *s)
+static enum ring_fate say_farewell(struct run *s)
 {
     enum ring_fate fate;
     int64_t until;
     ring_stopping(&s->publisher.ring);
     if (!line_is_open(&s->line))
         return RING_NOT_REACHED;
-    halt(s);
-    until = now_ns() + FAREWELL_NS;
-    while (s->robot.state != FROB_ROBOT_CONNECTING && now_ns() < until &&
+    session_halt(s);
+    until = run_now_ns() + FAREWELL_NS;
+    while (s->robot.state != FROB_ROBOT_CONNECTING && run_now_ns() < until &&
            frob_robot_poll(&s->robot) != FROB_ROBOT_FAILED && !frob_robot_stands(&s->robot)) {
         struct frob_serial serial = frob_posix_serial(&s->line.port);
         guards_hear(&s->guards);
         ring_show_alive(&s->publisher.ring);
-        serial.operations->wait(serial.port, earlier(until, now_ns() + BEAT_NS));
+        serial.operations->wait(serial.port, earlier(until, run_now_ns() + BEAT_NS));
     }
     if (s->robot.state == FROB_ROBOT_FAILED || s->robot.state == FROB_ROBOT_CONNECTING)
         fate = RING_NOT_REACHED;
@@ -484,44 +277,9 @@ static enum ring_fate say_farewell(struct supervisor *s)
     return fate;
 }
 
-static void print_result(const struct supervisor *s)
-{
-    size_t room = frob_result_room(s->program);
-    char *buffer = (char *)malloc(room);
-    struct frob_text text;
-    printf("finished after: %.3f s\n", (double)s->ended_ns * 1e-9);
-    if (buffer == NULL)
-        return;
-    text = frob_text_in(buffer, room);
-    frob_result_write(&text, s->program, s->output);
-    printf("result: %s\n", text.data);
-    free(buffer);
-}
-
-/* Returns false if the summary could not be written. */
-static bool print_summary(const struct supervisor *s)
-{
-    const char *who = s->driver->describe(s->device);
-    printf("robot: %s\n", who[0] != '\0' ? who : s->driver->robot);
-    printf("time run: %.3f s\n", (double)s->instant_ns * 1e-9);
-    printf("steps: %llu\n", (unsigned long long)s->steps);
-    printf("overruns: %llu\n", (unsigned long long)s->overruns);
-    printf("late steps: %llu\n", (unsigned long long)s->late_steps);
-    printf("longest step: %.3f ms\n", (double)s->longest_ns * 1e-6);
-    printf("stale readings: %lu\n", (unsigned long)s->robot.stale);
-    printf("connections: %lu\n", (unsigned long)s->robot.connections);
-    cameras_print(&s->cameras);
-    if (s->options->record != NULL)
-        printf("log: %s\n", s->options->record);
-    if (s->ended)
-        print_result(s);
-    claims_print(&s->claims, stdout, "");
-    return streams_flush();
-}
-
 /* ---- Setting up */
 
-static void catch_signals(struct supervisor *s)
+static void catch_signals(struct run *s)
 {
     static const int caught[] = { SIGINT, SIGTERM, SIGHUP };
     struct sigaction action;
@@ -542,7 +300,7 @@ static void catch_signals(struct supervisor *s)
         sigdelset(&s->waiting_mask, caught[i]);
 }
 
-static bool set_up(struct supervisor *s)
+static bool set_up(struct run *s)
 {
     char message[512];
     enum frob_status status;
@@ -574,7 +332,7 @@ static bool set_up(struct supervisor *s)
 int supervise(const struct params *params, const struct frob_driver *driver,
               const struct options *options)
 {
-    struct supervisor s;
+    struct run s;
     bool has_run;
     memset(&s, 0, sizeof s);
     s.options = options;
@@ -608,13 +366,13 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     has_run = set_up(&s);
     if (has_run) {
         realtime_apply(options, REALTIME_SUPERVISOR);
-        begin_session(&s);
+        session_begin(&s);
         if (options->console)
             console_open(&s.console);
         run(&s);
         console_close(&s.console);
         publisher_end(&s.publisher, say_farewell(&s));
-        if (!print_summary(&s) && s.status == DONE)
+        if (!summary_print(&s) && s.status == DONE)
             s.status = WRONG_USE;
         if (ended_by == SIGINT)
             record_report_interruption(options->record, (double)s.instant_ns * 1e-9);
