@@ -31,6 +31,16 @@ let inference words (fact : Typing.Inference_fact.t) =
       Missing_field_mistake.of_argument words ~at field ~record function_
   | Variable_like_a_type { at; variable; type_ } ->
       Signature_mistake.variable_like_a_type words ~at variable type_
+  | Idle_constraint { at; variable; ty } -> Signature_mistake.idle_constraint ~at variable ~ty
+  | Constraint_on_type { at; ty } -> Signature_mistake.constraint_on_type words ~at ty
+  | Unknown_size { at; of_; variable } -> Signature_mistake.unknown_size ~at ~of_ ~variable
+  | Polymorphic_value { name; at; signature; ty } ->
+      Signature_mistake.polymorphic_value words ~name ~at ~signature ty
+  | Long_array { at; length; longest } -> Literal_mistake.long_array ~at ~length ~longest
+  | Empty_array at -> Literal_mistake.empty_array at
+  | Int_out_of_range { at; number; same_bits } ->
+      Literal_mistake.int_out_of_range ~at number ~same_bits
+  | Number_out_of_range { at; number; real } -> Literal_mistake.out_of_range ~at number real
 
 let diagnostic sources (fact : Typing.Fact.t) =
   match fact with
@@ -43,6 +53,14 @@ let diagnostic sources (fact : Typing.Fact.t) =
       Missing_field_mistake.called_as_method words call (Facts.diagnostic mistake)
   | Refutable_input { pattern; input; mistake } ->
       Parameter_mistake.refutable_input ~pattern input (Facts.diagnostic mistake)
+  | Exchanged_signature { words; fact; mistakes } ->
+      Exchanged_signature_mistake.diagnostic words fact mistakes
+  | Scaled_power { at; unit_; exponent } -> Annotation_mistake.scaled_power ~at unit_ exponent
+  | Scaled_unit_in_type { environment; places; measure } ->
+      Annotation_mistake.scaled_unit environment places measure
+  | Array_size { at; size; largest } -> Annotation_mistake.array_size ~at size ~largest
+  | Wrong_kind { environment; at; wanted; found } ->
+      Annotation_mistake.wrong_kind environment ~at wanted found
   | Too_large { at; construct } -> Mistake.too_large ~at construct
   | Exponent_too_large at -> Mistake.exponent_too_large ~at
 

@@ -38,30 +38,6 @@ type sink = t list ref
 
 let sink () = ref []
 let emit sink t = sink := t :: !sink
-let last sink = match !sink with [] -> None | t :: _ -> Some t
-let revise_last sink f = match !sink with [] -> () | t :: rest -> sink := f t :: rest
-
-let is_inside (span : Span.t) d =
-  String.equal d.at.file span.file
-  && compare span.start d.at.start <= 0
-  && compare d.at.stop span.stop <= 0
-
-let take sink spans =
-  let is_taken d = List.exists (fun span -> is_inside span d) spans in
-  let taken, kept = List.partition is_taken !sink in
-  sink := kept;
-  List.rev taken
-
-let replace_from sink span t = sink := t :: List.filter (fun d -> not (is_inside span d)) !sink
-
-let trying sink f =
-  let before = !sink in
-  sink := [];
-  let result = f () in
-  let emitted = List.rev !sink in
-  sink := before;
-  (result, emitted)
-
 let errors sink = ref (List.filter (fun t -> t.severity = Error) !sink)
 let has_errors sink = List.exists (fun t -> t.severity = Error) !sink
 

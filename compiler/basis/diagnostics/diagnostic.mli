@@ -55,20 +55,6 @@ type sink
 
 val sink : unit -> sink
 val emit : sink -> t -> unit
-val last : sink -> t option
-
-val revise_last : sink -> (t -> t) -> unit
-(** Modifies the most recently emitted diagnostic, for callers that know more about the problem. *)
-
-val take : sink -> Span.t list -> t list
-(** Removes the diagnostics inside the spans, and returns them in the order of their emission. *)
-
-val replace_from : sink -> Span.t -> t -> unit
-(** Emits this diagnostic in place of those inside the span. *)
-
-val trying : sink -> (unit -> 'a) -> 'a * t list
-(** Runs the function, and returns the diagnostics that it emitted instead of keeping them. *)
-
 val has_errors : sink -> bool
 
 val errors : sink -> sink

@@ -35,6 +35,15 @@ let hold t f =
 
 let fact held = held.fact
 
+let is_within spans held =
+  let contains at (span : Span.t) = Span.compare (Span.merge at span) span = 0 in
+  match held.diagnostic with
+  | Some (d : Diagnostic.t) ->
+      List.exists
+        (fun (span : Span.t) -> String.equal span.file d.at.file && contains d.at span)
+        spans
+  | None -> false
+
 let diagnostic held =
   match held.diagnostics with
   | [ diagnostic ] -> diagnostic

@@ -34,18 +34,12 @@ let find kind names name =
 
 (* Larger powers of a scaled unit have no practical use, and exact arithmetic on them is slow. *)
 let largest_scaled_power = 8
-
-let report_exponent t span =
-  Diagnostic.(error ~code:"E0323" ~at:span "the exponent of a unit is too large" |> emit t.sink)
+let report_exponent t span = Facts.report t.facts (Exponent_too_large span)
 
 let scaled_power t span (name : Ir.Global.t) scale (exponent : Rational.t) =
   if Exact.equal scale Exact.one then Exact.one
   else if not (Rational.is_integer exponent) then (
-    Diagnostic.(
-      error ~code:"E0322" ~at:span "`%s` is a scaled unit, so its power must be an integer, not %s"
-        name.name (Rational.to_string exponent)
-      |> hint "write the number in base units"
-      |> emit t.sink);
+    Facts.report t.facts (Scaled_power { at = span; unit_ = name; exponent });
     Exact.one)
   else if abs exponent.numerator > largest_scaled_power then (
     report_exponent t span;
@@ -77,31 +71,28 @@ let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
 (* Values are stored in base units, so a type has no scale. *)
 let unit_of_type t scope (written : Resolve.Ir.unit_) =
   let { Environment.measure; scale } = unit_ t scope written in
-  (if not (Exact.equal scale Exact.one) then
-     let words = Show.words (Show.nowhere t.environment) in
-     let text = Show.measure words measure in
-     let told =
-       Diagnostic.(
-         error ~code:"E0321" ~at:written.span
-           "a type cannot contain a scaled unit, because values are stored in base units"
-         |> hint
-              (Printf.sprintf "write `%s` here%s; use scaled units only after literals" text
-                 (if Units.equal measure Units.one then ", or `Angle` as the whole type" else ""))
-         |> write written.span text)
-     in
-     match Diagnostic.last t.sink with
-     | Some d
-       when d.hints = told.hints && d.code = told.code
-            && Span.line d.at.start = Span.line written.span.start ->
-         (* both mistakes are in the same signature, so one fix corrects both *)
-         let all (f : Diagnostic.fix) (other : Diagnostic.fix) =
-           { f with edits = f.edits @ other.edits }
-         in
-         Diagnostic.revise_last t.sink (fun d ->
-             Diagnostic.label ~at:written.span "and here"
-               { d with fixes = List.map2 all d.fixes told.fixes })
-     | _ -> Diagnostic.emit t.sink told);
+  if not (Exact.equal scale Exact.one) then
+    Facts.report t.facts
+      (Scaled_unit_in_type { environment = t.environment; places = [ written.span ]; measure });
   measure
+
+(* Reports equal mistakes in one line as one fact, because one fix corrects them. *)
+let together t f =
+  let add merged held =
+    match (Facts.fact held, merged) with
+    | Fact.Scaled_unit_in_type { places; measure; _ }, (Fact.Scaled_unit_in_type u, _) :: others
+      when Span.line (List.hd u.places).start = Span.line (List.hd places).start
+           && Units.equal u.measure measure ->
+        (Fact.Scaled_unit_in_type { u with places = u.places @ places }, None) :: others
+    | fact, _ -> (fact, Some held) :: merged
+  in
+  let result, held = Facts.hold t.facts f in
+  List.fold_left add [] held |> List.rev
+  |> List.iter (fun (fact, held) ->
+         match held with
+         | Some held -> Facts.pass_on t.facts held
+         | None -> Facts.report t.facts fact);
+  result
 
 (* {1 Sizes} *)
 
@@ -109,30 +100,10 @@ let largest_size = 1_048_576
 
 let check_size t span n =
   if n < 1 || n > largest_size then
-    Diagnostic.(
-      error ~code:"E0333" ~at:span "the size of an array must be from 1 to %d, not %d" largest_size
-        n
-      |> emit t.sink)
+    Facts.report t.facts (Array_size { at = span; size = n; largest = largest_size })
 
-let report_kind t span (wanted : Type.kind) found =
-  let words = Show.words (Show.nowhere t.environment) in
-  let shown = Show.quoted words found in
-  let diagnostic =
-    match (wanted, Type.expand found) with
-    | Of_types, Rigid _ ->
-        Diagnostic.error ~code:"E0330" ~at:span
-          "%s is the size of an array elsewhere, so it cannot be a type here" shown
-    | Of_sizes, Rigid _ ->
-        Diagnostic.error ~code:"E0330" ~at:span
-          "%s is a type elsewhere, so it cannot be the size of an array here" shown
-    | Of_types, _ ->
-        Diagnostic.error ~code:"E0330" ~at:span "expected a type, found the size %s" shown
-    | Of_sizes, _ ->
-        Diagnostic.error ~code:"E0330" ~at:span "expected the size of an array, found the type %s"
-          shown
-        |> Diagnostic.hint "write the size first, as in `Array 4 Float`"
-  in
-  Diagnostic.emit t.sink diagnostic
+let report_kind t span wanted found =
+  Facts.report t.facts (Wrong_kind { environment = t.environment; at = span; wanted; found })
 
 let array_parameters : Type.kind list = [ Of_sizes; Of_types ]
 
@@ -254,6 +225,7 @@ let class_ (name : Ir.Global.t) : Ir.class_ =
   | _ -> Declared name
 
 let signature t scope ~depth (written : Resolve.Ir.scheme) =
+  together t @@ fun () ->
   let scope = ref scope and types = ref [] and representations = ref [] and units = ref [] in
   let variable name : Ir.variable = { id = Type.next t.supply; name } in
   let see = function

@@ -36,6 +36,9 @@ val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
 (** Converts a unit and computes its exact scale. A scaled unit raised to a fractional power is
     reported as [E0322], an exponent out of range as [E0323]. *)
 
+val together : t -> (unit -> 'a) -> 'a
+(** Runs the function, and reports equal scaled units in one line as one fact. *)
+
 val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope

@@ -430,17 +430,10 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
           List.exists (fun (o : Type.rigid) -> o.variable.id = r.variable.id) scheme.types
         in
         if own && not (mentioned r.variable) then
-          report t (fun _ ->
-              Diagnostic.error ~code:"E0364" ~at:c.span
-                "the context contains `%s`, but the type does not" r.variable.name
-              |> Diagnostic.label ~at:written.ty.span
-                   (Printf.sprintf "nothing here determines the type `%s`" r.variable.name))
+          tell t (Idle_constraint { at = c.span; variable = r.variable; ty = written.ty.span })
     | Number (r, _) when is_variable r -> ()
     | Erroneous -> ()
-    | _ ->
-        report t (fun words ->
-            Diagnostic.error ~code:"E0365" ~at:c.span
-              "a context can only constrain a variable, not %s" (Show.quoted words argument))
+    | _ -> tell t (Constraint_on_type { at = c.span; ty = argument })
   in
   List.iter2 check written.context scheme.context
 
@@ -486,20 +479,7 @@ let check_sizes t =
     match Type.expand size with
     | Flexible variable when t.group.errors = 0 ->
         variable.found <- Some Type.Erroneous;
-        report t (fun _ ->
-            Diagnostic.error ~code:"E0331" ~at:used
-              "nothing determines the size of an array where `%s` is used" of_
-            |> (match written with
-               | Some variable ->
-                   Diagnostic.note
-                     (Printf.sprintf
-                        "`%s` in the signature of `%s` is a variable for any size: write a number \
-                         instead, or a name for it, as in `type Size = 4`"
-                        variable of_)
-               | None -> Fun.id)
-            |> Diagnostic.hint
-                 "annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a \
-                  signature")
+        tell t (Unknown_size { at = used; of_; variable = written })
     | _ -> ()
   in
   (* The list is in reverse order. The latest use is usually closest to the place where the array is

@@ -163,4 +163,4 @@ let program reader (program : Resolve.Ir.program) =
   List.iter (unit_ reader) program.units;
   truth reader 0 "False";
   truth reader 1 "True";
-  List.filter_map (type_ reader) program.types
+  Annotation.together reader (fun () -> List.filter_map (type_ reader) program.types)

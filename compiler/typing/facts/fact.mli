@@ -21,5 +21,21 @@ type t =
       input : Type.t;
       mistake : t Facts.held;  (** the mismatch *)
     }  (** the pattern [()] for another value *)
+  | Exchanged_signature of {
+      words : Show.words;
+      fact : Signature_fact.t;
+      mistakes : t Facts.held list;
+          (** what is wrong with the definition if the signature is right; not empty *)
+    }
+  | Scaled_power of { at : Span.t; unit_ : Ir.Global.t; exponent : Rational.t }
+      (** a power of a scaled unit that is not an integer *)
+  | Scaled_unit_in_type of {
+      environment : Environment.t;
+      places : Span.t list;  (** all in one line; not empty *)
+      measure : Units.t;  (** the unit in base units *)
+    }
+  | Array_size of { at : Span.t; size : int; largest : int }  (** a size out of range *)
+  | Wrong_kind of { environment : Environment.t; at : Span.t; wanted : Type.kind; found : Type.t }
+      (** a size in place of a type, or the reverse *)
   | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
   | Exponent_too_large of Span.t  (** of a unit *)

@@ -89,3 +89,27 @@ type t =
       record : Resolve.Ir.expr;
       function_ : string;
     }  (** [robotPose i.heading], meant as a field of [robotPose i] *)
+  | Idle_constraint of { at : Span.t; variable : Ir.variable; ty : Span.t }
+      (** a constraint on a variable that the type at this place does not mention *)
+  | Constraint_on_type of { at : Span.t; ty : Type.t }
+      (** a constraint on something other than a variable *)
+  | Unknown_size of {
+      at : Span.t;
+      of_ : string;  (** the definition that is used here *)
+      variable : string option;
+          (** the size variable in its signature, if the signature is in the same file *)
+    }  (** nothing determines the size of an array *)
+  | Polymorphic_value of {
+      name : string option;  (** [None] for an annotated expression *)
+      at : Span.t;
+      signature : Span.t;
+      ty : Type.t;
+    }  (** a local definition with type variables that is not a function *)
+  | Long_array of { at : Span.t; length : int; longest : int }
+  | Empty_array of Span.t
+  | Int_out_of_range of {
+      at : Span.t;
+      number : Resolve.Ir.number;
+      same_bits : int32 option;  (** the [Int] with the bits that are written *)
+    }
+  | Number_out_of_range of { at : Span.t; number : Resolve.Ir.number; real : Real.t }

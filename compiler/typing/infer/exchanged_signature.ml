@@ -1,12 +1,11 @@
 open Basis
 
-type kind =
-  | Input_and_output  (** of a signal function, a task or a program *)
-  | Elements
-  | Parameters of int * int  (** their indices *)
-  | Parameter_and_result
-
-type t = { kind : kind; first : Resolve.Ir.ty; second : Resolve.Ir.ty; scheme : Resolve.Ir.scheme }
+type t = {
+  kind : Signature_fact.kind;
+  first : Resolve.Ir.ty;
+  second : Resolve.Ir.ty;
+  scheme : Resolve.Ir.scheme;
+}
 
 let scheme exchanged = exchanged.scheme
 
@@ -44,10 +43,10 @@ let of_result (t : Resolve.Ir.ty) =
   | Named { tycon; arguments = input :: output :: _; _ } when has_input_and_output tycon ->
       let elements (t : Resolve.Ir.ty) =
         match t.desc with
-        | Tuple_type ts -> List.map (fun (a, b) -> (Elements, a, b)) (pairs ts)
+        | Tuple_type ts -> List.map (fun (a, b) -> (Signature_fact.Elements, a, b)) (pairs ts)
         | _ -> []
       in
-      ((Input_and_output, input, output) :: elements input) @ elements output
+      ((Signature_fact.Input_and_output, input, output) :: elements input) @ elements output
   | _ -> []
 
 let most_candidates = 12
@@ -56,11 +55,11 @@ let candidates (written : Resolve.Ir.scheme) =
   let parameters, result = spine written.ty in
   let of_parameters =
     pairs (List.mapi (fun i p -> (i, p)) parameters)
-    |> List.map (fun ((i, p), (j, q)) -> (Parameters (i, j), p, q))
+    |> List.map (fun ((i, p), (j, q)) -> (Signature_fact.Parameters (i, j), p, q))
   in
   let of_the_result =
     match (List.rev parameters, of_result result) with
-    | last :: _, [] -> [ (Parameter_and_result, last, result) ]
+    | last :: _, [] -> [ (Signature_fact.Parameter_and_result, last, result) ]
     | _ -> []
   in
   of_result result @ of_parameters @ of_the_result
@@ -68,7 +67,7 @@ let candidates (written : Resolve.Ir.scheme) =
   |> List.map (fun (kind, first, second) ->
          { kind; first; second; scheme = { written with ty = exchange first second written.ty } })
 
-(* {1 The message} *)
+(* {1 The corrected signature} *)
 
 (* The place of the type with the parentheses around it. *)
 let rec with_parentheses sources (span : Span.t) =
@@ -120,68 +119,18 @@ let rewritten sources ~(written : Resolve.Ir.scheme) exchanged =
       Some ([ (first, b); (second, a) ], text)
   | _ -> None
 
-(* A formula with the wrong operator can fit the exchanged signature by coincidence, such as
-   [derivative x] where [integral x] was meant: the definition is as likely to be wrong. *)
-let is_about_the_result ~(written : Resolve.Ir.scheme) (d : Diagnostic.t) =
-  String.equal d.code "E0320"
-  && List.exists (fun (l : Diagnostic.label) -> Span.compare l.at written.span = 0) d.labels
+(* If the context is wrong, only an exchange of inputs and outputs is likely to be meant. *)
+let is_likely exchanged = function
+  | Fact.Instance { fact = Unpromised _; _ } -> (
+      match exchanged.first.desc with
+      | Type_variable name -> String.starts_with ~prefix:"o" name
+      | _ -> false)
+  | _ -> true
 
-let is_about_an_order (d : Diagnostic.t) = String.ends_with ~suffix:"in the wrong order" d.message
-
-(* The left side with the two parameters exchanged. *)
-let left_side sources ~name (b : Resolve.Ir.binding) i j =
-  let texts = List.map (fun (p : Resolve.Ir.pattern) -> Source.quote sources p.span) b.parameters in
-  match (List.nth_opt texts i, List.nth_opt texts j) with
-  | Some (Some p), Some (Some q) when not (List.mem None texts) ->
-      let moved k text = if k = i then q else if k = j then p else text in
-      Some (String.concat " " (name :: List.mapi moved (List.filter_map Fun.id texts)))
-  | _ -> None
-
-(* The place in the definition that contradicts the signature. *)
-let contradicting ~(written : Resolve.Ir.scheme) (d : Diagnostic.t) =
-  match d.labels with
-  | first :: _ when Span.compare (Span.merge d.at written.span) written.span = 0 -> first.at
-  | _ -> d.at
-
-let is_output (t : Resolve.Ir.ty) =
-  match t.desc with Type_variable name -> String.starts_with ~prefix:"o" name | _ -> false
-
-let explain sources ~name (b : Resolve.Ir.binding) ~written exchanged (told : Diagnostic.t list) =
-  match (told, rewritten sources ~written exchanged) with
-  | [ d ], _ when is_about_an_order d -> None
-  (* otherwise, the context is wrong *)
-  | { code = "E0309"; _ } :: _, _ when not (is_output exchanged.first) -> None
-  | [ d ], Some (edits, text) when is_about_the_result ~written d ->
-      let is_of_a_signature text =
-        String.starts_with ~prefix:"if this is the right result, write the signature as" text
-      in
-      let signature = Printf.sprintf "%s :: %s" name text in
-      if d.hints <> [] && not (List.exists is_of_a_signature d.hints) then None
-      else
-        Some
-          ({ d with hints = List.filter (fun h -> not (is_of_a_signature h)) d.hints }
-          |> Diagnostic.hint
-               (Printf.sprintf
-                  "if the types of the signature are in the wrong order, write it as `%s`" signature)
-          |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits)
-  | d :: _, Some (edits, text) ->
-      let here, others =
-        match exchanged.kind with
-        | Input_and_output -> ("the first type is the input, the second the output", None)
-        | Elements -> ("the definition fits the other order", None)
-        | Parameters (i, j) -> ("the definition fits the other order", left_side sources ~name b i j)
-        | Parameter_and_result -> ("the type after the last `->` is the result", None)
-      in
-      let signature = Printf.sprintf "%s :: %s" name text in
-      Some
-        (Diagnostic.error ~code:d.code
-           ~at:(Span.merge exchanged.first.span exchanged.second.span)
-           "the types in the signature of `%s` are in the wrong order" name
-        |> Diagnostic.here here
-        |> Diagnostic.label ~at:(contradicting ~written d) "this does not fit the signature"
-        |> Diagnostic.hint
-             (Printf.sprintf "write the signature as `%s`%s" signature
-                (Option.fold others ~none:""
-                   ~some:(Printf.sprintf ", or begin the definition with `%s =`")))
-        |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits)
-  | _ -> None
+let fact sources ~name (binding : Resolve.Ir.binding) ~written exchanged ~mistake :
+    Signature_fact.t option =
+  match rewritten sources ~written exchanged with
+  | Some (edits, text) when is_likely exchanged mistake ->
+      let { kind; first; second; _ } = exchanged in
+      Some { name; binding; written; kind; first; second; edits; text }
+  | Some _ | None -> None

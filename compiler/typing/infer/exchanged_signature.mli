@@ -13,13 +13,14 @@ val candidates : Resolve.Ir.scheme -> t list
 
 val scheme : t -> Resolve.Ir.scheme
 
-val explain :
+val fact :
   Source.t ->
   name:string ->
   Resolve.Ir.binding ->
   written:Resolve.Ir.scheme ->
   t ->
-  Diagnostic.t list ->
-  Diagnostic.t option
-(** The message about the definition of this name, which fits the exchanged signature, in place of
-    those that checking it against the written signature reported. [None] if these are better. *)
+  mistake:Fact.t ->
+  Signature_fact.t option
+(** The definition of this name fits the exchanged signature, although [mistake] was found when it
+    was checked against the written one. [None] if that mistake is the better explanation, or if the
+    corrected signature is not in one line. *)

@@ -137,16 +137,30 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
              |> Option.iter (fun type_ -> warn ctx (Variable_like_a_type { at; variable; type_ })))
   | Some _ | None -> ()
 
-(* Stops checking uses against a signature that may be wrong: its definition is a signal function
-   although the signature declares a function, or has more parameters than the signature. *)
-let distrust ctx declared (b : Resolve.Ir.binding) =
-  let name, _ = top b in
-  match (Global_table.find_opt declared name, Diagnostic.last ctx.reader.sink) with
-  | Some { at; _ }, Some { code = "E0302" | "E0304"; labels; _ }
-    when List.exists (fun (l : Diagnostic.label) -> Span.compare l.at at = 0) labels ->
-      let scheme = Type.monomorphic Erroneous in
-      Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some at }
-  | _ -> ()
+(* Stops checking uses against the signature at this place. *)
+let distrust ctx (b : Resolve.Ir.binding) at =
+  let entry = { scheme = Type.monomorphic Erroneous; kind = Defined; at = Some at } in
+  Global_table.replace ctx.globals (fst (top b)) entry
+
+(* Does the fact mean that the signature at this place may be wrong? Its definition is a signal
+   function although the signature declares a function, or the reverse, or has more parameters than
+   the signature. *)
+let contradicts (at : Span.t) (fact : Fact.t) =
+  let is_signature (expected : Expected.t) =
+    match expected.because with
+    | Signature s | Output (Signature s) -> Span.compare s.at at = 0
+    | _ -> false
+  in
+  match fact with
+  | Inference { fact = Too_many_parameters { expected; _ } | Lacking_types { expected; _ }; _ } ->
+      is_signature expected
+  | Inference { fact = Mismatch { expected; found; _ }; _ } -> (
+      is_signature expected
+      &&
+      match (Type.expand expected.ty, Type.expand found) with
+      | Function _, Signal_function _ | Signal_function _, Function _ -> true
+      | _ -> false)
+  | _ -> false
 
 (* Does the definition fit this signature? Checks it without reporting anything. *)
 let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
@@ -162,29 +176,29 @@ let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
   Option.iter (Global_table.replace ctx.globals name) entry;
   errors trial = 0
 
-(* If the definition fits its signature with two types exchanged, says so, and stops checking uses
-   against the signature. *)
-let exchanged_signature (ctx : Context.t) (b : Resolve.Ir.binding) =
-  let explained (written : Resolve.Ir.scheme) told =
+(* If the definition fits its signature with two types exchanged, reports that in place of the facts
+   about the definition. Returns the other facts. *)
+let exchanged_signature (ctx : Context.t) held (b : Resolve.Ir.binding) =
+  let explained (written : Resolve.Ir.scheme) mistake =
     let name, _ = top b in
     Exchanged_signature.candidates written
     |> List.find_opt (fun e -> fits ctx b (Exchanged_signature.scheme e))
     |> Fun.flip Option.bind (fun exchanged ->
-           Exchanged_signature.explain ctx.sources ~name:name.name b ~written exchanged told)
+           let mistake = Facts.fact mistake in
+           Exchanged_signature.fact ctx.sources ~name:name.name b ~written exchanged ~mistake)
   in
-  let emit = Diagnostic.emit ctx.reader.sink in
   match b.signature with
-  | None -> ()
+  | None -> held
   | Some written -> (
-      let told = Diagnostic.take ctx.reader.sink [ b.span; written.span ] in
-      match if told = [] then None else explained written told with
-      | None -> List.iter emit told
-      | Some d ->
-          emit d;
-          let entry =
-            { scheme = Type.monomorphic Erroneous; kind = Defined; at = Some written.span }
-          in
-          Global_table.replace ctx.globals (fst (top b)) entry)
+      match List.partition (Facts.is_within [ b.span; written.span ]) held with
+      | [], _ -> held
+      | (first :: _ as mistakes), others -> (
+          match explained written first with
+          | None -> held
+          | Some fact ->
+              replace ctx (Exchanged_signature { words = words ctx; fact; mistakes });
+              distrust ctx b written.span;
+              others))
 
 (* {1 Limits} *)
 
@@ -221,18 +235,27 @@ let of_binding ctx left (b : Resolve.Ir.binding) ~otherwise check =
 
 let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
-  let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
   let check (b : Resolve.Ir.binding) expectation =
-    let before = errors ctx in
-    let value = check ~name:(fst (top b)).name b expectation in
-    if errors ctx > before then distrust ctx declared b;
+    let value, held = hold ctx (fun () -> check ~name:(fst (top b)).name b expectation) in
+    pass_on ctx held;
+    (match (Global_table.find_opt declared (fst (top b)), List.rev held) with
+    | Some { at; _ }, last :: _ when contradicts at (Facts.fact last) -> distrust ctx b at
+    | _ -> ());
     value
   in
-  let values = List.map2 check g.bindings expectations in
-  settle ctx;
-  generalize ctx declared g.bindings expectations;
-  check_sizes ctx;
-  if errors ctx > 0 then List.iter (exchanged_signature ctx) g.bindings;
+  let values, held =
+    hold ctx (fun () ->
+        let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
+        let values = List.map2 check g.bindings expectations in
+        settle ctx;
+        generalize ctx declared g.bindings expectations;
+        check_sizes ctx;
+        values)
+  in
+  let held =
+    if errors ctx > 0 then List.fold_left (exchanged_signature ctx) held g.bindings else held
+  in
+  pass_on ctx held;
   List.iter (warn_of_variables_like_types ctx declared) g.bindings;
   let definition (b : Resolve.Ir.binding) value =
     let { Context.scheme; _ } = Global_table.find ctx.globals (fst (top b)) in

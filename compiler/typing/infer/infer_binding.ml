@@ -168,11 +168,7 @@ let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.sche
   | Function _ -> scheme
   | _ when not (polymorphic scheme) -> scheme
   | _ ->
-      report ctx (fun words ->
-          Diagnostic.error ~code:"E0314" ~at
-            "only a local function can be polymorphic, and %s is %s" name
-            (Show.quoted words scheme.body)
-          |> Diagnostic.label ~at:written.span "its signature has its own variables");
+      tell ctx (Polymorphic_value { name; at; signature = written.span; ty = scheme.body });
       Type.monomorphic Erroneous
 
 type declared = { scheme : Type.scheme; inner : t; at : Span.t }
@@ -180,7 +176,7 @@ type declared = { scheme : Type.scheme; inner : t; at : Span.t }
 
 let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
   let scheme, inner = with_signature ctx ~name:local.name written in
-  let scheme = local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme in
+  let scheme = local_scheme ctx ~name:(Some local.name) ~at:local.span written scheme in
   bind_local ctx local scheme;
   { scheme; inner; at = written.span }
 
@@ -263,7 +259,7 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
 
 let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   let scheme, inner = with_signature ctx ~name:"this" written in
-  let scheme = local_scheme ctx ~name:"this" ~at:e.span written scheme in
+  let scheme = local_scheme ctx ~name:None ~at:e.span written scheme in
   Classes.give ctx scheme;
   let value =
     expressions.check inner inner_expr { ty = scheme.body; because = Annotation written.span }

@@ -241,11 +241,8 @@ and array_elements ctx (expected : Expected.t) elements =
   (match besides with
   | [] -> ()
   | first :: _ ->
-      report ctx (fun _ ->
-          Diagnostic.error ~code:"E0333" ~at:first.span
-            "an array literal has at most %d elements, not %d" most_written
-            (most_written + List.length besides)
-          |> Diagnostic.hint "compute the elements with `generate (\\k -> …)`"));
+      let length = most_written + List.length besides in
+      tell ctx (Long_array { at = first.span; length; longest = most_written }));
   let check (done_, (expected : Expected.t)) (element : Resolve.Ir.expr) =
     let because : Expected.reason =
       match expected.because with Element _ as first -> first | _ -> Element element.span
@@ -255,9 +252,7 @@ and array_elements ctx (expected : Expected.t) elements =
   List.rev (fst (List.fold_left check ([], expected) elements))
 
 and array ctx (e : Resolve.Ir.expr) elements =
-  if elements = [] then
-    report ctx (fun _ ->
-        Diagnostic.error ~code:"E0333" ~at:e.span "an array must have at least one element");
+  if elements = [] then tell ctx (Empty_array e.span);
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
   let elements = array_elements ctx (Expected.make Unknown element) elements in

@@ -21,14 +21,7 @@ let as_bits digits =
 (* A literal too large for [Int] becomes a [Float] if that is allowed. *)
 let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
   let report () =
-    Context.report ctx (fun _ ->
-        Diagnostic.(
-          error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
-          |> note "an `Int` must be from -2147483648 to 2147483647"
-          |>
-          match as_bits n.digits with
-          | Some m -> hint (Printf.sprintf "for these 32 bits, write `(%ld)`" m)
-          | None -> Fun.id))
+    Context.tell ctx (Int_out_of_range { at; number = n; same_bits = as_bits n.digits })
   in
   let attempt () =
     match Type.representation representation with
@@ -47,12 +40,8 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
   in
   Context.ask ctx { attempt; guess; give_up = ignore }
 
-let out_of_range (ctx : Context.t) ~at (n : Resolve.Ir.number) =
-  let diagnostic = Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits in
-  match ctx.real with
-  | Double -> diagnostic
-  | Single ->
-      Diagnostic.note "with `--real float`, the largest number is 3.4028234663852886e38" diagnostic
+let tell_out_of_range (ctx : Context.t) ~at number =
+  Context.tell ctx (Number_out_of_range { at; number; real = ctx.real })
 
 (* Only literals like these can exceed the range of a Float. *)
 let is_long digits = String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
@@ -62,7 +51,7 @@ let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
     match Exact.of_literal n.digits with
     | Some value -> value
     | None ->
-        Context.report ctx (fun _ -> out_of_range ctx ~at n);
+        tell_out_of_range ctx ~at n;
         Exact.one
   in
   let is_zero = Exact.equal magnitude Exact.zero in
@@ -82,5 +71,5 @@ let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   let value = if scaled then Exact.multiply signed scale else signed in
   if not (n.decimal || scaled || fits signed) then too_large ctx ~at n representation;
   if is_long n.digits && Float.abs (Real.of_exact ctx.real value) = infinity then
-    Context.report ctx (fun _ -> out_of_range ctx ~at n);
+    tell_out_of_range ctx ~at n;
   (Type.Number (representation, measure), value)

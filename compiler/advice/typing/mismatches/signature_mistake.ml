@@ -119,3 +119,29 @@ let promised_unit (a, b) =
   | Some r, _ when Units.rigid_powers b = [] -> Some (r, b)
   | _, Some r when Units.rigid_powers a = [] -> Some (r, a)
   | _ -> None
+
+let idle_constraint ~at (variable : Ir.variable) ~ty =
+  error ~code:"E0364" ~at "the context contains `%s`, but the type does not" variable.name
+  |> label ~at:ty (Printf.sprintf "nothing here determines the type `%s`" variable.name)
+
+let constraint_on_type words ~at ty =
+  error ~code:"E0365" ~at "a context can only constrain a variable, not %s" (Show.quoted words ty)
+
+let unknown_size ~at ~of_ ~variable =
+  error ~code:"E0331" ~at "nothing determines the size of an array where `%s` is used" of_
+  |> (match variable with
+     | Some variable ->
+         note
+           (Printf.sprintf
+              "`%s` in the signature of `%s` is a variable for any size: write a number instead, \
+               or a name for it, as in `type Size = 4`"
+              variable of_)
+     | None -> Fun.id)
+  |> hint
+       "annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature"
+
+let polymorphic_value words ~name ~at ~signature ty =
+  let name = match name with Some name -> "`" ^ name ^ "`" | None -> "this" in
+  error ~code:"E0314" ~at "only a local function can be polymorphic, and %s is %s" name
+    (Show.quoted words ty)
+  |> label ~at:signature "its signature has its own variables"

@@ -1,5 +1,6 @@
-(** Messages about signatures that are more general than their definitions ([E0306]), and about
-    variables in signatures that look like types ([W0302]). *)
+(** Messages about signatures. Codes: [E0306] more general than the definition · [E0314] a local
+    value with type variables · [E0331] an array of unknown size · [E0364], [E0365] a wrong
+    constraint · [W0302] variables that look like types. *)
 
 open Basis
 open Typing
@@ -23,3 +24,14 @@ val promised_unit : Units.t * Units.t -> (Units.rigid * Units.t) option
 val variable_like_a_type : Show.words -> at:Span.t -> Ir.variable -> string -> Diagnostic.t
 (** The warning [W0302] about a type variable that differs from the name of a type only in the case
     of a letter. *)
+
+(** {1 Other mistakes}
+
+    Their arguments are those of {!Typing.Inference_fact.t}. *)
+
+val idle_constraint : at:Span.t -> Ir.variable -> ty:Span.t -> Diagnostic.t
+val constraint_on_type : Show.words -> at:Span.t -> Type.t -> Diagnostic.t
+val unknown_size : at:Span.t -> of_:string -> variable:string option -> Diagnostic.t
+
+val polymorphic_value :
+  Show.words -> name:string option -> at:Span.t -> signature:Span.t -> Type.t -> Diagnostic.t
