@@ -36,13 +36,11 @@ let hold t f =
 let fact held = held.fact
 
 let is_within spans held =
-  let contains at (span : Span.t) = Span.compare (Span.merge at span) span = 0 in
-  match held.diagnostic with
-  | Some (d : Diagnostic.t) ->
-      List.exists
-        (fun (span : Span.t) -> String.equal span.file d.at.file && contains d.at span)
-        spans
-  | None -> false
+  let is_in at (span : Span.t) =
+    String.equal span.file at.Span.file && Span.compare (Span.merge at span) span = 0
+  in
+  let is_there (d : Diagnostic.t) = List.exists (is_in d.at) spans in
+  held.diagnostics <> [] && List.for_all is_there held.diagnostics
 
 let diagnostic held =
   match held.diagnostics with

@@ -41,7 +41,7 @@ val hold : 'fact t -> (unit -> 'a) -> 'a * 'fact held list
 val fact : 'fact held -> 'fact
 
 val is_within : Span.t list -> 'fact held -> bool
-(** Is the main place of its diagnostic in one of these places? *)
+(** Are its diagnostics about these places? *)
 
 val pass_on : 'fact t -> 'fact held -> unit
 (** Reports the held fact, with the diagnostic that it already has. *)

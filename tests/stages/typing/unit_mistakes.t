@@ -49,32 +49,31 @@ its part of the signature.
   > stop :: Velocity -> Float[m/s^2] -> Time
   > stop v a = v / a
   > 
-  > brake :: Distance -> Velocity -> (Time, Distance)
+  > brake :: Distance -> Velocity -> (Time, Time)
   > brake d v = (stop d 2.0[m/s^2], v)
   > FROB
   $ frobc check signatures.frob
   error[E0320]: expected the unit `m/s`, found `m`
    --> signatures.frob:5:19
     |
-  4 | brake :: Distance -> Velocity -> (Time, Distance)
+  4 | brake :: Distance -> Velocity -> (Time, Time)
     |          -------- the signature gives `d` this type
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |              ---- ^ this is `Distance` (m)
     |              |
     |              argument 1 of `stop` is `Velocity` (m/s)
     |
-    = hint: if `d` is of type `Velocity`, write the signature as `brake :: Velocity -> Velocity -> (Time, Distance)`
+    = hint: if `d` is of type `Velocity`, write the signature as `brake :: Velocity -> Velocity -> (Time, Time)`
     = hint: multiply by a gain, as in `0.5[1/s] * d`, or, for the rate of change, write `derivative d`
   
-  error[E0320]: expected the unit `m`, found `m/s`
+  error[E0320]: expected the unit `s`, found `m/s`
    --> signatures.frob:5:33
     |
-  4 | brake :: Distance -> Velocity -> (Time, Distance)
-    |          ---------------------------------------- the signature of `brake` requires `Distance` (m)
+  4 | brake :: Distance -> Velocity -> (Time, Time)
+    |          ------------------------------------ the signature of `brake` requires `Time` (s)
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |                                 ^ this is `Velocity` (m/s)
     |
-    = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
     = hint: if this is the right result, write `Velocity` in the signature
   
   2 errors
