@@ -77,10 +77,11 @@ let specialize ~options ~default ~name ~entry sink ~sources ~(written : Typing.I
   let* flow =
     Specialize.Of_core.program ~options ~default (Advice.Of_specialize.into sink) ~name ~entry core
   in
-  Flow.Extent.check sink ~entry:span flow;
-  Flow.Causality.check sink ~sources ~entry:span flow;
+  let facts = Advice.Of_flow.into ~sources sink in
+  Flow.Extent.check facts ~entry:span flow;
+  Flow.Causality.check facts ~entry:span flow;
   if Diagnostic.has_errors sink then None
-  else Some (Flow.Instantaneous_loops.program sink ~entry:span flow)
+  else Some (Flow.Instantaneous_loops.program facts ~entry:span flow)
 
 (* A program that draws is specialized again with room for its marks, once their number is known. *)
 let with_marks r sink ~written ~specialized (plain : Flow.Ir.program) =

@@ -90,7 +90,7 @@ let program sink sources (r : Request.t) =
 (* Adds the probes, and the data that hosts need about the assertions. *)
 let observed (r : Request.t) sink p ~asserts names =
   let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
-  let causal, hidden = Probes.causal p.written p.flow (List.map fst probes) in
+  let causal, hidden = Probes.causal p.flow (List.map fst probes) in
   let* () = Probes.refuse_hidden sink p.written ~names hidden in
   let is_shown probe = List.assq probe probes in
   let flow = Probe.Observed.program p.flow causal in

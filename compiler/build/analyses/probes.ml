@@ -39,13 +39,8 @@ let named sink entry core flow ~asserts names =
           |> Diagnostic.hint "`--probe list` lists all inner signals"
           |> refuse sink)
 
-let causal entry flow probes =
-  let is_causal probes =
-    let sink = Diagnostic.sink () in
-    Flow.Causality.check sink ~sources:(Source.create ()) ~entry:(name_of entry)
-      (Probe.Observed.program flow probes);
-    not (Diagnostic.has_errors sink)
-  in
+let causal flow probes =
+  let is_causal probes = Flow.Causality.is_causal (Probe.Observed.program flow probes) in
   (* Bisection, because only few probes are not causal, if any. *)
   let rec add shown probes =
     match probes with
@@ -71,7 +66,7 @@ let warn_unwatched sink (p : Probe.Catalogue.probe) =
 
 let warn_of_claims sink entry core flow =
   let claims = Option.value (named sink entry core flow ~asserts:true []) ~default:[] in
-  List.iter (warn_unwatched sink) (snd (causal entry flow (List.map fst claims)))
+  List.iter (warn_unwatched sink) (snd (causal flow (List.map fst claims)))
 
 let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
   let claims, hidden = List.partition Probe.Selection.is_claim hidden in

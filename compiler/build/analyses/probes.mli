@@ -40,7 +40,6 @@ val named :
     it. If [asserts] is true, the verdicts of assertions are added. *)
 
 val causal :
-  Typing.Ir.definition ->
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   Probe.Catalogue.probe list * Probe.Catalogue.probe list

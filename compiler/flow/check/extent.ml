@@ -65,47 +65,23 @@ let rec largest (p : program) measure k steps =
       (k, j, count, span) :: largest p measure j (steps - 1)
   | Some _ | None -> []
 
-let shown = 5
-
-let report sink ~entry (p : program) measure text =
+let report facts ~entry (p : program) (measure : Fact.measure) size ~amount ~limit =
   let root = Array.length p.nodes - 1 in
   let name k = p.nodes.(k).origin in
-  let hops =
-    List.filter
-      (fun (k, j, count, _) -> count > 1. || not (String.equal (name k) (name j)))
-      (largest p measure root 50)
+  let part (k, j, count, at) : Fact.part option =
+    if count > 1. || not (String.equal (name k) (name j)) then
+      Some { whole = name k; part = name j; count; at }
+    else None
   in
-  let label (d, places) (k, j, count, span) =
-    if List.length places >= shown || List.mem span places then (d, places)
-    else
-      let what =
-        if count > 1. then Printf.sprintf "%.0f of `%s`" count (name j)
-        else Printf.sprintf "`%s`" (name j)
-      in
-      (Diagnostic.label ~at:span (Printf.sprintf "`%s` contains %s" (name k) what) d, span :: places)
-  in
-  let error = Diagnostic.error ~code:"E0413" ~at:entry "%s" text in
-  fst (List.fold_left label (error, []) hops)
-  |> Diagnostic.note
-       "each use of a signal function has its own copy of the state, including the state of all \
-        signal functions inside it"
-  |> Diagnostic.hint
-       "name the output of a signal function in an equation, so that you can use it twice and run \
-        the signal function only once"
-  |> Diagnostic.emit sink
+  let largest = List.filter_map part (largest p size root 50) in
+  Facts.report facts (Fact.Too_large { entry; measure; amount; limit; largest })
 
-let check sink ~entry (p : program) =
+let check facts ~entry (p : program) =
   let sizes = sizes p in
   let { instances; values } = sizes.(Array.length p.nodes - 1) in
   if values > most_values then
-    report sink ~entry p
-      (fun k -> sizes.(k).values)
-      (Printf.sprintf
-         "the program would store %.3g values from one instant to the next; the maximum is %.0f"
-         values most_values)
+    report facts ~entry p Values (fun k -> sizes.(k).values) ~amount:values ~limit:most_values
   else if instances > most_instances then
-    report sink ~entry p
+    report facts ~entry p Instances
       (fun k -> sizes.(k).instances)
-      (Printf.sprintf
-         "the program would run %.3g signal functions at the same time; the maximum is %.0f"
-         instances most_instances)
+      ~amount:instances ~limit:most_instances

@@ -4,6 +4,5 @@
 
 open Basis
 
-val check : Diagnostic.sink -> entry:Span.t -> Ir.program -> unit
-(** Reports E0413 if there are too many instances or too many state values. The message lists the
-    path through the largest part of each node. *)
+val check : Fact.t Facts.t -> entry:Span.t -> Ir.program -> unit
+(** Reports too many instances or too many state values. *)

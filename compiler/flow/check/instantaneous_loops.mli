@@ -4,8 +4,8 @@
     {!First_transitions}) form a cycle, a chain of switches might never end. Otherwise, the longest
     chain bounds the number of modes that run in one instant. *)
 
-val program : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> Ir.program
-(** Reports [E0402] for each cycle. Fills in [steps] of machines and [at_entry] of their modes'
-    transitions. The program must be causal; a program without machines is returned unchanged.
-    [entry] is the place of the program's definition: for a cycle inside the library, the message
-    shows the place in the program that uses it. *)
+val program : Fact.t Basis.Facts.t -> entry:Basis.Span.t -> Ir.program -> Ir.program
+(** Reports each cycle. Fills in [steps] of machines and [at_entry] of their modes' transitions. The
+    program must be causal; a program without machines is returned unchanged. [entry] is the place
+    of the program's definition: for a cycle inside the library, the place of the fact is where the
+    program uses it. *)

@@ -110,18 +110,13 @@ let run_function name instants outputs =
      %s}\n\n"
     name name name name name name body
 
-let is_causal program =
-  let sink = Basis.Diagnostic.sink () in
-  Causality.check sink ~sources:(Basis.Source.create ()) ~entry:(Build.span "test.frob" 1) program;
-  not (Basis.Diagnostic.has_errors sink)
-
 (* The evaluator adds seconds, while the C code adds whole nanoseconds. Both agree if the times
    are exact binary fractions. *)
 let exact_dt (i : Evaluate.instant) = if i.dt = 0.1 then { i with dt = 0.125 } else i
 
 let rec causal rng =
   let program = Random_program.program rng in
-  if is_causal program then program else causal rng
+  if Causality.is_causal program then program else causal rng
 
 let () =
   let rng = Random.State.make [| seed |] in

@@ -15,7 +15,7 @@ let text (d : Diagnostic.t) =
 
 let messages program =
   let sink = Diagnostic.sink () in
-  Causality.check sink ~sources:(Basis.Source.create ()) ~entry:(Build.span "test.frob" 1) program;
+  Causality.check (Advice.Of_flow.into sink) ~entry:(Build.span "test.frob" 1) program;
   List.map text (Diagnostic.all sink)
 
 let build root =

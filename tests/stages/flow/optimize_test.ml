@@ -22,11 +22,6 @@ let random name count property =
   Alcotest.test_case name `Quick (fun () ->
       QCheck.Test.check_exn ~rand:(Random.State.make [| 7 |]) test)
 
-let is_causal program =
-  let sink = Basis.Diagnostic.sink () in
-  Causality.check sink ~sources:(Basis.Source.create ()) ~entry:(Build.span "test.frob" 1) program;
-  not (Basis.Diagnostic.has_errors sink)
-
 let same_outputs expected found = List.for_all2 (List.for_all2 Evaluate.equal) expected found
 
 let show outputs =
@@ -37,7 +32,7 @@ let show outputs =
 let keeps_outputs pass evaluate seed =
   let rng = Random.State.make [| seed |] in
   let program = Random_program.program rng in
-  QCheck.assume (is_causal program);
+  QCheck.assume (Causality.is_causal program);
   Lint.program program;
   let instants = Random_program.instants rng program in
   let expected = Evaluate.by_demand program instants in
@@ -54,7 +49,7 @@ let keeps_outputs pass evaluate seed =
 let stays pass seed =
   let rng = Random.State.make [| seed |] in
   let program = Random_program.program rng in
-  QCheck.assume (is_causal program);
+  QCheck.assume (Causality.is_causal program);
   let done_ = pass program in
   Array.for_all2
     (fun (node : Ir.node) (again : Ir.node) ->

@@ -32,7 +32,7 @@ let core = Core.Of_typed.program typed
 let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }
 
 let flow =
-  Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
+  Flow.Instantaneous_loops.program (Basis.Facts.ignored ()) ~entry:(Span.start_of_file "main.frob")
     (the
        (Specialize.Of_core.program (Advice.Of_specialize.into sink) ~name:"main" ~entry:main core))
 
