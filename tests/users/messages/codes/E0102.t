@@ -1,0 +1,16 @@
+  $ ../../explain/message.exe E0102
+  main.frob:
+  limit :: Float -> Float
+  limit x = min x top
+    where
+  	top = 1.0
+  
+  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
+   --> main.frob:4:1
+    |
+  4 |     top = 1.0
+    | ^^^^
+    |
+    = hint: set up your editor to insert spaces instead of tabs
+  
+  1 error

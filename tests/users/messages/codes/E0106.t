@@ -1,0 +1,12 @@
+  $ ../../explain/message.exe E0106
+  main.frob: 20007 bytes
+  
+  error[E0106]: this is nested more than 10000 levels deep
+   --> main.frob:1:10004
+    |
+  1 | …((((((((((((((((((((((((((((((((((((((((((1)))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))…
+    |                                          ^
+    |
+    = hint: define the inner parts under their own names
+  
+  1 error

@@ -1,0 +1,13 @@
+  $ ../../explain/message.exe E0112
+  main.frob:
+  data Side = LeftSide | RightSide deriving Eq
+  
+  error[E0112]: `deriving` is not part of this version of Frob
+   --> main.frob:1:34
+    |
+  1 | data Side = LeftSide | RightSide deriving Eq
+    |                                  ^^^^^^^^
+    |
+    = hint: remove it: `==` and `<` work on all data that contains no functions
+  
+  1 error

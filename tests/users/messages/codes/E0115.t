@@ -1,0 +1,17 @@
+  $ ../../explain/message.exe E0115
+  main.frob:
+  sign :: Int -> Int
+  sign 0 = 0
+  sign n = 1
+  
+  error[E0115]: `sign` is defined by several clauses
+   --> main.frob:3:1
+    |
+  2 | sign 0 = 0
+    | ---- the first
+  3 | sign n = 1
+    | ^^^^
+    |
+    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each of the clauses
+  
+  1 error

@@ -1,0 +1,15 @@
+  $ ../../explain/message.exe E0308
+  main.frob:
+  quiet :: Bool
+  quiet = NoEvent == NoEvent
+  
+  error[E0308]: nothing determines the type at which `==` is used
+   --> main.frob:2:17
+    |
+  2 | quiet = NoEvent == NoEvent
+    |                 ^^
+    |
+    = note: it must be a type of the class `Eq`
+    = hint: annotate it with a type, as in `(e :: T)`
+  
+  1 error

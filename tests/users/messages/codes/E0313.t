@@ -1,0 +1,14 @@
+  $ ../../explain/message.exe E0313
+  main.frob:
+  population :: Int
+  population = 8000000000
+  
+  error[E0313]: `8000000000` is out of the range of `Int`
+   --> main.frob:2:14
+    |
+  2 | population = 8000000000
+    |              ^^^^^^^^^^
+    |
+    = note: an `Int` must be from -2147483648 to 2147483647
+  
+  1 error

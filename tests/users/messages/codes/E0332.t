@@ -1,0 +1,16 @@
+  $ ../../explain/message.exe E0332
+  main.frob:
+  last :: Array 3 Float -> Float
+  last xs = xs ! 3
+  
+  error[E0332]: index 3 is outside of an array of 3 elements
+   --> main.frob:2:16
+    |
+  2 | last xs = xs ! 3
+    |           --   ^
+    |           |
+    |           this is `Array 3 Float`
+    |
+    = hint: the indices are from 0 to 2
+  
+  1 error

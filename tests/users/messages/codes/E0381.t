@@ -1,0 +1,16 @@
+  $ ../../explain/message.exe E0381
+  main.frob:
+  foreign area :: Float -> Float -> Float = "area"
+  foreign areaOf :: Int -> Int -> Int = "area"
+  
+  error[E0381]: C's `area` is imported here as `Int -> Int -> Int`
+   --> main.frob:2:9
+    |
+  1 | foreign area :: Float -> Float -> Float = "area"
+    |         ---- and here as `Float -> Float -> Float`
+  2 | foreign areaOf :: Int -> Int -> Int = "area"
+    |         ^^^^^^
+    |
+    = note: a C function has one type
+  
+  1 error

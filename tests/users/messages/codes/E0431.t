@@ -1,0 +1,19 @@
+  $ ../../explain/message.exe E0431
+  main.frob:
+  foreign include "main_in_c.h"
+  
+  foreign sf control :: SF Float Float = "main"
+  
+  main :: SF Float Float
+  main = control
+  
+  error[E0431]: the program and the component `main` in C have the same name
+   --> main.frob:3:12
+    |
+  3 | foreign sf control :: SF Float Float = "main"
+    |            ^^^^^^^
+    |
+    = note: both would have `struct main_state`, `main_reset` and `main_step`
+    = hint: rename the program's file
+  
+  1 error

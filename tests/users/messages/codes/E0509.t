@@ -1,0 +1,19 @@
+  $ ../../explain/message.exe E0509
+  main.frob:
+  import Ros
+  
+  data In = In { goal :: Maybe Pose3 }
+  data Out = Out { cmdVel :: Twist }
+  
+  main :: Program In Out
+  main = node 50[Hz] (proc _ -> Out { cmdVel = twist 0 0 })
+  
+  error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose3` is not a type of messages
+   --> main.frob:3:24
+    |
+  3 | data In = In { goal :: Maybe Pose3 }
+    |                        ^^^^^^^^^^^
+    |
+    = hint: messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
+  
+  1 error

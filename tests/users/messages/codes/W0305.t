@@ -1,0 +1,14 @@
+  $ ../../explain/message.exe W0305
+  main.frob:
+  clampTo :: Float -> Float -> Float
+  clampTo low x = max 0 x
+  
+  warning[W0305]: `low` is never used
+   --> main.frob:2:9
+    |
+  2 | clampTo low x = max 0 x
+    |         ^^^
+    |
+    = hint: replace it by `_` or `_low`
+  
+  1 warning
