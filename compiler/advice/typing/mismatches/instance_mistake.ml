@@ -125,6 +125,15 @@ let several_outputs fact =
 let output_with_an_event fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
+      let at = fact.required.at in
+      let written =
+        Option.bind (Source.text fact.ctx.sources at.file) (fun text ->
+            Option.bind (Resolve.Name_in_text.application ~text at) (fun (whole, _) ->
+                Option.map (fun output -> (whole, output)) (Show.quote fact.words whole)))
+      in
+      let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+      let unknown = if String.equal name "roMake" then "roMake (…)" else name in
+      let output = Option.fold written ~none:unknown ~some:snd in
       Some
         (fun d ->
           {
@@ -137,8 +146,9 @@ let output_with_an_event fact =
             labels = [];
           }
           |> Diagnostic.hint
-               "add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] \
-                ())`")
+               ("return the output and the event that ends it: " ^ Switch_mistake.ends_it output)
+          |> Option.fold written ~none:Fun.id ~some:(fun (whole, output) ->
+                 Diagnostic.write whole (Switch_mistake.with_an_event output)))
   | _ -> None
 
 (* Numbers in place of a robot's output. *)

@@ -100,6 +100,9 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
           let cure d =
             hint (Printf.sprintf "write `%s` if this is the turn rate" text) d
             |> Diagnostic.write at text
+            |> Option.value
+                 (Unit_conversion.of_the_other_operand words ~expected (wanted, given))
+                 ~default:Fun.id
           in
           (cure, at, name)
         in
@@ -217,7 +220,7 @@ let hint_for_signature words ~(expected : Expected.t) ~found d =
 (* The result may be correct and the signature wrong. *)
 let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   match expected.because with
-  | Signature { name; _ } when runs words subject <> None ->
+  | Signature { name; _ } when runs words subject <> None && Show.inputs words = [] ->
       hint
         (Printf.sprintf
            "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … \
@@ -277,7 +280,8 @@ let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, gi
   match (expected.because, subject) with
   | (Signature _ | Output (Signature _)), Some e
     when d.hints = []
-         && runs words (match expected.because with Signature _ -> subject | _ -> None) = None
+         && (Show.inputs words <> []
+            || runs words (match expected.because with Signature _ -> subject | _ -> None) = None)
          && (is_of_functions words e
             || Formula.is_product words e
                && (not (Formula_mistake.is_of_square words ~subject (wanted, given)))
@@ -403,7 +407,9 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     |> (fun d ->
     match expected.because with
     | _ when not is_signature -> d
-    | Output _ when String.equal (Show.measure words (Units.divide wanted given)) "s" ->
+    | _
+      when Unit_conversion.is_of_a_signal words expected
+           && String.equal (Show.measure words (Units.divide wanted given)) "s" ->
         { d with hints = d.hints @ diagnostic.hints }
     | _ -> { d with hints = diagnostic.hints @ d.hints })
     |> by_time words ~expected

@@ -71,7 +71,9 @@ let hint_for_an_output fact wanted given =
          | Some { desc = Apply { style = Juxtaposed; _ }; _ } -> true
          | Some _ | None -> false
        in
-       Printf.sprintf "return the output and the event that ends it, as in `(%s &&& after 1[s])`"
+       Printf.sprintf
+         "return the output and the event that ends it: `(%s &&& after 1[s])` ends it after 1 s; \
+          to end it when a condition `c` becomes True, return a pair, `(…, edge c)`"
          (if is_application then raw fact "sf" else grouped fact "sf"))
   else
     match in_place_of_the_event wanted given with
@@ -159,10 +161,14 @@ let hint_for_a_mode fact =
 (* The output of a mode without the event: explains how to write both. *)
 let with_an_event output = Printf.sprintf "(%s, after 1[s] ())" output
 
+let ends_it output =
+  Printf.sprintf "`%s` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True"
+    (with_an_event output)
+
 let needs_an_event callee output =
   Printf.sprintf
-    "the first argument of `%s` returns a pair: its output and the event that ends it, as in `%s`"
-    callee (with_an_event output)
+    "the first argument of `%s` returns a pair, its output and the event that ends it: %s" callee
+    (ends_it output)
 
 (* `switch (proc x -> x) …`: inference treated the output as the pair. *)
 let input_as_pair fact =

@@ -153,13 +153,39 @@ let power words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) di
       |> write text)
   else None
 
+let is_of_a_signal words (expected : Expected.t) =
+  match expected.because with
+  | Output _ -> true
+  | Signature _ -> Show.inputs words <> []
+  | _ -> false
+
+(* `way < 2[m]`, where `way` is a velocity: it may lack an [integral]. *)
+let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
+  match expected.because with
+  | Operand { operator; other; _ } when Show.inputs words <> [] ->
+      let factor = Show.measure words (Units.divide given wanted) in
+      let run what f =
+        Option.map
+          (fun text ->
+            let text = f ^ " " ^ Source.grouped text in
+            fun d ->
+              hint (Printf.sprintf "for its %s, write `%s` before the `%s`" what text operator) d
+              |> write other.span text)
+          (Show.quote words other.span)
+      in
+      if Bare_number.literal words other <> None then None
+      else if String.equal factor "s" then run "sum over time" "integral"
+      else if String.equal factor "1/s" then run "rate of change" "derivative"
+      else None
+  | _ -> None
+
 (* Suggests the product with a time, or the sum over time. *)
 let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) diagnostic =
   let with_e format = changed words subject (Printf.sprintf format) in
   let times = with_e (if is_of_time subject then "time () * %s" else "1[s] * %s") in
   let integral = with_e "integral %s" in
-  match (expected.because, subject) with
-  | Output _, Some e when not (is_of_time subject) ->
+  match subject with
+  | Some e when is_of_a_signal words expected && not (is_of_time subject) ->
       (* before the hint for the signature *)
       let text =
         Printf.sprintf "for the sum over time, write `%s`; for a fixed time, `%s`" integral times
@@ -231,6 +257,8 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
       (Printf.sprintf "multiply the plain number by a unit or a gain in `1/s`, as in `%s`"
          (with_e "1[1/s] * %s"))
       diagnostic
+  else if Units.equal wanted Units.one && String.equal factor "s" && is_of_a_signal words expected
+  then over_time words ~subject ~expected diagnostic
   else if
     Units.equal wanted Units.one && diagnostic.hints = [] && written = None
     && not (is_operand expected)
@@ -254,7 +282,9 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   else if written <> None then
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
-    hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic |> write at text
+    hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic
+    |> write at text
+    |> Option.value (of_the_other_operand words ~expected (wanted, given)) ~default:Fun.id
   else
     match power words ~subject ~expected (wanted, given) diagnostic with
     | Some diagnostic -> diagnostic

@@ -150,7 +150,7 @@ instead of mapSF, a name that several modules have:
     |         |
     |         argument 1 of `switch` is `SF Float (a, Event b)`
     |
-    = hint: return the output and the event that ends it, as in `(follow &&& after 1[s])`
+    = hint: return the output and the event that ends it: `(follow &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
   
   error[E0312]: expected `Int`, found `Float`
     --> types.frob:14:17

@@ -54,7 +54,7 @@ what is missing.
   2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
     |                                          ^^^^^^
     |
-    = hint: add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`
+    = hint: return the output and the event that ends it: `(roMake (setVelTR 0.2[m/s] 0), after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
   
   1 error
   [1]

@@ -128,7 +128,7 @@ The first part of `switch` without an event, and `hold` without one:
   3 | ahead = switch (proc _ -> roMake (setVelTR 0.3[m/s] 0)) (\_ -> away)
     |                           ^^^^^^
     |
-    = hint: add the event that ends it, in a pair with the output: `(roMake (…), after 1[s] ())`
+    = hint: return the output and the event that ends it: `(roMake (setVelTR 0.3[m/s] 0), after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
   
   1 error
   [1]

@@ -437,7 +437,7 @@ A mode without an event:
   2 | f = switch (proc x -> x) (\_ -> constant 0)
     |                       ^
     |
-    = hint: the first argument of `switch` returns a pair: its output and the event that ends it, as in `(x, after 1[s] ())`
+    = hint: the first argument of `switch` returns a pair, its output and the event that ends it: `(x, after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
   
   1 error
   [1]
@@ -458,7 +458,7 @@ A mode without an event:
     |     |
     |     argument 1 of `switch` has the output `(a, Event b)`
     |
-    = hint: the first argument of `switch` returns a pair: its output and the event that ends it, as in `(x + 1, after 1[s] ())`
+    = hint: the first argument of `switch` returns a pair, its output and the event that ends it: `(x + 1, after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
   
   1 error
   [1]
@@ -479,7 +479,7 @@ A mode without an event:
     |     |
     |     argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: return the output and the event that ends it, as in `(constant 1 &&& after 1[s])`
+    = hint: return the output and the event that ends it: `(constant 1 &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
   
   1 error
   [1]
