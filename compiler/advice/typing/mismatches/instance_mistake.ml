@@ -127,8 +127,8 @@ let output_with_an_event fact =
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
       let at = fact.required.at in
       let written =
-        Option.bind (Source.text fact.ctx.sources at.file) (fun text ->
-            Option.bind (Resolve.Name_in_text.application ~text at) (fun (whole, _) ->
+        Option.bind (Source.text (Show.sources fact.words) at.file) (fun text ->
+            Option.bind (Name_in_text.application ~text at) (fun (whole, _) ->
                 Option.map (fun output -> (whole, output)) (Show.quote fact.words whole)))
       in
       let name = String.concat "" (String.split_on_char '`' fact.required.by) in
@@ -457,12 +457,28 @@ let no_instance words required (lack : lack) =
 
 (* {1 Other messages} *)
 
+(* A condition about the asserted value, with a limit that has the value's unit. *)
+let asserted words ~(at : Span.t) culprit =
+  let e = Option.fold (Show.quote words at) ~none:"x" ~some:Source.grouped in
+  match Type.expand culprit with
+  | Number (_, u) when not (Units.is_open u) ->
+      let unit_ = Show.measure words u in
+      let limit = if String.equal unit_ "1" then "1" else Printf.sprintf "1[%s]" unit_ in
+      Printf.sprintf "assert a condition: compare it with a limit, as in `(%s <= %s)`"
+        (Option.value (Show.quote words at) ~default:"x")
+        limit
+  | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
+      Printf.sprintf "assert a condition, such as `(%s /= Nothing)`" e
+  | _ -> "assert a condition, such as `x > 0`, or a `Verdict`"
+
 (* Does not mention classes, because the user may not know about them. *)
 let not_a_condition words ~at culprit =
+  let e = Option.fold (Show.quote words at) ~none:"e" ~some:Source.grouped in
   Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Show.quoted words culprit)
   |> Diagnostic.hint
-       (if Environment.is_event culprit then "use `isEvent e`, which is True when the event occurs"
-        else "assert a condition, such as `x > 0`, or a `Verdict`")
+       (if Environment.is_event culprit then
+          Printf.sprintf "use `isEvent %s`, which is True when the event occurs" e
+        else asserted words ~at culprit)
 
 let undecided words (required : required) class_ =
   Diagnostic.error ~code:"E0308" ~at:required.at "nothing determines the type at which %s is used"

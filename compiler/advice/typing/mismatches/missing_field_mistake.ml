@@ -18,30 +18,90 @@ let one_of_several environment ty name =
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
-(* Is there a function or signal function of that name? *)
+(* The function or signal function of that name: what it is, and the types of its parameters and its
+   input. *)
 let of_that_name words (name : Syntax.Ir.name) =
+  let rec parameters t =
+    match Type.expand t with
+    | Type.Function (p, r) -> p :: parameters r
+    | Signal_function (input, _) -> [ input ]
+    | _ -> []
+  in
   let found earlier ty =
     match Type.expand ty with
-    | Type.Function _ -> Some "function"
-    | Signal_function _ -> Some "signal function"
+    | Type.Function _ -> Some ("function", parameters ty)
+    | Signal_function _ -> Some ("signal function", parameters ty)
     | _ -> earlier
   in
   List.fold_left found None (Show.named words name.text)
 
+(* The arguments in parentheses after the name, as in `e.hold(0)`, and the end of the call. *)
+let called_with words (name : Syntax.Ir.name) =
+  let stop = name.span.stop in
+  Option.bind
+    (Source.line (Show.sources words) name.span.file (Span.line stop))
+    (fun line ->
+      let first = Span.column stop - 1 in
+      let n = String.length line in
+      let rec go i depth from arguments =
+        if i >= n then None
+        else
+          let argument () = String.trim (String.sub line from (i - from)) in
+          match line.[i] with
+          | '(' | '[' | '{' -> go (i + 1) (depth + 1) from arguments
+          | ')' when depth = 0 -> Some (List.rev (argument () :: arguments), i + 1 - first)
+          | ')' | ']' | '}' -> go (i + 1) (depth - 1) from arguments
+          | ',' when depth = 0 -> go (i + 1) depth (i + 1) (argument () :: arguments)
+          | _ -> go (i + 1) depth from arguments
+      in
+      if first >= n || line.[first] <> '(' then None
+      else
+        Option.map
+          (fun (arguments, length) -> (List.filter (( <> ) "") arguments, Span.forward length stop))
+          (go (first + 1) 0 (first + 1) []))
+
+(* The call of a function with the record as its argument, as in `hold 0 e` for `e.hold(0)`. The
+   record becomes the last argument of its own type, or else the last one. *)
+let as_a_call parameters ty ~name ~record arguments =
+  let is_alike p =
+    match (Type.expand p, Option.map Type.expand ty) with
+    | Data { tycon; _ }, Some (Data { tycon = other; _ }) -> tycon = other
+    | Number _, Some (Number _) | Bool, Some Bool -> true
+    | _ -> false
+  in
+  let last = List.length parameters - 1 in
+  let place =
+    List.mapi (fun i p -> (i, p)) parameters
+    |> List.rev
+    |> List.find_opt (fun (_, p) -> is_alike p)
+    |> Option.fold ~none:last ~some:fst
+  in
+  let rec insert i arguments =
+    if i = place then record :: arguments
+    else
+      match arguments with
+      | [] -> "…" :: insert (i + 1) []
+      | first :: rest -> first :: insert (i + 1) rest
+  in
+  String.concat " " (name :: insert 0 (List.map Source.grouped arguments))
+
 (* A function or signal function of that name, used with field syntax by mistake. *)
-let as_a_function words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
+let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
   match of_that_name words name with
   | None ->
       Option.map (fun text -> Diagnostic.hint text diagnostic) (Other_languages.robot name.text)
-  | Some kind ->
+  | Some (kind, parameters) ->
       let argument = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
+      let arguments, stop = Option.value (called_with words name) ~default:([], name.span.stop) in
+      let text = as_a_call parameters ty ~name:name.text ~record:argument arguments in
       Some
-        (Diagnostic.hint
-           (Printf.sprintf "`%s` is a %s: write `%s %s`" name.text kind name.text argument)
-           diagnostic
-        |> Diagnostic.fix
-             (Printf.sprintf "write `%s %s`" name.text argument)
-             [ (Span.merge record.span name.span, Printf.sprintf "(%s %s)" name.text argument) ])
+        (Diagnostic.hint (Printf.sprintf "`%s` is a %s: write `%s`" name.text kind text) diagnostic
+        |>
+        if List.mem "…" (String.split_on_char ' ' text) then Fun.id
+        else
+          Diagnostic.fix
+            (Printf.sprintf "write `%s`" text)
+            [ ({ (Span.merge record.span name.span) with stop }, Printf.sprintf "(%s)" text) ])
 
 let rec takes_an_array (t : Type.t) =
   match Type.expand t with
@@ -86,6 +146,51 @@ let path words ty name =
   | None, Some field -> Some (field ^ "." ^ name)
   | None, None -> None
 
+let is_known t = match Type.expand t with Flexible _ | Erroneous -> false | _ -> true
+
+let has_field words t (name : Syntax.Ir.name) =
+  Option.fold (Show.fields words t) ~none:false ~some:(fun (_, fields) -> List.mem name.text fields)
+
+(* Names that other languages give to the test whether there is a value. *)
+let is_a_test = function
+  | "occurred" | "occurs" | "happened" | "fired" | "triggered" | "isSet" | "is_set" | "isPresent"
+  | "is_present" | "hasValue" | "has_value" | "isSome" | "is_some" | "isJust" | "isEvent" ->
+      true
+  | _ -> false
+
+(* How to use the value that an event or a `Maybe` may have. *)
+let of_a_content (name : Syntax.Ir.name) ~grouped ~lacks_it t content =
+  let start =
+    match Option.map Type.expand content with
+    | Some (Number _) -> "0"
+    | Some Bool -> "False"
+    | _ -> "x0"
+  in
+  let is_event = Environment.is_event t in
+  if is_event && lacks_it && is_a_test name.text then
+    Printf.sprintf "write `isEvent %s`, which is True when the event occurs" grouped
+  else if lacks_it && is_a_test name.text then
+    Printf.sprintf "write `maybe False (const True) %s`, which is True if there is a value" grouped
+  else if is_event && lacks_it then
+    Printf.sprintf
+      "an event has a value only when it occurs: write `hold %s %s` for its latest value, which is \
+       %s at first"
+      start grouped start
+  else if lacks_it then
+    Printf.sprintf
+      "the value may be missing: write `fromMaybe %s %s`, where `%s` replaces a missing value" start
+      grouped start
+  else if is_event then
+    Printf.sprintf
+      "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for the event of \
+       its `%s`; to keep the latest value, `hold x0` that event, where `x0` is the initial value"
+      name.text grouped name.text
+  else
+    Printf.sprintf
+      "the value may be missing: write `maybe x0 (\\x -> x.%s) %s`, where `x0` replaces a missing \
+       value"
+      name.text grouped
+
 (* Handles types that do not have fields but produce values that may have some, such as signal
    functions. *)
 let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
@@ -113,23 +218,14 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
             (Printf.sprintf "write `%s`" cure)
             [ (whole, if has_it then cure else "(" ^ cure ^ ")") ]
         else Fun.id)
-  | t when Environment.is_event t ->
-      Some
-        (Diagnostic.hint
-           (Printf.sprintf
-              "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for the \
-               event of its `%s`; to keep the latest value, `hold x0` that event, where `x0` is \
-               the initial value"
-              name.text grouped name.text)
-           d)
-  | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
-      Some
-        (Diagnostic.hint
-           (Printf.sprintf
-              "the value may be missing: write `maybe x0 (\\x -> x.%s) %s`, where `x0` replaces a \
-               missing value"
-              name.text grouped)
-           d)
+  | t when Environment.is_event t || Event_mistake.is_maybe t -> (
+      let content = Event_mistake.content t in
+      let lacks_it =
+        Option.fold content ~none:false ~some:(fun t -> is_known t && not (has_field words t name))
+      in
+      match if lacks_it then as_a_function words ~ty name ~record d else None with
+      | Some d when of_that_name words name <> None -> Some d
+      | _ -> Some (Diagnostic.hint (of_a_content name ~grouped ~lacks_it t content) d))
   | Data { tycon; _ }
     when tycon = Environment.array && List.mem name.text [ "size"; "length"; "count"; "len" ] ->
       Some (Diagnostic.hint (Printf.sprintf "`length` is a function: write `length %s`" grouped) d)

@@ -268,6 +268,56 @@ let wrapped_twice fact =
              argument of `tag` and as the result of the function of `mapE`")
   | _ -> None
 
+(* The function and the event of `mapE f e`. *)
+let mapped fact =
+  match (Option.map Resolve.Walk.application fact.subject, fact.subject) with
+  | Some ({ desc = Global { name = "mapE"; _ }; _ }, [ f; e ]), _ -> (
+      match (Show.quote fact.words f.span, Show.quote fact.words e.span) with
+      | Some f, Some e -> Some (Source.grouped f, Source.grouped e)
+      | _ -> None)
+  | _ -> None
+
+(* The value that replaces a missing one: the initial value of `hold`, or a neutral one. *)
+let default fact wanted =
+  match fact.expected.because with
+  | Parameter { callee = Some ("hold" | "dHold"); position = 2; given = start :: _; _ } ->
+      Option.fold (Show.quote fact.words start.span) ~none:"x0" ~some:Source.grouped
+  | _ -> ( match Type.expand wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0")
+
+let with_default fact start =
+  match mapped fact with
+  | Some (f, e) -> Printf.sprintf "mapE (fromMaybe %s . %s) %s" start f e
+  | None -> Printf.sprintf "mapE (fromMaybe %s) %s" start (grouped fact "e")
+
+(* An event whose value may be missing, where it must not be. *)
+let of_a_maybe fact =
+  match (content fact.wanted, content fact.found) with
+  | Some wanted, Some found
+    when event_wanted fact && is_an_event fact && is_maybe found && not (is_maybe wanted) ->
+      let start = default fact wanted in
+      Some
+        (Printf.sprintf
+           "the value of this event may be missing: write `%s`, where `%s` replaces a missing value"
+           (with_default fact start) start)
+  | Some wanted, Some _
+    when event_wanted fact && is_maybe fact.found
+         && match fact.expected.because with Value _ | Operand _ -> false | _ -> true ->
+      let start = default fact wanted in
+      let m = grouped fact "m" in
+      Some
+        (match fact.expected.because with
+        | Parameter { callee = Some ("hold" | "dHold"); _ } ->
+            Printf.sprintf
+              "this is a `Maybe`, not an event: write `fromMaybe %s %s`, without `hold`, where \
+               `%s` replaces a missing value"
+              start m start
+        | _ ->
+            Printf.sprintf
+              "for the event that occurs when a value appears, write `edgeJust %s`; `fromMaybe %s \
+               %s` is its value at every instant"
+              m start m)
+  | _ -> None
+
 (* `hold` for a value that exists at every instant. *)
 let held_value fact =
   match fact.expected.because with
@@ -400,6 +450,7 @@ let hints =
     without_function;
     truth_held_for_a_time;
     wrapped_twice;
+    of_a_maybe;
     held_after_its_event;
     held_value;
     value_in_place_of_event;
@@ -426,8 +477,39 @@ let by_its_use fact =
   in
   Option.map message (first hints fact)
 
+(* `e < 0.4[m]`: an initial value with which the comparison is false until the event occurs. *)
+let false_at_first fact =
+  match (fact.expected.because, other_operand fact) with
+  | Operand { operator; _ }, Some other -> (
+      let is_on_the_left = compare fact.at.start other.span.start < 0 in
+      let is_less =
+        match operator with
+        | "<" | "<=" -> is_on_the_left
+        | ">" | ">=" -> not is_on_the_left
+        | _ -> false
+      in
+      match other.desc with
+      | Number { digits; _ } when is_less -> (
+          match (float_of_string_opt digits, Show.quote fact.words other.span) with
+          | Some limit, Some text when limit > 0. && String.starts_with ~prefix:digits text ->
+              let unit_ =
+                String.sub text (String.length digits) (String.length text - String.length digits)
+              in
+              Some (Printf.sprintf "%g%s" (10. *. limit) unit_)
+          | _ -> None)
+      | _ -> None)
+  | _ -> None
+
 let in_a_maybe fact =
   match fact.expected.because with
+  | Operand _ when is_maybe fact.found && false_at_first fact <> None ->
+      let start = Option.get (false_at_first fact) in
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "use `fromMaybe %s %s`, where `%s` replaces a missing value, so the comparison is \
+               False then"
+              start (grouped fact "m") start))
   | (Parameter _ | Operand _ | Output _ | Field _ | Signature _)
     when is_maybe fact.found && not (is_maybe fact.wanted) ->
       Some
@@ -439,6 +521,22 @@ let in_a_maybe fact =
 
 let in_place_of_a_number fact =
   match fact.wanted with
+  | Number _ when is_an_event fact && Option.fold (content fact.found) ~none:false ~some:is_maybe ->
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "an event has a value only when it occurs, and this one may be missing: write `hold \
+               0 (%s)`, which is 0 at first, and for a missing value"
+              (with_default fact "0")))
+  | Number _ when is_an_event fact && false_at_first fact <> None ->
+      let start = Option.get (false_at_first fact) in
+      let e = grouped fact "e" in
+      Some
+        (hinted fact
+           (Printf.sprintf
+              "an event has a value only when it occurs: write `hold %s %s` for its latest value; \
+               `%s` is its value at first, with which the comparison is False"
+              start e start))
   | Number _ when is_an_event fact ->
       Some
         (hinted fact

@@ -2,6 +2,11 @@
 
 open Typing
 
+val is_maybe : Type.t -> bool
+
+val content : Type.t -> Type.t option
+(** The type of the value of an event or a [Maybe]. *)
+
 val by_its_use : Shape_fact.rule
 (** Selects the hint by the use of the event: [hold], [accum], [mergeE], patterns, conditions and so
     on. *)

@@ -97,7 +97,7 @@ An event that is compared with a number:
   2 | f = proc e -> e < 3
     |               ^   - this is a number
     |
-    = hint: an event has a value only when it occurs: write `hold 0 e` for its latest value, which is 0 at first
+    = hint: an event has a value only when it occurs: write `hold 30 e` for its latest value; `30` is its value at first, with which the comparison is False
   
   1 error
   [1]
