@@ -108,7 +108,7 @@ rejected.
   3 |     assert "number" x
     |                     ^
     |
-    = hint: assert a condition, such as `x > 0`, or a `Verdict`
+    = hint: assert a condition: compare it with a limit, as in `(x <= 1)`
   
   error[E0360]: `Event ()` is not a condition
    --> number.frob:4:21
@@ -116,7 +116,7 @@ rejected.
   4 |     assert "event" (edge (x > 1))
     |                     ^^^^^^^^^^^^
     |
-    = hint: use `isEvent e`, which is True when the event occurs
+    = hint: use `isEvent (edge (x > 1))`, which is True when the event occurs
   
   2 errors
   [1]
