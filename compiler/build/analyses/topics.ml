@@ -1,14 +1,7 @@
 open Basis
+open Ros_declarations
 module Ir = Typing.Ir
 module Types = Probe.Signal_types
-
-type context = {
-  sink : Diagnostic.sink;
-  resolved : Resolve.Ir.program;
-  typed : Ir.program;
-  types : Types.t;
-  entry : Ir.definition;
-}
 
 let name_of field =
   let buffer = Buffer.create 32 in
@@ -23,26 +16,7 @@ let name_of field =
     field;
   Buffer.contents buffer
 
-(* {1 Declarations} *)
-
-let in_ros name : Ir.Global.t = { module_ = "Ros"; name }
-let in_prelude name : Ir.Global.t = { module_ = "Prelude"; name }
-
-let instance c class_ tycon =
-  List.find_opt
-    (fun (i : Ir.instance) ->
-      i.class_ = in_ros class_ && match i.head with Data d -> d.tycon = tycon | _ -> false)
-    c.typed.instances
-
-(* The text that the only method of the instance returns. *)
-let text_of c (i : Ir.instance) =
-  let is name (d : Ir.definition) = d.name = name in
-  match i.methods with
-  | [ (_, Given name) ] -> (
-      match List.find_opt (is name) c.typed.definitions with
-      | Some { value = { desc = Lambda (_, { desc = String text; _ }); _ }; _ } -> Some text
-      | Some _ | None -> None)
-  | _ -> None
+(* {1 Messages} *)
 
 let is_package_or_type text =
   let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false in
@@ -53,55 +27,10 @@ let is_type text =
   | [ package; "msg"; name ] -> is_package_or_type package && is_package_or_type name
   | _ -> false
 
-let fields c tycon =
-  let is_it (d : Ir.data) = d.tycon = tycon in
-  match List.find_opt is_it c.typed.data with
-  | Some { constructors = [ { record = true; fields; _ } ]; _ } -> Some (List.map fst fields)
-  | Some _ | None -> None
-
-(* The place where a field is declared. *)
-let place c tycon field =
-  let of_declaration (d : Resolve.Ir.type_declaration) =
-    match d.definition with
-    | Data [ only ] when d.tycon = tycon ->
-        List.find_opt (fun (f : Resolve.Ir.field) -> f.field_name = field) only.fields
-    | Data _ | Alias _ | Builtin | Foreign _ -> None
-  in
-  match List.find_map of_declaration c.resolved.types with
-  | Some field -> field.ty.span
-  | None -> c.entry.span
-
-(* {1 Messages} *)
-
-let refuse c ~at text hint =
-  Diagnostic.error ~code:"E0509" ~at "%s" text |> Diagnostic.hint hint |> Diagnostic.emit c.sink
-
 let messages =
-  "messages are Bool, Int, Float, and records with an instance of `Message`, such as those of the \
-   module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message"
-
-(* Checks that a message can consist of values of this type. *)
-let rec check_part c ~at ~in_ (ty : Ir.ty) =
-  match ty with
-  | Bool | Number _ -> ()
-  | Data { tycon = { name = "Array"; _ }; arguments = [ Size _; element ]; _ } ->
-      check_part c ~at ~in_ element
-  | Data { tycon; _ } when fields c tycon <> None -> check_record c ty tycon
-  | _ ->
-      refuse c ~at
-        (Printf.sprintf "%s cannot be part of a message: its type is `%s`" in_ (Typing.Show.ty ty))
-        "fields of messages are Bool, Int, Float, arrays and records of them, and `Upto` for \
-         sequences; leave the field out, and the message has its default there"
-
-and check_record c ty tycon =
-  let check field =
-    match Types.part c.types ty [ field ] with
-    | Some part ->
-        let in_ = Printf.sprintf "the field `%s` of `%s`" field tycon.Ir.Global.name in
-        check_part c ~at:(place c tycon field) ~in_ part
-    | None -> ()
-  in
-  List.iter check (Option.value (fields c tycon) ~default:[])
+  "messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an \
+   instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes \
+   the record of any other message"
 
 (* The type of the messages, for a Frob type. *)
 let message c ~at ~in_ (ty : Ir.ty) =
@@ -110,12 +39,17 @@ let message c ~at ~in_ (ty : Ir.ty) =
   | Number (Int, _) -> Some "std_msgs/msg/Int32"
   | Number (Float, _) -> Some "std_msgs/msg/Float64"
   | Tuple [] -> Some "std_msgs/msg/Empty"
+  | ty when Ros_texts.is_enumeration c ty ->
+      Ros_texts.check c ~at ~in_ ty;
+      Some "std_msgs/msg/String"
   | Data { tycon; _ } when instance c "Message" tycon <> None -> (
       let found = Option.get (instance c "Message" tycon) in
-      check_part c ~at ~in_ ty;
-      match text_of c found with
-      | Some text when is_type text -> Some text
+      match method_ c found with
+      | Some (_, { desc = String text; _ }) when is_type text ->
+          Ros_message.check c ~named:found.span ~type_:text ty tycon;
+          Some text
       | Some _ | None ->
+          Ros_message.check c ~named:found.span ~type_:"" ty tycon;
           refuse c ~at:found.span
             (Printf.sprintf "the instance of `%s` does not name a type of messages" tycon.name)
             "return the name itself, as in `rosType _ = \"geometry_msgs/msg/Twist\"`";
@@ -184,9 +118,23 @@ let check_names c tycon (topics : Cgen.Node_table.topic list) =
   in
   check topics
 
-let side c ~in_record ~verb (ty : Ir.ty) =
+let side c ~in_record (ty : Ir.ty) =
+  let verb, example =
+    match in_record with
+    | `Input -> ("reads", "data In = In { enable :: Event Bool }")
+    | `Output -> ("returns", "data Out = Out { cmdVel :: Twist }")
+  in
   match ty with
   | Tuple [] -> []
+  | Data { tycon; _ } when instance c "Message" tycon <> None ->
+      refuse c ~at:c.entry.span
+        (Printf.sprintf "`%s` is a node, which %s a record of topics; `%s` is a message"
+           c.entry.name.name verb (Typing.Show.ty ty))
+        (Printf.sprintf
+           "declare a record with a field for each topic, as in `%s`; the field's name is the \
+            topic's"
+           example);
+      []
   | Data { tycon; _ } when fields c tycon <> None ->
       let field name =
         Option.bind (Types.part c.types ty [ name ]) (topic c ~in_record tycon name)
@@ -198,8 +146,8 @@ let side c ~in_record ~verb (ty : Ir.ty) =
       refuse c ~at:c.entry.span
         (Printf.sprintf "`%s` is a node, which %s a record of topics, not `%s`" c.entry.name.name
            verb (Typing.Show.ty ty))
-        "declare a record with a field for each topic, as in `data In = In { enable :: Event Bool \
-         }`";
+        (Printf.sprintf "declare a record with a field for each topic, as in `%s`%s" example
+           (if in_record = `Output then ", or return `()` if there is none" else ""));
       []
 
 let of_program sink ~resolved typed (entry : Ir.definition) ~rate =
@@ -208,9 +156,9 @@ let of_program sink ~resolved typed (entry : Ir.definition) ~rate =
   let found =
     match entry.scheme.ty with
     | Data { tycon = { name = "Program"; _ }; arguments = [ input; output ]; _ } ->
-        let inputs = side c ~in_record:`Input ~verb:"reads" input in
-        let outputs = side c ~in_record:`Output ~verb:"returns" output in
-        Some { Cgen.Node_table.rate; inputs; outputs }
+        let inputs = side c ~in_record:`Input input in
+        let outputs = side c ~in_record:`Output output in
+        Some { Cgen.Node_table.rate; inputs; outputs; texts = Ros_texts.all c }
     | _ -> None
   in
   List.iter (Diagnostic.emit sink) (Diagnostic.all own);

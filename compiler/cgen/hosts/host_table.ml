@@ -9,6 +9,8 @@ type context = {
   prefix : string;  (** prefix of the tables' names *)
   mutable count : int;
   mutable console : string list;  (** names of the console's values *)
+  enumerations : Node_table.enumeration list ref;
+      (** the constructors of values whose constructors have no fields *)
 }
 
 (* A leaf's access path and its Float representation. *)
@@ -69,6 +71,9 @@ let element_of i = function
   | Scalar _ | Sum _ ->
       Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an element of a value that is not an array"
 
+let note_enumeration c constructors ~module_ type_ =
+  c.enumerations := { Node_table.constructors; module_; type_ } :: !(c.enumerations)
+
 let rec shape c locations (whole : F.shape) =
   match whole with
   | Leaf ty -> leaf c ty (take locations)
@@ -81,6 +86,8 @@ let rec shape c locations (whole : F.shape) =
         constructor c locations ~note ~name:product.constructor ~record:product.record product.parts
       in
       let constructors = numbered_table c "constructor" [ row ] in
+      if product.parts = [] then
+        note_enumeration c constructors ~module_:product.product_module product.product_name;
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
       (* An array is described as a product of its elements. *)
@@ -131,6 +138,8 @@ and sum c k ~tag ~base ~first ~number =
   in
   let rows = Basis.Long_list.map row sum.constructors in
   let constructors = numbered_table c "constructor" rows in
+  if List.for_all (fun (ctor : F.sum_constructor) -> ctor.fields = []) sum.constructors then
+    note_enumeration c constructors ~module_:sum.module_ sum.name;
   let is_event =
     String.equal sum.module_ "Prelude"
     && match String.split_on_char ' ' sum.name with "Event" :: _ -> true | _ -> false
@@ -159,7 +168,8 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
   let leaf steps = locate (number program side steps) "" steps in
   List.rev (List.rev_map2 leaf side.host.leaves (Flow.Shape.leaves whole))
 
-let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locations whole =
+let table_of ?(enumerations = ref []) out (program : Step.Ir.program) ~prefix (side : Border.side)
+    locations whole =
   let c =
     {
       out;
@@ -168,13 +178,15 @@ let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locati
       prefix;
       count = 0;
       console = [];
+      enumerations;
     }
   in
   let value = shape c (ref locations) whole in
   (value, c.console)
 
-let input out (program : Step.Ir.program) (side : Border.side) =
-  table_of out program ~prefix:"in" side (locations program side program.input) program.input
+let input ~enumerations out (program : Step.Ir.program) (side : Border.side) =
+  let locations = locations program side program.input in
+  table_of ~enumerations out program ~prefix:"in" side locations program.input
 
 (* The table of the console's controls, with the values in the input that they set. *)
 let controls out (program : Step.Ir.program) values =
@@ -211,7 +223,7 @@ let margins out (program : Step.Ir.program) =
 
 (* The tables of the output, of its last leaf if that is the program's result, of visible probes,
    and of the verdicts of assertions. *)
-let outputs out (program : Step.Ir.program) (side : Border.side) =
+let outputs ~enumerations out (program : Step.Ir.program) (side : Border.side) =
   let probes = Interface.record_of program.probes in
   let all =
     let pair = Interface.record_of [ ("", program.output); ("", probes) ] in
@@ -219,7 +231,7 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
   in
   let count = List.length (Flow.Shape.leaves program.output) in
   let own, others = Basis.Long_list.split_at count all in
-  let output, _ = table_of out program ~prefix:"out" side own program.output in
+  let output, _ = table_of ~enumerations out program ~prefix:"out" side own program.output in
   let result =
     if not program.ends then "NULL"
     else
@@ -287,7 +299,17 @@ let params out (program : Step.Ir.program) params =
   | None -> "NULL, 0, NULL, 0"
   | Some t ->
       let name = Param_struct.struct_name t in
-      let c = { out; sums = [||]; struct_name = name; prefix = "param"; count = 0; console = [] } in
+      let c =
+        {
+          out;
+          sums = [||];
+          struct_name = name;
+          prefix = "param";
+          count = 0;
+          console = [];
+          enumerations = ref [];
+        }
+      in
       let row k (p : F.param) =
         let kind =
           match (p.param_ty, program.real) with
@@ -330,13 +352,14 @@ let text ?own ?node (program : Step.Ir.program) (files : Of_step.t) =
   List.iter
     (fun side -> bprintf out "%s" (Border.definitions program side))
     [ input_side; output_side ];
-  let input, values = input out program input_side in
+  let enumerations = ref [] in
+  let input, values = input ~enumerations out program input_side in
   let controls, control_count = controls out program values in
-  let output, result, probes, claims = outputs out program output_side in
+  let output, result, probes, claims = outputs ~enumerations out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let unread, passed = Border.passed files.params in
   let params = params out program files.params in
-  let node = Node_table.write out node in
+  let node = Node_table.write out ~enumerations:(List.rev !enumerations) node in
   let robot = Option.fold (robot ?own program) ~none:"" ~some:(fun (r : Robot.t) -> r.name) in
   bprintf out
     {|

@@ -8,7 +8,21 @@ type topic = {
   is_command : bool;  (** a message of zeros stops what it controls *)
 }
 
-type t = { rate : float; inputs : topic list; outputs : topic list }
+type texts = {
+  module_ : string;
+  type_ : string;
+  texts : string list;  (** one for each constructor, in order *)
+}
+(** An enumeration whose constructors are texts in messages. *)
 
-val write : Buffer.t -> t option -> string
+type enumeration = {
+  constructors : string;  (** the name of the C table *)
+  module_ : string;
+  type_ : string;
+}
+(** The constructors of a value in the input or output; they have no fields. *)
+
+type t = { rate : float; inputs : topic list; outputs : topic list; texts : texts list }
+
+val write : Buffer.t -> enumerations:enumeration list -> t option -> string
 (** Writes the tables, and returns the C expression for the program's field [node]. *)

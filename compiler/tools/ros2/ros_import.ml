@@ -1,63 +1,32 @@
 open Basis.Let_syntax.Result
 module F = Message_file
 
-let ( / ) = Filename.concat
-
 (* {1 Finding definitions} *)
 
-let prefixes () =
-  List.filter
-    (fun prefix -> prefix <> "")
-    (String.split_on_char ':' (Option.value (Sys.getenv_opt "AMENT_PREFIX_PATH") ~default:""))
-
-let folder package = "share" / package / "msg"
-
-let messages_in folder =
-  Array.to_list (Sys.readdir folder)
-  |> List.filter (fun file -> Filename.check_suffix file ".msg")
-  |> List.map Filename.remove_extension
-  |> List.sort compare
-
-let file_of ~package ~name =
-  let folders = List.map (fun prefix -> prefix / folder package) (prefixes ()) in
-  let existing = List.filter Sys.file_exists folders in
-  let file folder = folder / (name ^ ".msg") in
-  match (List.find_opt (fun folder -> Sys.file_exists (file folder)) existing, existing) with
-  | Some folder, _ -> Ok (file folder)
-  | None, folder :: _ ->
+let definition ~package ~name =
+  match Message_definitions.in_ros2 ~package ~name with
+  | Defined definition -> Ok definition
+  | Unreadable why -> Error why
+  | No_message messages ->
       Error
         (Printf.sprintf "the package %s has no message %s%s" package name
-           (match Basis.Suggest.closest name (messages_in folder) with
+           (match Basis.Suggest.closest name messages with
            | Some other -> Printf.sprintf "; did you mean %s/%s?" package other
-           | None -> ", but " ^ Basis.Enumeration.some (messages_in folder) ~more:0))
-  | None, [] when prefixes () = [] ->
+           | None -> ", but " ^ Basis.Enumeration.some messages ~more:0))
+  | No_package when Message_definitions.prefixes () = [] ->
       Error
         "there is no ROS 2 in this shell: source its setup script, as in `source \
          /opt/ros/jazzy/setup.bash`, which sets AMENT_PREFIX_PATH"
-  | None, [] ->
+  | No_package ->
       Error
         (Printf.sprintf
            "ROS 2 in this shell (AMENT_PREFIX_PATH) has no messages of a package %s: install it, \
             or source the setup script of its workspace"
            package)
 
-let definition ~package ~name =
-  let* file = file_of ~package ~name in
-  let* text = Result.map_error (Printf.sprintf "%s: %s" file) (Own_headers.read file) in
-  F.parse ~package ~file text
-
 (* {1 Names} *)
 
 let capitalized word = String.capitalize_ascii word
-
-(* The field [angle_min] is [angleMin]. *)
-let field_name name =
-  let words = List.filter (fun word -> word <> "") (String.split_on_char '_' name) in
-  match words with
-  | [] -> name
-  | first :: others ->
-      let name = String.concat "" (first :: List.map capitalized others) in
-      if List.mem name Syntax.Lexer.keywords then name ^ "_" else name
 
 (* The constant [POWER_OK] of [BatteryState] is [batteryStatePowerOk]. *)
 let constant_name ~type_ constant =
@@ -109,25 +78,6 @@ let unit_of comment =
   search 0
 
 (* {1 Types} *)
-
-(* The records of the library for messages that are parts of others, with their modules. *)
-let in_library =
-  [
-    (("geometry_msgs", "Point"), ("Geometry", "Point3", "Point3"));
-    (("geometry_msgs", "Point32"), ("Geometry", "Point3", "Point3"));
-    (("geometry_msgs", "Quaternion"), ("Ros", "Quaternion", "Quaternion"));
-    (("geometry_msgs", "Pose"), ("Ros", "Pose3", "Pose3"));
-    (("geometry_msgs", "PoseWithCovariance"), ("Ros", "PoseWithCovariance", "PoseWithCovariance"));
-    (("geometry_msgs", "PoseStamped"), ("Ros", "PoseStamped", "PoseStamped"));
-    (("geometry_msgs", "PointStamped"), ("Ros", "PointStamped", "PointStamped"));
-    (("geometry_msgs", "Twist"), ("Ros", "Twist", "Twist"));
-    (("geometry_msgs", "TwistWithCovariance"), ("Ros", "TwistWithCovariance", "TwistWithCovariance"));
-    (("geometry_msgs", "Accel"), ("Ros", "Accel", "Accel"));
-    (("geometry_msgs", "Wrench"), ("Ros", "Wrench", "Wrench"));
-    (("std_msgs", "ColorRGBA"), ("Ros", "ColorRGBA", "ColorRGBA"));
-    (("builtin_interfaces", "Time"), ("Ros", "Stamp", "Stamp"));
-    (("builtin_interfaces", "Duration"), ("Ros", "Stamp", "Stamp"));
-  ]
 
 type context = {
   most : int;
@@ -185,7 +135,7 @@ let rec type_of c (f : F.field) =
       let unit_ = Option.value (unit_of f.comment) ~default:"1" in
       Ok (Some (Printf.sprintf "Vec3[%s]" unit_, ""))
   | Message { package; name } -> (
-      match List.assoc_opt (package, name) in_library with
+      match List.assoc_opt (package, name) Library_messages.all with
       | Some (module_, name, type_) ->
           use c module_ name;
           Ok (Some (type_, ""))
@@ -200,7 +150,8 @@ and kept c (f : F.field) =
     let* type_ = type_of c f in
     Ok
       (match type_ with
-      | None when f.base = Text -> Left_out "text"
+      | None when f.base = Text ->
+          Left_out "text: an enumeration with an instance of `RosText` could hold it"
       | None -> Left_out "it contains only text"
       | Some (type_, remark) -> (
           let argument = if String.contains type_ ' ' then "(" ^ type_ ^ ")" else type_ in
@@ -225,7 +176,7 @@ and record c ~package ~name =
       let* definition = definition ~package ~name in
       let is_taken record =
         List.exists (fun (_, other) -> String.equal other record) c.records
-        || List.exists (fun (_, (_, other, _)) -> String.equal other record) in_library
+        || List.exists (fun (_, (_, other, _)) -> String.equal other record) Library_messages.all
       in
       let record = if is_taken name then capitalized package ^ name else name in
       let* fields = all (kept c) definition.fields in
@@ -239,7 +190,7 @@ and declare c ~type_ ~record (definition : F.t) fields =
     | Kept { type_; remark } ->
         let about = [ F.type_text f; remark; one_line f.comment ] in
         Some
-          ( Printf.sprintf "%s :: %s" (field_name f.name) type_,
+          ( Printf.sprintf "%s :: %s" (F.frob_name f.name) type_,
             String.concat "; " (List.filter (fun text -> text <> "") about) )
   in
   let left_out ((f : F.field), kept) =

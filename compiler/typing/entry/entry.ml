@@ -66,6 +66,23 @@ let rec output_of (program : Ir.program) (e : Ir.expr) =
   | Proc { output; _ } -> output.span
   | _ -> e.span
 
+(* Is the program a ROS 2 node? Follows the definitions of the program. The output of a node is a
+   record of topics or `()`; a later pass reports anything else. *)
+let is_node (program : Ir.program) (d : Ir.definition) =
+  let rec within depth (e : Ir.expr) =
+    match e.desc with
+    | Primitive (g, _) -> g = { module_ = "Ros"; name = "node" }
+    | Apply (e, _) | If (_, e, _) | Lambda (_, e) -> within depth e
+    | Let (bindings, e) ->
+        within depth e || List.exists (fun (b : Ir.binding) -> within depth b.value) bindings
+    | Global (g, _) when depth > 0 ->
+        List.exists
+          (fun (d : Ir.definition) -> d.name = g && within (depth - 1) d.value)
+          program.definitions
+    | _ -> false
+  in
+  within 20 d.value
+
 let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
 
 (* A variable in the definition's type that has the same name as a definition of the program. *)
@@ -89,7 +106,7 @@ let refusal program ~closed (d : Ir.definition) =
         (Printf.sprintf "its output is a function, `%s`, not the output of a robot" (Show.ty output))
         "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v \
          omega)`"
-  | Program { output = Function _ | Number _ | Bool | Tuple _ } ->
+  | Program { output = Function _ | Number _ | Bool | Tuple _ } when not (is_node program d) ->
       refuse ~at:(output_of program d.value)
         (Printf.sprintf "its type is `%s`, whose output is not the output of a robot" ty)
         "use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`"

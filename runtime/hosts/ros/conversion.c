@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <rosidl_runtime_c/string_functions.h>
 #include <rosidl_typesupport_introspection_c/field_types.h>
+#include <std_msgs/msg/header.h>
 
 #define TYPE(name) rosidl_typesupport_introspection_c__ROS_TYPE_##name
 
@@ -78,17 +80,21 @@ void *message_create(const struct message_type *type)
     return message;
 }
 
+/* Returns whether the first member of the record is a header. */
+static bool has_header(const members_type *record)
+{
+    const member_type *first = record->members_;
+    const members_type *members;
+    if (record->member_count_ == 0 || first->type_id_ != TYPE(MESSAGE) || first->is_array_)
+        return false;
+    members = members_of(first->members_);
+    return members != NULL && strcmp(members->message_name_, "Header") == 0 &&
+           strcmp(members->message_namespace_, "std_msgs__msg") == 0;
+}
+
 void *message_header(const struct message_type *type, void *message)
 {
-    const member_type *first = type->members->members_;
-    const members_type *members;
-    if (type->members->member_count_ == 0 || first->type_id_ != TYPE(MESSAGE) || first->is_array_)
-        return NULL;
-    members = members_of(first->members_);
-    if (members == NULL || strcmp(members->message_name_, "Header") != 0 ||
-        strcmp(members->message_namespace_, "std_msgs__msg") != 0)
-        return NULL;
-    return (char *)message + first->offset_;
+    return has_header(type->members) ? (char *)message + type->members->members_[0].offset_ : NULL;
 }
 
 /* ---- Names */
@@ -143,14 +149,36 @@ static const char *type_text(uint8_t type)
 struct search {
     char *why;
     size_t room;
-    const char *type; /* of the whole message */
+    const char *type;   /* of the whole message */
+    const char *record; /* of the program that contains the value; NULL: it is the whole message */
+    const struct frob_node *node;
 };
+
+/* What to write for a member in the program. */
+static const char *wanted(const member_type *member)
+{
+    switch (member->type_id_) {
+    case TYPE(BOOLEAN): return "Bool";
+    case TYPE(FLOAT):
+    case TYPE(DOUBLE): return "Float";
+    case TYPE(MESSAGE): return "a record";
+    case TYPE(STRING): return "an enumeration with an instance of `RosText`";
+    case TYPE(WSTRING): return NULL;
+    default: return "Int";
+    }
+}
 
 static bool refuse(const struct search *s, const member_type *member, const char *what)
 {
-    snprintf(s->why, s->room, "in %s, `%s` is %s%s, but in the program it is %s", s->type,
-             member->name_, type_text(member->type_id_), member->is_array_ ? " (several)" : "",
-             what);
+    const char *type = wanted(member);
+    const char *several = !member->is_array_                                    ? ""
+                          : member->array_size_ == 0 || member->is_upper_bound_ ? "`Upto` of "
+                                                                                : "`Array` of ";
+    snprintf(s->why, s->room, "in %s, `%s` is %s%s, but in the record `%s` it is %s: %s%s%s",
+             s->type, member->name_, type_text(member->type_id_),
+             member->is_array_ ? " (several)" : "", s->record == NULL ? "" : s->record, what,
+             type == NULL ? "leave the field out" : "declare it as ", type == NULL ? "" : several,
+             type == NULL ? "" : type);
     return false;
 }
 
@@ -167,12 +195,46 @@ static bool is_whole(uint8_t type)
     return type == TYPE(CHAR) || (type >= TYPE(OCTET) && type <= TYPE(INT64));
 }
 
+/* Returns the texts of an enumeration; NULL if it has none. */
+static const struct frob_texts *texts_of(const struct frob_node *node,
+                                         const struct frob_value *value)
+{
+    for (size_t k = 0; node != NULL && k < node->text_count; k++)
+        if (node->texts[k].constructors == value->constructors)
+            return &node->texts[k];
+    return NULL;
+}
+
+/* Returns what a Maybe contains; NULL if the value is not a Maybe. */
+static const struct frob_value *maybe_of(const struct frob_value *value)
+{
+    return value->kind == FROB_SUM && !value->is_event && value->count == 2 &&
+                   value->constructors[0].count == 0 && value->constructors[1].count == 1
+               ? value->constructors[1].fields[0].value
+               : NULL;
+}
+
+/* Prepares the mapping of a text. Returns false if the value is not one. */
+static bool is_text(const struct search *s, struct mapping *m, const struct frob_value *value)
+{
+    const struct frob_value *inner = maybe_of(value);
+    m->texts = texts_of(s->node, inner == NULL ? value : inner);
+    if (m->texts == NULL)
+        return false;
+    m->optional = inner == NULL ? NULL : value;
+    m->value = inner == NULL ? value : inner;
+    m->kind = MAPPING_TEXT;
+    return true;
+}
+
 /* Maps one value, which may be an element of the member. */
 static bool map_one(const struct search *s, struct mapping *m, const member_type *member,
                     const struct frob_value *value)
 {
     m->member = member;
     m->value = value;
+    if (is_text(s, m, value))
+        return member->type_id_ == TYPE(STRING) || refuse(s, member, "a text");
     m->kind = MAPPING_NUMBER;
     switch (value->kind) {
     case FROB_BOOL: return member->type_id_ == TYPE(BOOLEAN) || refuse(s, member, "a Bool");
@@ -227,15 +289,16 @@ static bool map_member(const struct search *s, struct mapping *m, const member_t
 {
     const bool is_sequence =
         member->is_array_ && (member->array_size_ == 0 || member->is_upper_bound_);
-    char what[100];
     if (is_sequence && is_upto(value)) {
         const struct frob_constructor *upto = &value->constructors[0];
         const struct frob_value *array = upto->fields[1].value;
         m->count = upto->fields[0].value;
         if (member->is_upper_bound_ && array->constructors[0].count > member->array_size_) {
             snprintf(s->why, s->room,
-                     "in %s, `%s` has at most %zu elements, but in the program %zu", s->type,
-                     member->name_, member->array_size_, array->constructors[0].count);
+                     "in %s, `%s` has at most %zu elements, but in the record `%s` %zu: declare it "
+                     "with this maximum",
+                     s->type, member->name_, member->array_size_, s->record,
+                     array->constructors[0].count);
             return false;
         }
         return map_elements(s, m, member, array);
@@ -243,23 +306,43 @@ static bool map_member(const struct search *s, struct mapping *m, const member_t
     if (member->is_array_ && value->kind == FROB_ARRAY) {
         const size_t count = value->constructors[0].count;
         if (!is_sequence && member->array_size_ != count) {
-            snprintf(s->why, s->room, "in %s, `%s` has %zu elements, but in the program %zu",
-                     s->type, member->name_, member->array_size_, count);
+            snprintf(s->why, s->room,
+                     "in %s, `%s` has %zu elements, but in the record `%s` %zu: declare it as an "
+                     "`Array %zu`",
+                     s->type, member->name_, member->array_size_, s->record, count,
+                     member->array_size_);
             return false;
         }
         return map_elements(s, m, member, value);
     }
     if (member->is_array_ || value->kind == FROB_ARRAY) {
-        snprintf(what, sizeof what, "%s",
-                 value->kind == FROB_ARRAY ? "an array" : "neither an array nor an `Upto`");
-        return refuse(s, member, what);
+        return refuse(s, member,
+                      value->kind == FROB_ARRAY ? "an array" : "neither an array nor an `Upto`");
     }
     return map_one(s, m, member, value);
 }
 
-static bool map_record(const struct search *s, struct mapping *m, const members_type *members,
+/* Determines whether the record leaves out the stamp or the frame of its header. */
+static void find_header(struct mapping *m, const members_type *members)
+{
+    if (!has_header(members))
+        return;
+    m->header = &members->members_[0];
+    m->sets_stamp = m->sets_frame = true;
+    for (size_t k = 0; k < m->part_count; k++)
+        for (size_t i = 0; m->parts[k].member == m->header && i < m->parts[k].part_count; i++) {
+            const char *name = m->parts[k].parts[i].member->name_;
+            m->sets_stamp = m->sets_stamp && strcmp(name, "stamp") != 0;
+            m->sets_frame = m->sets_frame && strcmp(name, "frame_id") != 0;
+        }
+}
+
+static bool map_record(const struct search *outer, struct mapping *m, const members_type *members,
                        const struct frob_constructor *record)
 {
+    struct search inner = *outer;
+    const struct search *s = &inner;
+    inner.record = record->name;
     m->kind = MAPPING_RECORD;
     if (!room_for(s, m, record->count))
         return false;
@@ -267,27 +350,30 @@ static bool map_record(const struct search *s, struct mapping *m, const members_
         const struct frob_field *field = &record->fields[k];
         const member_type *member = member_named(members, field->name);
         if (member == NULL) {
-            snprintf(s->why, s->room, "%s has no field for `%s` of the record `%s`", s->type,
+            snprintf(s->why, s->room,
+                     "%s has no field for `%s` of the record `%s`: rename or remove it", s->type,
                      field->name, record->name);
             return false;
         }
         if (!map_member(s, &m->parts[k], member, field->value))
             return false;
     }
+    find_header(m, members);
     return true;
 }
 
 bool mapping_of(struct mapping *m, const struct message_type *type, const struct frob_value *value,
-                char *why, size_t room)
+                const struct frob_node *node, char *why, size_t room)
 {
-    const struct search s = { why, room, type->name };
+    const struct search s = { why, room, type->name, NULL, node };
     memset(m, 0, sizeof *m);
     m->kind = MAPPING_RECORD;
-    if (value == NULL || (value->kind == FROB_PRODUCT && value->constructors[0].count == 0))
+    if (value == NULL)
         return true;
-    if (value->kind == FROB_PRODUCT)
-        return map_record(&s, m, type->members, &value->constructors[0]);
-    /* A Bool, Int or Float is the only member, `data`. */
+    if (value->kind == FROB_PRODUCT && texts_of(node, value) == NULL)
+        return value->constructors[0].count == 0 ||
+               map_record(&s, m, type->members, &value->constructors[0]);
+    /* A Bool, Int, Float or text is the only member, `data`. */
     return room_for(&s, m, 1) && map_one(&s, &m->parts[0], &type->members->members_[0], value);
 }
 
@@ -406,9 +492,61 @@ static void write_number(const struct mapping *m, const void *values, void *to)
         memcpy(to, &x, sizeof x);
 }
 
+/* ---- Texts */
+
+static void set_tag(const struct frob_value *value, size_t tag, void *values)
+{
+    const uint8_t byte = (uint8_t)tag;
+    /* A product has one constructor, and no tag. */
+    if (value->kind == FROB_SUM)
+        memcpy((char *)values + value->offset, &byte, sizeof byte);
+}
+
+static size_t tag_of(const struct frob_value *value, const void *values)
+{
+    uint8_t byte = 0;
+    if (value->kind == FROB_SUM)
+        memcpy(&byte, (const char *)values + value->offset, sizeof byte);
+    return byte;
+}
+
+static bool read_text(const struct mapping *m, const void *place, void *values,
+                      struct mapping_fault *fault)
+{
+    const char *text = ((const rosidl_runtime_c__String *)place)->data;
+    size_t k = 0;
+    text = text == NULL ? "" : text;
+    while (k < m->value->count && strcmp(m->texts->texts[k], text) != 0)
+        k++;
+    if (k < m->value->count)
+        set_tag(m->value, k, values);
+    if (m->optional != NULL)
+        set_tag(m->optional, k < m->value->count ? 1 : 0, values);
+    /* The empty text is published for Nothing. */
+    if (k == m->value->count && (m->optional == NULL || *text != '\0')) {
+        fault->text = text;
+        fault->of = m;
+    }
+    return k < m->value->count || m->optional != NULL;
+}
+
+static bool assign(rosidl_runtime_c__String *string, const char *text)
+{
+    return (string->data != NULL && strcmp(string->data, text) == 0) ||
+           rosidl_runtime_c__String__assign(string, text);
+}
+
+static bool write_text(const struct mapping *m, const void *values, void *place)
+{
+    const bool is_nothing = m->optional != NULL && tag_of(m->optional, values) == 0;
+    return assign((rosidl_runtime_c__String *)place,
+                  is_nothing ? "" : m->texts->texts[tag_of(m->value, values)]);
+}
+
 /* ---- Values. `place`: the record, the number or the element in the message. */
 
-static bool read_at(const struct mapping *m, const void *place, void *values);
+static bool read_at(const struct mapping *m, const void *place, void *values,
+                    struct mapping_fault *fault);
 
 static const void *member_in(const struct mapping *m, const void *record)
 {
@@ -416,7 +554,8 @@ static const void *member_in(const struct mapping *m, const void *record)
 }
 
 /* Elements beyond the end of a sequence keep the values that they had. */
-static bool read_elements(const struct mapping *m, const void *sequence, void *values)
+static bool read_elements(const struct mapping *m, const void *sequence, void *values,
+                          struct mapping_fault *fault)
 {
     const size_t size = m->member->size_function(sequence);
     const size_t count = size < m->part_count ? size : m->part_count;
@@ -424,27 +563,36 @@ static bool read_elements(const struct mapping *m, const void *sequence, void *v
     bool ok = m->kind == MAPPING_SEQUENCE || size == m->part_count;
     if (m->kind == MAPPING_SEQUENCE)
         memcpy((char *)values + m->count->offset, &number, sizeof number);
+    if (!ok) {
+        fault->text = NULL;
+        fault->of = m;
+    }
     for (size_t k = 0; ok && k < count; k++)
-        ok = read_at(&m->parts[k], m->member->get_const_function(sequence, k), values);
+        ok = read_at(&m->parts[k], m->member->get_const_function(sequence, k), values, fault);
     return ok;
 }
 
-static bool read_at(const struct mapping *m, const void *place, void *values)
+static bool read_at(const struct mapping *m, const void *place, void *values,
+                    struct mapping_fault *fault)
 {
     bool ok = true;
     if (m->kind == MAPPING_NUMBER)
         read_number(m, place, values);
+    else if (m->kind == MAPPING_TEXT)
+        return read_text(m, place, values, fault);
     else if (m->kind != MAPPING_RECORD)
-        return read_elements(m, place, values);
+        return read_elements(m, place, values, fault);
     else
         for (size_t k = 0; ok && k < m->part_count; k++)
-            ok = read_at(&m->parts[k], member_in(&m->parts[k], place), values);
+            ok = read_at(&m->parts[k], member_in(&m->parts[k], place), values, fault);
     return ok;
 }
 
-bool mapping_read(const struct mapping *m, const void *message, void *values)
+bool mapping_read(const struct mapping *m, const void *message, void *values,
+                  struct mapping_fault *fault)
 {
-    return read_at(m, message, values);
+    fault->of = NULL;
+    return read_at(m, message, values, fault);
 }
 
 static size_t count_in(const struct mapping *m, const void *values)
@@ -456,37 +604,55 @@ static size_t count_in(const struct mapping *m, const void *values)
     return (size_t)clamped(count, 0, (int64_t)m->part_count);
 }
 
-static bool write_at(const struct mapping *m, const void *values, void *place)
+static bool write_header(const struct mapping *m, const struct message_origin *origin, void *record)
+{
+    std_msgs__msg__Header *header =
+        (std_msgs__msg__Header *)(void *)((char *)record + m->header->offset_);
+    if (m->sets_stamp) {
+        header->stamp.sec = (int32_t)(origin->stamp_ns / 1000000000);
+        header->stamp.nanosec = (uint32_t)(origin->stamp_ns % 1000000000);
+    }
+    return !m->sets_frame || assign(&header->frame_id, origin->frame);
+}
+
+static bool write_at(const struct mapping *m, const void *values,
+                     const struct message_origin *origin, void *place)
 {
     size_t count;
+    if (m->kind == MAPPING_TEXT)
+        return write_text(m, values, place);
     if (m->kind == MAPPING_NUMBER) {
         write_number(m, values, place);
         return true;
     }
     if (m->kind == MAPPING_RECORD) {
         for (size_t k = 0; k < m->part_count; k++)
-            if (!write_at(&m->parts[k], values, (char *)place + m->parts[k].member->offset_))
+            if (!write_at(&m->parts[k], values, origin,
+                          (char *)place + m->parts[k].member->offset_))
                 return false;
-        return true;
+        return m->header == NULL || write_header(m, origin, place);
     }
     count = count_in(m, values);
     if (m->member->resize_function != NULL && m->member->size_function(place) != count &&
         !m->member->resize_function(place, count))
         return false;
     for (size_t k = 0; k < count; k++)
-        if (!write_at(&m->parts[k], values, m->member->get_function(place, k)))
+        if (!write_at(&m->parts[k], values, origin, m->member->get_function(place, k)))
             return false;
     return true;
 }
 
-bool mapping_write(const struct mapping *m, const void *values, void *message)
+bool mapping_write(const struct mapping *m, const void *values, const struct message_origin *origin,
+                   void *message)
 {
-    return write_at(m, values, message);
+    return write_at(m, values, origin, message);
 }
 
 bool mapping_is_finite(const struct mapping *m, const void *values)
 {
     const size_t count = m->kind == MAPPING_SEQUENCE ? count_in(m, values) : m->part_count;
+    if (m->kind == MAPPING_TEXT)
+        return true;
     if (m->kind == MAPPING_NUMBER)
         return m->value->kind == FROB_BOOL || m->value->kind == FROB_INT ||
                isfinite(float_of(m->value, values));

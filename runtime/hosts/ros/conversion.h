@@ -33,25 +33,45 @@ void *message_header(const struct message_type *type, void *message);
 
 /* How a value of the program and a part of a message correspond. */
 struct mapping {
-    enum { MAPPING_NUMBER, MAPPING_RECORD, MAPPING_ARRAY, MAPPING_SEQUENCE } kind;
+    enum { MAPPING_NUMBER, MAPPING_TEXT, MAPPING_RECORD, MAPPING_ARRAY, MAPPING_SEQUENCE } kind;
     const rosidl_typesupport_introspection_c__MessageMember *member; /* NULL: the whole message */
-    const struct frob_value *value;                                  /* of a number */
-    const struct frob_value *count; /* of a sequence with a variable length */
-    struct mapping *parts;          /* of a record, or elements */
+    const struct frob_value *value;                                  /* of a number or text */
+    const struct frob_texts *texts;                                  /* of a text */
+    const struct frob_value *optional; /* the Maybe that contains the text; NULL: none */
+    const struct frob_value *count;    /* of a sequence with a variable length */
+    struct mapping *parts;             /* of a record, or elements */
     size_t part_count;
+    /* The header of a record, NULL if it has none, and whether the program leaves out its parts. */
+    const rosidl_typesupport_introspection_c__MessageMember *header;
+    bool sets_stamp, sets_frame;
 };
 
-/* Maps a value of the program to messages of a type. Returns false if they do not correspond; then
- * `why` explains it. */
+/* Maps a value of the program to messages of a type. `node` has the texts. Returns false if they do
+ * not correspond; then `why` explains it. */
 bool mapping_of(struct mapping *mapping, const struct message_type *type,
-                const struct frob_value *value, char *why, size_t room);
+                const struct frob_value *value, const struct frob_node *node, char *why,
+                size_t room);
 
-/* Copies a message to the value, in a struct of the program. Returns false if an array with a fixed
- * length has another length in the message. */
-bool mapping_read(const struct mapping *mapping, const void *message, void *values);
+/* A part of a message that the program does not have. */
+struct mapping_fault {
+    const struct mapping *of; /* NULL: there is none */
+    const char *text;         /* an unknown text; NULL: an array has another length */
+};
+
+/* Copies a message to the value, in a struct of the program. Returns false if the message cannot be
+ * used. An unknown text is reported also if the value is Nothing then. */
+bool mapping_read(const struct mapping *mapping, const void *message, void *values,
+                  struct mapping_fault *fault);
+
+/* What the node writes to headers that the program leaves out. */
+struct message_origin {
+    int64_t stamp_ns;
+    const char *frame;
+};
 
 /* Copies the value to a message. Returns false without enough memory. */
-bool mapping_write(const struct mapping *mapping, const void *values, void *message);
+bool mapping_write(const struct mapping *mapping, const void *values,
+                   const struct message_origin *origin, void *message);
 
 /* Returns whether all numbers of the value are finite. */
 bool mapping_is_finite(const struct mapping *mapping, const void *values);

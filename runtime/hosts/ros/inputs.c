@@ -50,7 +50,7 @@ static bool add_own(struct inputs *inputs, const struct frob_program *program, s
     own->parts = topic_parts_of(program->input, topic);
     own->span = topic_span_of(own->parts.whole);
     if (!message_type_find(&own->type, topic->type, why, room) ||
-        !mapping_of(&own->mapping, &own->type, own->parts.message, why, room))
+        !mapping_of(&own->mapping, &own->type, own->parts.message, program->node, why, room))
         return false;
     own->message = message_create(&own->type);
     if (own->message == NULL)
@@ -255,11 +255,74 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
+/* Returns whether a fault of a message must be reported. Each unknown text is reported once, up to a
+ * maximum number. */
+static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
+{
+    const size_t most = sizeof own->told_texts / sizeof own->told_texts[0];
+    uint32_t digest = 2166136261u; /* FNV-1a */
+    if (fault->text == NULL) {
+        const bool told = own->told;
+        own->told = true;
+        return !told;
+    }
+    for (const char *c = fault->text; *c != '\0'; c++)
+        digest = (digest ^ (unsigned char)*c) * 16777619u;
+    for (size_t k = 0; k < own->told_text_count; k++)
+        if (own->told_texts[k] == digest)
+            return false;
+    if (own->told_text_count == most)
+        return false;
+    own->told_texts[own->told_text_count++] = digest;
+    return true;
+}
+
+/* Writes the texts of an enumeration as a list. */
+static void list_texts(const struct mapping *m, char *list, size_t room)
+{
+    size_t length = 0;
+    list[0] = '\0';
+    for (size_t k = 0; k < m->value->count && length < room; k++) {
+        const char *separator = k == 0 ? "" : k + 1 == m->value->count ? " and " : ", ";
+        length += (size_t)snprintf(list + length, room - length, "%s\"%s\"", separator,
+                                   m->texts->texts[k]);
+    }
+}
+
+/* Reports a message with a fault. `is_usable`: an unknown text is Nothing. */
+static void tell(const struct input *input, const struct mapping_fault *fault, bool is_usable)
+{
+    const char *type;
+    char list[500], text[80];
+    if (fault->text == NULL) {
+        fprintf(stderr,
+                "warning: a message on %s is ignored: its `%s` has another number of elements than "
+                "in the program, which has %zu\n",
+                input->topic.name, fault->of->member->name_, fault->of->part_count);
+        return;
+    }
+    type = fault->of->texts->type;
+    list_texts(fault->of, list, sizeof list);
+    snprintf(text, sizeof text, "%s", fault->text);
+    for (char *c = text; *c != '\0'; c++)
+        if ((unsigned char)*c < ' ' || *c == '\x7f')
+            *c = '?';
+    fprintf(stderr,
+            "warning: a message on %s %s: its `%s` is \"%s\", but `%s` only has the text%s %s",
+            input->topic.name, is_usable ? "is read with `Nothing`" : "is ignored",
+            fault->of->member->name_, text, type, fault->of->value->count == 1 ? "" : "s", list);
+    if (!is_usable)
+        fprintf(stderr, "; add a constructor, or declare the field as a `Maybe %s`", type);
+    fprintf(stderr, "\n");
+}
+
 /* Sends a message on a topic of the program's own. */
 static void send_value(struct inputs *inputs, struct input *input, int socket)
 {
     struct own_topic *own = &input->own;
     struct ros_topic_message *value = inputs->value;
+    struct mapping_fault fault;
+    bool is_usable;
     const size_t size = own->span.end - own->span.first;
     const std_msgs__msg__Header *its_header =
         (const std_msgs__msg__Header *)message_header(&own->type, own->message);
@@ -267,15 +330,11 @@ static void send_value(struct inputs *inputs, struct input *input, int socket)
     memset(inputs->values + own->span.first, 0, size);
     if (own->parts.event != NULL)
         inputs->values[own->parts.event->offset] = 1;
-    if (!mapping_read(&own->mapping, own->message, inputs->values)) {
-        if (!own->told)
-            fprintf(stderr,
-                    "warning: a message on %s is ignored: an array has another length than in the "
-                    "program\n",
-                    input->topic.name);
-        own->told = true;
+    is_usable = mapping_read(&own->mapping, own->message, inputs->values, &fault);
+    if (fault.of != NULL && is_new(own, &fault))
+        tell(input, &fault, is_usable);
+    if (!is_usable)
         return;
-    }
     value->head = head(ROS_TOPIC, sizeof *value + size);
     value->topic = own->number;
     value->number = own->count;

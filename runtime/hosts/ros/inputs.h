@@ -27,6 +27,9 @@ struct own_topic {
     void *message;
     uint32_t count; /* of messages received */
     bool told;      /* a message with a wrong length was reported */
+    /* Digests of the unknown texts that were reported. */
+    uint32_t told_texts[8];
+    size_t told_text_count;
 };
 
 struct input {

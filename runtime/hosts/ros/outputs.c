@@ -50,15 +50,18 @@ static bool start_velocity(struct outputs *o, const rcl_node_t *node, char *why,
     return advertise(o, 0, type, "cmd_vel", 1, node, why, room);
 }
 
-/* Frames cannot be set by the program. Poses are in the frame of odometry, all else is in that of the
- * robot. */
+/* The frame if the program leaves it out. Poses and markers are in the frame of odometry, all else is
+ * in that of the robot. */
 static const char *frame_of(const char *type)
 {
     static const char *const in_odometry[] = {
         "nav_msgs/msg/Odometry",
         "nav_msgs/msg/Path",
         "geometry_msgs/msg/PoseStamped",
+        "geometry_msgs/msg/PoseArray",
         "geometry_msgs/msg/PoseWithCovarianceStamped",
+        "visualization_msgs/msg/Marker",
+        "visualization_msgs/msg/MarkerArray",
     };
     for (size_t i = 0; i < sizeof in_odometry / sizeof in_odometry[0]; i++)
         if (strcmp(type, in_odometry[i]) == 0)
@@ -79,12 +82,11 @@ static bool start_own(struct outputs *o, size_t i, const rcl_node_t *node, char 
     own->topic = &o->program->node->outputs[i];
     own->parts = topic_parts_of(o->program->output, own->topic);
     if (!message_type_find(&own->type, own->topic->type, why, room) ||
-        !mapping_of(&own->mapping, &own->type, own->parts.message, why, room))
+        !mapping_of(&own->mapping, &own->type, own->parts.message, o->program->node, why, room))
         return false;
     own->message = message_create(&own->type);
     own->zero = message_create(&own->type);
-    if (own->message == NULL || own->zero == NULL || !set_frame(&own->type, own->message) ||
-        !set_frame(&own->type, own->zero))
+    if (own->message == NULL || own->zero == NULL || !set_frame(&own->type, own->zero))
         return lacks_memory(why, room);
     o->topics[i].type = own->topic->type;
     o->topics[i].kept = "earlier messages";
@@ -147,13 +149,13 @@ void outputs_drive(struct outputs *o, double speed_m_s, double turn_rad_s)
     publish(o, 0, o->stamped ? (const void *)&o->stamped_twist : &o->twist);
 }
 
-static void publish_own(struct outputs *o, size_t i, void *message)
+static void publish_zero(struct outputs *o, size_t i)
 {
-    std_msgs__msg__Header *header =
-        (std_msgs__msg__Header *)message_header(&o->own[i].type, message);
+    void *zero = o->own[i].zero;
+    std_msgs__msg__Header *header = (std_msgs__msg__Header *)message_header(&o->own[i].type, zero);
     if (header != NULL)
         set_stamp(&header->stamp);
-    publish(o, i, message);
+    publish(o, i, zero);
 }
 
 /* A command is sent only if all its numbers are finite. */
@@ -173,13 +175,14 @@ void outputs_publish(struct outputs *o, const void *values, bool rests)
 {
     for (size_t i = 0; i < o->count; i++) {
         struct own_output *own = &o->own[i];
+        const struct message_origin origin = { node_stamp_ns(), frame_of(own->type.name) };
         const struct frob_value *event = own->parts.event;
         if (event != NULL && ((const char *)values)[event->offset] == 0)
             continue;
         if ((own->topic->is_command && rests) || !is_sound(own, values))
-            publish_own(o, i, own->zero);
-        else if (mapping_write(&own->mapping, values, own->message))
-            publish_own(o, i, own->message);
+            publish_zero(o, i);
+        else if (mapping_write(&own->mapping, values, &origin, own->message))
+            publish(o, i, own->message);
     }
 }
 
@@ -191,7 +194,7 @@ void outputs_rest(struct outputs *o)
     }
     for (size_t i = 0; i < o->count; i++)
         if (o->own[i].topic->is_command)
-            publish_own(o, i, o->own[i].zero);
+            publish_zero(o, i);
 }
 
 void outputs_wait(const struct outputs *o, int64_t most_ns)

@@ -88,7 +88,8 @@ static const struct frob_program *load(const char *path)
     if (program->node != NULL) {
         fprintf(stderr,
                 "error: %s is a ROS 2 node with topics of its own, not a program for a robot: use "
-                "`frobc run --ros2`; `frobc trace` runs it on recorded input\n",
+                "`frobc run --ros2`; without ROS, `frobc trace` runs it on recorded input, and "
+                "`frobc test` runs its tests (`test`, not `trial`)\n",
                 program->name);
         return NULL;
     }

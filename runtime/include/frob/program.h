@@ -124,6 +124,15 @@ struct frob_topic {
     int is_command;    /* a message of zeros stops what it controls */
 };
 
+/* The texts of an enumeration in messages of ROS 2. */
+struct frob_texts {
+    /* The constructors of a value of this type in the program's input or output. Each value has a
+     * table of its own, which identifies it. */
+    const struct frob_constructor *constructors;
+    const char *type;         /* from the source: "Mode" */
+    const char *const *texts; /* one for each constructor */
+};
+
 /* A program that is a ROS 2 node with topics of its own. */
 struct frob_node {
     double rate_hz;
@@ -131,6 +140,8 @@ struct frob_node {
     size_t input_count;
     const struct frob_topic *outputs;
     size_t output_count;
+    const struct frob_texts *texts;
+    size_t text_count;
 };
 
 struct frob_program {
@@ -175,7 +186,7 @@ struct frob_program {
     const struct frob_node *node; /* NULL for a program without topics of its own */
 };
 
-#define FROB_PROGRAM_ABI 12u
+#define FROB_PROGRAM_ABI 13u
 
 /* What hosts say of a state that is not valid, after the name of the program or of its process. */
 #define FROB_DAMAGED_STATE                                                               \

@@ -53,7 +53,7 @@ definitions of the installed packages.
   
   -- | The message base_msgs/msg/Wheels.
   -- Left out: std_msgs/Header header (the node sets the stamp).
-  -- Left out: string name (text).
+  -- Left out: string name (text: an enumeration with an instance of `RosText` could hold it).
   data Wheels = Wheels
       { leftSpeed :: Float[rad/s]      -- float64; [rad/s], positive ahead
       , rightSpeed :: Float[rad/s]     -- float64; [rad/s]

@@ -41,6 +41,7 @@ header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_array.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_status.h
 header std_msgs std_msgs/msg/string.h
+header std_msgs std_msgs/msg/header.h
 header std_msgs std_msgs/msg/bool.h
 header sensor_msgs sensor_msgs/msg/battery_state.h
 header sensor_msgs sensor_msgs/msg/image.h
@@ -61,18 +62,15 @@ for library in rcl_lifecycle lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
 # The types of messages that programs use for topics of their own.
-for type in std_msgs/Bool geometry_msgs/Twist; do
-    package=${type%/*} name=${type#*/}
-    gcc -shared -fPIC -I"$sources" -x c - -o "$prefix/lib/lib${package}__rosidl_typesupport_c.so" <<END
-#include "fake_ros.h"
-const rosidl_message_type_support_t *
-rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name(void);
-const rosidl_message_type_support_t *
-rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name(void)
-{
-    return &fake_${package}_$name;
-}
-END
+for package in std_msgs geometry_msgs; do
+    case $package in std_msgs) types="Bool String" ;; *) types=Twist ;; esac
+    for name in $types; do
+        handle=rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name
+        printf '%s\n' "const rosidl_message_type_support_t *$handle(void);" \
+            "const rosidl_message_type_support_t *$handle(void) { return &fake_${package}_$name; }"
+    done >"$prefix/types.c"
+    gcc -shared -fPIC -I"$sources" -include fake_ros.h -x c \
+        -o "$prefix/lib/lib${package}__rosidl_typesupport_c.so" "$prefix/types.c"
 done
 # The only library that the host opens at run time; the program opens it in the same folder.
 echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage(void)

@@ -146,6 +146,8 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     }
     if (strcmp(publisher->topic, "/blocked") == 0)
         write_log(((const std_msgs__msg__Bool *)message)->data ? "blocked" : "not blocked");
+    if (strcmp(publisher->topic, "/state") == 0)
+        write_log(((const std_msgs__msg__String *)message)->data.data);
     if (strcmp(publisher->topic, "/cmd_vel") != 0 && strcmp(publisher->topic, "/base/cmd_vel") != 0)
         return RCL_RET_OK;
     drive(twist->linear.x, twist->angular.z);
@@ -254,14 +256,32 @@ static bool enable(std_msgs__msg__Bool *m)
     return has("enable");
 }
 
+/* Another node publishes the words in FAKE_ROS_WORDS, one after the other; the last one repeatedly. */
+static bool word(std_msgs__msg__String *m)
+{
+    static const char *next = NULL;
+    char text[40];
+    size_t length;
+    if (next == NULL)
+        next = getenv("FAKE_ROS_WORDS");
+    if (next == NULL)
+        return false;
+    length = strcspn(next, " ");
+    snprintf(text, sizeof text, "%.*s", (int)length, next);
+    next += next[length] == ' ' ? length + 1 : 0;
+    return rosidl_runtime_c__String__assign(&m->data, text);
+}
+
 /* The sensors send a message after every fifth odometry message. */
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
     static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, bumper_ns = 0,
-                   battery_ns = 0, image_ns = 0;
+                   battery_ns = 0, image_ns = 0, word_ns = 0;
     if (subscription->type == &fake_sensor_msgs_Image ||
         subscription->type == &fake_sensor_msgs_CompressedImage)
         return &image_ns;
+    if (subscription->type == &fake_std_msgs_String)
+        return &word_ns;
     if (subscription->type == &fake_std_msgs_Bool)
         return &bumper_ns;
     if (subscription->type == &fake_sensor_msgs_BatteryState)
@@ -295,6 +315,8 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return velocity((geometry_msgs__msg__Twist *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_sensor_msgs_CompressedImage)
         return RCL_RET_ERROR;
+    if (subscription->type == &fake_std_msgs_String)
+        return word((std_msgs__msg__String *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_sensor_msgs_Image) {
         image((sensor_msgs__msg__Image *)into);
     } else if (subscription->type == &fake_std_msgs_Bool) {
@@ -356,6 +378,8 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
                    has("stamps") ? "geometry_msgs/msg/TwistStamped" : "geometry_msgs/msg/Twist");
     if (strcmp(topic, "/enable") == 0)
         return one(array, "std_msgs/msg/Bool");
+    if (strcmp(topic, "/mode") == 0)
+        return one(array, "std_msgs/msg/String");
     if (strcmp(topic, "/clock") == 0)
         return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "image") != NULL)
@@ -381,6 +405,8 @@ rcl_ret_t rcl_get_subscriptions_info_by_topic(const rcl_node_t *node,
     (void)no_mangle;
     if (strcmp(topic, "/blocked") == 0)
         return one(array, "std_msgs/msg/Bool");
+    if (strcmp(topic, "/state") == 0)
+        return one(array, "std_msgs/msg/String");
     one(array, has("wants_stamped") || robot.stamped ? "geometry_msgs/msg/TwistStamped"
                                                      : "geometry_msgs/msg/Twist");
     if (has("wants_old"))
@@ -847,6 +873,12 @@ static void zero_bool(void *message, enum rosidl_runtime_c__message_initializati
     memset(message, 0, sizeof(std_msgs__msg__Bool));
 }
 
+static void zero_string(void *message, enum rosidl_runtime_c__message_initialization how)
+{
+    (void)how;
+    memset(message, 0, sizeof(std_msgs__msg__String));
+}
+
 static void zero_twist(void *message, enum rosidl_runtime_c__message_initialization how)
 {
     (void)how;
@@ -863,6 +895,12 @@ static const rosidl_typesupport_introspection_c__MessageMember members_of_bool[]
     data, BOOLEAN, NULL, std_msgs__msg__Bool) };
 static const rosidl_typesupport_introspection_c__MessageMembers bool_type = {
     "std_msgs__msg", "Bool", 1, sizeof(std_msgs__msg__Bool), members_of_bool, zero_bool
+};
+
+static const rosidl_typesupport_introspection_c__MessageMember members_of_string[] = { MEMBER(
+    data, STRING, NULL, std_msgs__msg__String) };
+static const rosidl_typesupport_introspection_c__MessageMembers string_type = {
+    "std_msgs__msg", "String", 1, sizeof(std_msgs__msg__String), members_of_string, zero_string
 };
 
 static const rosidl_typesupport_introspection_c__MessageMember members_of_vector[] = {
@@ -887,6 +925,8 @@ static const rosidl_typesupport_introspection_c__MessageMembers twist_type = {
 
 const rosidl_message_type_support_t fake_std_msgs_Bool = { "std_msgs/msg/Bool", &bool_type,
                                                            itself };
+const rosidl_message_type_support_t fake_std_msgs_String = { "std_msgs/msg/String", &string_type,
+                                                             itself };
 const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/msg/Twist",
                                                                  &twist_type, itself };
 
@@ -899,6 +939,5 @@ OPAQUE(fake_sensor_msgs_CompressedImage, "sensor_msgs/msg/CompressedImage")
 OPAQUE(fake_sensor_msgs_BatteryState, "sensor_msgs/msg/BatteryState")
 OPAQUE(fake_sensor_msgs_LaserScan, "sensor_msgs/msg/LaserScan")
 OPAQUE(fake_sensor_msgs_Imu, "sensor_msgs/msg/Imu")
-OPAQUE(fake_std_msgs_String, "std_msgs/msg/String")
 OPAQUE(fake_rosgraph_msgs_Clock, "rosgraph_msgs/msg/Clock")
 OPAQUE(fake_rcl_interfaces_ParameterEvent, "rcl_interfaces/msg/ParameterEvent")

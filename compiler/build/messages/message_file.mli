@@ -27,3 +27,10 @@ val type_text : field -> string
 
 val is_name : string -> bool
 (** Can this be the name of a package, a type or a field? *)
+
+val frob_name : string -> string
+(** The name of a field in a Frob record: [angleMin] for [angle_min], and [data_] for [data], which
+    is a keyword in Frob. *)
+
+val is_named : string -> field -> bool
+(** Does a field with this name in a Frob record correspond to the field? *)

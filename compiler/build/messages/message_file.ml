@@ -137,3 +137,16 @@ let type_text (f : field) =
   | Exactly n -> Printf.sprintf "[%d]" n
   | At_most n -> Printf.sprintf "[<=%d]" n
   | Any -> "[]"
+
+let camel name =
+  match List.filter (fun word -> word <> "") (String.split_on_char '_' name) with
+  | [] -> name
+  | first :: others -> String.concat "" (first :: List.map String.capitalize_ascii others)
+
+let frob_name name =
+  let name = camel name in
+  if List.mem name Syntax.Lexer.keywords then name ^ "_" else name
+
+let is_named name (f : field) =
+  let own = camel f.name in
+  String.equal name own || String.equal name (own ^ "_")

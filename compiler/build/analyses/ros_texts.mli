@@ -1,0 +1,11 @@
+(** Texts in messages of ROS 2: enumerations with an instance of [RosText], which has a text for
+    each constructor. *)
+
+val is_enumeration : Ros_declarations.t -> Typing.Ir.ty -> bool
+(** A type whose constructors have no fields, or [Maybe] of one. *)
+
+val check : Ros_declarations.t -> at:Basis.Span.t -> in_:string -> Typing.Ir.ty -> unit
+(** Checks that such a type has an instance, with different literal texts. *)
+
+val all : Ros_declarations.t -> Cgen.Node_table.texts list
+(** All enumerations with texts. *)
