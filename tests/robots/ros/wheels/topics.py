@@ -9,13 +9,14 @@ import threading
 import time
 
 import rclpy
-from geometry_msgs.msg import Twist, TwistStamped
-from nav_msgs.msg import Odometry
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from nav_msgs.msg import Odometry, Path
 from nodes import FOLDER, FROBC, OPEN, Run, run_tests, write
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
-from sensor_msgs.msg import Joy, LaserScan
+from sensor_msgs.msg import JointState, Joy, LaserScan, NavSatFix
 from std_msgs.msg import Bool, Empty, Float32, Int16, String, UInt8
 
 
@@ -344,30 +345,229 @@ def test_refused():
     """Types of messages that do not exist or do not match the record are named."""
     for type_, fields, expected in [
         ("no_msgs/msg/Odd", "x :: Int", "this ROS 2 has no messages of the package no_msgs"),
-        ("std_msgs/msg/Odd", "x :: Int", "the package std_msgs of this ROS 2 has no message Odd"),
+        (
+            "std_msgs/msg/Odd",
+            "x :: Int",
+            "the package std_msgs of the sourced ROS 2 has no message Odd",
+        ),
         (
             "geometry_msgs/msg/Point",
             "x, q :: Float",
-            "geometry_msgs/msg/Point has no field for `q` of the record `Odd`",
+            "geometry_msgs/msg/Point has no field for `q` of `Odd`",
         ),
         (
             "geometry_msgs/msg/Point",
             "x :: Int",
-            "in geometry_msgs/msg/Point, `x` is float64, but in the program it is an Int",
+            "the field `x` of `Odd` is `Int`, but geometry_msgs/msg/Point has `float64 x`",
         ),
         (
             "sensor_msgs/msg/Imu",
             "orientationCovariance :: Array 3 Float",
-            "in sensor_msgs/msg/Imu, `orientation_covariance` has 9 elements, but in the program 3",
+            "but sensor_msgs/msg/Imu has `float64[9] orientation_covariance`",
         ),
         (
             "std_msgs/msg/String",
             "data_ :: Float",
-            "in std_msgs/msg/String, `data` is a text, but in the program it is a Float",
+            "the field `data_` of `Odd` is `Float`, but std_msgs/msg/String has `string data`",
         ),
     ]:
         errors = refusal(type_, fields)
         assert expected in errors, errors
+
+
+def test_refused_at_start():
+    """A node compares types that frobc does not find, as on another machine, when it starts."""
+    # The libraries of tf2_msgs are in the path of libraries, but not in AMENT_PREFIX_PATH.
+    for type_, fields, expected in [
+        ("no_msgs/msg/Odd", "x :: Int", "this ROS 2 has no messages of the package no_msgs"),
+        ("tf2_msgs/msg/Odd", "x :: Int", "the package tf2_msgs of this ROS 2 has no message Odd"),
+        (
+            "tf2_msgs/msg/TFMessage",
+            "transforms :: Int",
+            "in tf2_msgs/msg/TFMessage, `transforms` is a message (several), but in the record "
+            "`Odd` it is neither an array nor an `Upto`: declare it as `Upto` of a record",
+        ),
+        (
+            "tf2_msgs/msg/TFMessage",
+            "least :: Int",
+            "tf2_msgs/msg/TFMessage has no field for `least` of the record `Odd`: rename or remove",
+        ),
+    ]:
+        errors = refusal(type_, fields)
+        assert expected in errors, errors
+
+
+TEXTS = """import Geometry
+import Ros
+
+data Mode = Idle | Driving
+instance RosText Mode where
+    rosText mode = case mode of
+        Idle -> "idle"
+        Driving -> "driving\N{LATIN SMALL LETTER E WITH ACUTE}"
+data Frame = Map | Odom
+instance RosText Frame where
+    rosText frame = case frame of
+        Map -> "map"
+        Odom -> "odom"
+data Goal = Goal { header :: Header Frame, pose :: Pose3 }
+instance Message Goal where
+    rosType _ = "geometry_msgs/msg/PoseStamped"
+data Unstamped = Unstamped { header :: FrameOnly, pose :: Pose3 }
+data FrameOnly = FrameOnly { frameId :: Frame }
+instance Message Unstamped where
+    rosType _ = "geometry_msgs/msg/PoseStamped"
+data Joints = Joints { name :: Upto 3 (Maybe Mode), position :: Upto 3 Angle }
+instance Message Joints where
+    rosType _ = "sensor_msgs/msg/JointState"
+
+data In = In
+    { mode :: Event Mode
+    , open :: Event (Maybe Mode)
+    , goal :: Event Goal
+    , joints :: Event Joints
+    , fix :: Event NavSatFix
+    }
+data Out = Out
+    { modeOut :: Event Mode
+    , openOut :: Event (Maybe Mode)
+    , goalOut :: Event Goal
+    , unstamped :: Event Unstamped
+    , jointsOut :: Event Joints
+    , diagnostics :: Event (DiagnosticArray 2 1 Mode Mode Frame Frame)
+    , path :: Event (Path 2)
+    , estimate :: Event OdometryWithCovariance
+    , fixOut :: Event NavSatFix
+    }
+
+main :: Program In Out
+main = node 50[Hz] (proc i -> Out
+    { modeOut = i.mode
+    , openOut = i.open
+    , goalOut = i.goal
+    , unstamped = mapE (\\g -> Unstamped { header = FrameOnly { frameId = g.header.frameId }, pose = g.pose }) i.goal
+    , jointsOut = i.joints
+    , diagnostics = mapE report i.mode
+    , path = mapE (\\g -> Path { poses = Upto { count = 1, items = [PoseStamped { pose = g.pose }, PoseStamped { pose = g.pose }] } }) i.goal
+    , estimate = mapE estimated i.goal
+    , fixOut = i.fix
+    }) where
+    report m = DiagnosticArray { status = Upto { count = 1, items = [state m, state m] } }
+    state m = DiagnosticStatus
+        { level = diagnosticWarn, name = m, message = Idle
+        , values = Upto { count = 1, items = [KeyValue { key = Map, value = Odom }] }
+        }
+    estimated g = OdometryWithCovariance
+        { pose = PoseWithCovariance { pose = g.pose, covariance = covariances }
+        , twist = TwistWithCovariance { twist = twist 0 0, covariance = covariances }
+        }
+    covariances = generate toFloat
+"""
+
+
+def test_texts():
+    """Texts are enumerations, also in arrays and headers; unknown ones are reported once."""
+    write("texts.frob", TEXTS)
+    peer = Peer()
+    modes = peer.hear(String, "mode_out")
+    opened = peer.hear(String, "open_out")
+    goals = peer.hear(PoseStamped, "goal_out")
+    unstamped = peer.hear(PoseStamped, "unstamped")
+    joints = peer.hear(JointState, "joints_out")
+    diagnostics = peer.hear(DiagnosticArray, "diagnostics")
+    paths = peer.hear(Path, "path")
+    estimates = peer.hear(Odometry, "estimate")
+    fixes = peer.hear(NavSatFix, "fix_out")
+    mode = peer.publisher(String, "mode")
+    open_ = peer.publisher(String, "open")
+    goal = peer.publisher(PoseStamped, "goal")
+    joint = peer.publisher(JointState, "joints")
+    fix = peer.publisher(NavSatFix, "fix")
+    run = Run(program="texts.frob")
+    for publisher in [mode, open_, goal, joint, fix]:
+        matched(publisher)
+    time.sleep(1)
+    for text in ["idle", "driving\u00e9", "blink", "blink", "\x1b[31m", "idle"]:
+        mode.publish(String(data=text))
+        open_.publish(String(data=text))
+        time.sleep(0.2)
+    until(lambda: len(modes) == 3 and len(opened) == 6, "it repeats the texts it knows")
+    assert [m.data for m in modes] == ["idle", "driving\u00e9", "idle"], modes
+    assert [m.data for m in opened] == ["idle", "driving\u00e9", "", "", "", "idle"], opened
+    status = diagnostics[1].status
+    assert len(status) == 1 and status[0].name == "driving\u00e9", status
+    assert status[0].level == b"\x01" and status[0].message == "idle", status
+    assert status[0].values[0].key == "map" and status[0].values[0].value == "odom", status
+    assert status[0].hardware_id == "" and diagnostics[1].header.stamp.sec > 0, status
+    message = PoseStamped()
+    message.header.frame_id = "map"
+    message.header.stamp.sec, message.header.stamp.nanosec = 7, 999999999
+    message.pose.position.x = 2.5
+    goal.publish(message)
+    until(lambda: goals and unstamped and paths and estimates, "it repeats the goal")
+    assert goals[0] == message, goals
+    assert unstamped[0].header.frame_id == "map", unstamped
+    assert abs(unstamped[0].header.stamp.sec - time.time()) < 5, unstamped
+    assert paths[0].header.frame_id == "odom" and len(paths[0].poses) == 1, paths
+    assert paths[0].poses[0].header.frame_id == "odom", paths
+    assert paths[0].poses[0].header.stamp == paths[0].header.stamp, paths
+    assert list(estimates[0].pose.covariance) == list(range(36)), estimates
+    assert list(estimates[0].twist.covariance) == list(range(36)), estimates
+    joint.publish(JointState(name=["idle", "elbow"], position=[0.5, 1.5]))
+    until(lambda: joints, "it repeats the joints")
+    assert list(joints[0].name) == ["idle", ""] and list(joints[0].position) == [0.5, 1.5], joints
+    satellites = NavSatFix(latitude=51.5, longitude=-0.1, position_covariance_type=2)
+    satellites.status.status, satellites.status.service = -1, 3
+    satellites.position_covariance = [float(k) for k in range(9)]
+    fix.publish(satellites)
+    until(lambda: fixes, "it repeats the position")
+    fixes[0].header = satellites.header
+    assert fixes[0] == satellites, fixes
+    _, errors = run.end()
+    assert errors.count('a message on /mode is ignored: its `data` is "blink"') == 1, errors
+    assert errors.count('a message on /open is read with `Nothing`: its `data` is "blink"') == 1
+    assert errors.count('"?[31m"') == 2 and "\x1b" not in errors, errors
+    assert errors.count('its `name` is "elbow"') == 1, errors
+
+
+ALL = """import Geometry
+import Ros
+
+data Mode = Idle | Driving
+instance RosText Mode where
+    rosText mode = case mode of
+        Idle -> "idle"
+        Driving -> "driving"
+
+data All = All
+    { FIELDS
+    }
+
+main :: Program All All
+main = node 20[Hz] identity
+"""
+
+# Every type of messages in the library, except those of visualization_msgs, which the wheels lack.
+TYPES = [
+    *["Vec3[m]", "Quaternion", "Pose3", "PointStamped", "PoseStamped", "PoseArray 2"],
+    *["PoseWithCovarianceStamped", "Twist", "TwistStamped", "TwistWithCovarianceStamped", "Accel"],
+    *["Wrench", "WrenchStamped", "Odometry", "OdometryWithCovariance", "Path 2", "LaserScan 3"],
+    *["Imu", "ImuWithCovariance", "Range", "BatteryState", "Joy 1 2", "JointState 2"],
+    *["Temperature", "FluidPressure", "MagneticField", "NavSatFix", "NavSatStatus"],
+    *["KeyValue Mode Mode", "DiagnosticStatus 2 Mode Mode Mode Mode", "Float32[m]", "UInt8"],
+    *["DiagnosticArray 2 1 Mode Mode Mode Mode", "Int16", "ColorRGBA", "Stamp", "Duration"],
+    *["Header Mode", "Bool", "Int", "Float", "()", "Mode"],
+]
+
+
+def test_all_types():
+    """This ROS 2 has all message types of the library, with the same fields."""
+    fields = [f"t{k} :: Event ({type_})" for k, type_ in enumerate(TYPES)]
+    write("all.frob", ALL.replace("FIELDS", "\n    , ".join(fields)))
+    run = Run("--for", "0.5s", program="all.frob")
+    run.process.wait(timeout=120)
+    output, errors = run.end()
+    assert run.process.returncode == 0 and "node /all" in output, (output, errors)
 
 
 def test_other_type():
