@@ -9,7 +9,7 @@ type required = Instance_fact.required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
-  by : string;
+  by : Instance_fact.user;
   because : (Span.t * Instance_fact.cause) option;
   from : Instance_fact.constraint_ option;
 }
@@ -368,7 +368,9 @@ let asked_in_vain t ~wanted given =
     Type.expand r.argument == Type.expand given && has_no_instance t r.class_ wanted
   in
   match Type.expand given with
-  | Flexible _ -> Option.map (fun (r : required) -> r.by) (List.find_opt lacks t.group.required)
+  | Flexible _ ->
+      Option.bind (List.find_opt lacks t.group.required) (fun (r : required) ->
+          match r.by with Name name -> Some name | Instance _ -> None)
   | _ -> None
 
 let lacks_class t ~wanted given = Option.is_some (asked_in_vain t ~wanted given)
@@ -382,7 +384,7 @@ let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.in
     let from =
       match Type.expand parameter with Rigid r -> Some (r.variable.id, class_) | _ -> None
     in
-    require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from }
+    require t { class_; argument; at; by = Name name; because; from }
   in
   List.iter2 demand instance.required scheme.context
 

@@ -24,7 +24,7 @@ type required = Instance_fact.required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
-  by : string;
+  by : Instance_fact.user;
   because : (Span.t * Instance_fact.cause) option;
   from : Instance_fact.constraint_ option;
 }
@@ -83,6 +83,9 @@ val defined_locally : t -> Ir.Local.t -> Resolve.Ir.binding -> unit
 val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
 (** Records that a local function without a signature is applied at this place. Returns the place of
     its first application, unless this is the first one. *)
+
+val written_unit : t -> Resolve.Ir.unit_ -> Units.t option
+(** The measure of a unit that contains no variables. *)
 
 (** {1 New types} *)
 
@@ -145,8 +148,8 @@ val has_no_instance : t -> Ir.class_ -> Type.t -> bool
 (** Is the type known to have no instance of the class? *)
 
 val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
-(** The name, in backticks, whose use requires the second type to have a class that the first type
-    lacks. [None] if there is no such name, or if the second type is not an unsolved variable. *)
+(** The name whose use requires the second type to have a class that the first type lacks. [None] if
+    there is no such name, or if the second type is not an unsolved variable. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)

@@ -8,6 +8,9 @@ type cause =
       (** the signature of this name has the constraint *)
   | Superclass of { class_ : Ir.class_; of_ : Ir.Global.t }
 
+(** What requires a class: the use of a name, or the instance of a class for a type. *)
+type user = Name of string | Instance of Ir.class_ * Type.t
+
 type constraint_ = int * Ir.class_
 (** The id of a quantified variable, and a class that the variable is required to have. *)
 
@@ -15,11 +18,11 @@ type required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
-  by : string;  (** the name, in backticks *)
+  by : user;
   because : (Span.t * cause) option;  (** the place that imposes the constraint, and why *)
   from : constraint_ option;  (** the constraint in the scheme of the name *)
 }
-(** A class that a use of a name requires. *)
+(** A class that something in the program requires. *)
 
 type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
 (** A constraint that cannot be satisfied, and the instances that led to it, in reverse order. *)

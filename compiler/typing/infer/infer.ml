@@ -296,8 +296,7 @@ let definitions_of_instance ctx (i : Class_declarations.instance) =
 let check_superclasses ctx (i : Class_declarations.instance) =
   let ctx = in_group ctx in
   Classes.give ctx i.scheme;
-  let words = Context.words ctx in
-  let by = Printf.sprintf "`%s`" (Show.constraint_ words (Declared i.of_class.class_) i.head) in
+  let by = Instance_fact.Instance (Declared i.of_class.class_, i.head) in
   let require_superclass (class_, span) =
     let because = Some (span, Instance_fact.Superclass { class_; of_ = i.of_class.class_ }) in
     require ctx { class_; argument = i.head; at = i.place; by; because; from = None }
@@ -324,6 +323,10 @@ let instance (i : Class_declarations.instance) : Ir.instance =
     span = i.place;
   }
 
+let in_backticks : Instance_fact.user -> string = function
+  | Name name -> Printf.sprintf "`%s`" name
+  | Instance (class_, head) -> Printf.sprintf "`%s`" (Show.final_constraint class_ (Final.ty head))
+
 (* Follows the requirement from each use to the definition used, as long as both are outside the
    library. *)
 let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
@@ -331,7 +334,7 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
     match Hashtbl.find_opt ctx.needs constraint_ with
     | Some (required : required)
       when (not (List.mem constraint_ seen)) && not (is_library required.at.file) -> (
-        let found : Ir.need = { place = required.at; by = required.by } in
+        let found : Ir.need = { place = required.at; by = in_backticks required.by } in
         match required.from with
         | Some inner -> follow (constraint_ :: seen) found inner
         | None -> found)

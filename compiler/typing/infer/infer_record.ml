@@ -87,101 +87,42 @@ let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
         constructor.ir.constructor.name name.text
 
-(* Describes how the units of the fields are related. *)
-let in_units (constructor : Environment.constructor) =
-  let field (name, ty) =
-    match (ty : Ir.ty) with
-    | Number (_, u) -> Some (Printf.sprintf "`%s` has `%s`" name (Show.unit_ u))
-    | _ -> None
-  in
-  Printf.sprintf "in a `%s`, the units depend on each other: %s" constructor.tycon.name
-    (String.concat ", " (List.filter_map field constructor.ir.fields))
-
-(* The number that a field is set to, with the place of the digits. *)
-let rec number (e : Resolve.Ir.expr) =
+let rec number (e : Resolve.Ir.expr) : Expected.number option =
   match e.desc with
-  | Number { digits; unit_; _ } -> Some (false, digits, unit_, e.span)
+  | Number { digits; unit_; _ } -> Some { negative = false; digits; unit_; at = e.span }
   | Negate e ->
-      Option.map (fun (negative, digits, unit_, at) -> (not negative, digits, unit_, at)) (number e)
+      Option.map (fun (n : Expected.number) -> { n with negative = not n.negative }) (number e)
   | _ -> None
 
-(* `Pid[m, m/s]` (u is `m`, v is `m/s`). *)
-let with_unit_variables words (constructor : Environment.constructor) ty units =
-  let variable ({ variable = v; _ } : Units.rigid) u =
-    Printf.sprintf "%s is `%s`" v.name (Show.measure words u)
-  in
-  Printf.sprintf "`%s` (%s)" (Show.type_ words ty)
-    (String.concat ", " (List.map2 variable constructor.scheme.units units))
-
-(* The whole record with a unit after each number. If there is no [wanted] type, the units that the
-   program writes determine those of the type; units that remain open become `m` and `m/s`, as
-   examples. *)
-let with_units ctx (constructor : Environment.constructor) ?wanted fields =
+(* If there is no [wanted] type, the units that the program writes determine those of the type; units
+   that remain open become `m` and `m/s`, as examples. *)
+let completed ctx (constructor : Environment.constructor) ?wanted fields : Expected.completed =
   let environment = ctx.reader.environment in
   let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
-  let types, result = Environment.fields constructor instance.ty in
-  Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
-  let words = words ctx in
+  let types, ty = Environment.fields constructor instance.ty in
+  Option.iter (fun wanted -> ignore (Unify.types wanted ty)) wanted;
   let unit_of (name : Syntax.Ir.name) =
     match Option.map (fun i -> Type.expand (List.nth types i)) (position constructor name.text) with
     | Some (Type.Number (_, u)) -> Some u
     | Some _ | None -> None
   in
-  let numbers = List.map (fun (name, e) -> (name, number e, unit_of name)) fields in
-  let by_written (_, number, unit_) =
+  let fields = List.map (fun (name, e) -> (name, number e, unit_of name)) fields in
+  let by_written (_, (number : Expected.number option), unit_) =
     match (number, unit_) with
-    | Some (_, _, Some written, _), Some u ->
-        Option.iter
-          (fun written -> ignore (Units.unify u written))
-          (Show.unit_written words written)
+    | Some { unit_ = Some written; _ }, Some u ->
+        Option.iter (fun written -> ignore (Units.unify u written)) (written_unit ctx written)
     | _ -> ()
   in
-  List.iter by_written numbers;
+  List.iter by_written fields;
   let base name = (Environment.unit_ environment (Environment.built_in name)).measure in
-  let units = match Type.expand result with Data { units; _ } -> units | _ -> [] in
+  let units = match Type.expand ty with Data { units; _ } -> units | _ -> [] in
   let is_example = List.exists Units.is_open units in
   let choose i u =
     if Units.is_open u then
       ignore (Units.unify u (if i = 0 then base "m" else Units.divide (base "m") (base "s")))
   in
   List.iteri choose units;
-  let field ((name : Syntax.Ir.name), number, unit_) =
-    match (number, unit_) with
-    | Some (negative, digits, written, at), Some u when not (Units.is_open u) ->
-        let measure = Show.measure words u in
-        let is_zero = float_of_string_opt digits = Some 0. in
-        let literal =
-          if is_zero || String.equal measure "1" then digits
-          else Printf.sprintf "%s[%s]" digits measure
-        in
-        let is_right =
-          match Option.bind written (Show.unit_written words) with
-          | Some unit_ -> Units.equal unit_ u
-          | None -> String.equal literal digits
-        in
-        (* a right unit stays as it is written: `60[deg/s]` is not `60[1/s]` *)
-        let literal =
-          if is_right then Option.value (Show.quote words at) ~default:literal else literal
-        in
-        let edit = if is_right then None else Some (at, literal) in
-        Some (Printf.sprintf "%s = %s%s" name.text (if negative then "-" else "") literal, edit)
-    | _ -> None
-  in
-  let written = List.map field numbers in
-  if List.mem None written || List.exists Units.is_open units then None
-  else
-    let all = List.filter_map Fun.id written in
-    let record =
-      Printf.sprintf "%s { %s }" constructor.ir.constructor.name
-        (String.concat ", " (List.map fst all))
-    in
-    let text =
-      Printf.sprintf "give all its numbers their units: for a %s%s, write `%s`"
-        (with_unit_variables words constructor result units)
-        (if is_example then ", for example" else "")
-        record
-    in
-    Some (text, List.filter_map snd all)
+  { ty; units; is_example; fields }
 
 let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
@@ -192,24 +133,31 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let types = Array.of_list types in
   let before = errors ctx in
   let several = List.compare_length_with constructor.scheme.units 1 > 0 in
-  let units = if several then Some (in_units constructor) else None in
   (* if wanted units are still open, the wrong numbers would determine them *)
   let wanted =
     match Option.map Type.expand wanted with
     | Some (Type.Data { units; _ } as t) when not (List.exists Units.is_open units) -> Some t
     | Some _ | None -> None
   in
-  let whole value =
+  let completed value =
     match number value with
-    | Some (_, _, written, _) when several && (written = None || wanted <> None) ->
-        lazy (with_units ctx constructor ?wanted fields)
-    | _ -> lazy None
+    | Some { unit_; _ } when several && (unit_ = None || wanted <> None) ->
+        Some (lazy (completed ctx constructor ?wanted fields))
+    | _ -> None
   in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
     (* after one field with a wrong unit, the others would seem wrong too *)
     let ty = if several && errors ctx > before then Type.Erroneous else types.(index) in
-    let because = Expected.Field { name = name.text; at = name.span; units; whole = whole value } in
+    let because =
+      Expected.Field
+        {
+          name = name.text;
+          at = name.span;
+          constructor = (if several then Some constructor else None);
+          completed = completed value;
+        }
+    in
     (index, expressions.check ctx value { ty; because })
   in
   let fields = List.map field fields in
@@ -234,8 +182,7 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
       answer := Some constructor;
       match asked_in_vain ctx ~wanted:ty result with
       | Some by ->
-          let function_ = String.concat "" (String.split_on_char '`' by) in
-          tell ctx (Field_of_argument { at = e.span; field = name; record; function_ });
+          tell ctx (Field_of_argument { at = e.span; field = name; record; function_ = by });
           expect ctx ~at:e.span { ty = result; because = Unknown } Type.Erroneous
       | None -> expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
   let build () =
@@ -272,7 +219,8 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
           expect ctx ~subject:value ~at:value.span
             {
               ty = types name;
-              because = Field { name = name.text; at = name.span; units = None; whole = lazy None };
+              because =
+                Field { name = name.text; at = name.span; constructor = None; completed = None };
             }
             ty)
         values);
@@ -280,7 +228,7 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
     List.map
       (fun ((name : Syntax.Ir.name), value, ty) ->
         let because =
-          Expected.Field { name = name.text; at = name.span; units = None; whole = lazy None }
+          Expected.Field { name = name.text; at = name.span; constructor = None; completed = None }
         in
         (name, expressions.check ctx value { ty; because }))
       values

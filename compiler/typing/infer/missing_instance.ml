@@ -29,13 +29,14 @@ let follows_from_an_order ctx (required : required) (lack : Instance_fact.lack) 
   errors ctx > 0
   &&
   match (lack.lacking, Type.expand lack.culprit) with
-  | Declared { name = "RobotOutput" | "DiffDrive"; _ }, Number _ -> required.by = "`roMake`"
+  | Declared { name = "RobotOutput" | "DiffDrive"; _ }, Number _ -> required.by = Name "roMake"
   | _ -> false
 
 let report ctx (required : required) (lack : Instance_fact.lack) =
   if not (follows_from_a_tuple ctx required lack || follows_from_an_order ctx required lack) then
     match (lack.lacking, lack.through) with
-    | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
+    | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = Name "verdict"
+      ->
         tell_of_instance ctx (Not_a_condition { at = required.at; ty = lack.culprit })
     | _ -> tell_of_instance ctx (No_instance { required; lack })
 

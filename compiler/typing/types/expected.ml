@@ -1,6 +1,14 @@
 open Basis
 
 type decider = { place : Span.t; decides : Type.t; a_size : bool }
+type number = { negative : bool; digits : string; unit_ : Resolve.Ir.unit_ option; at : Span.t }
+
+type completed = {
+  ty : Type.t;
+  units : Units.t list;
+  is_example : bool;
+  fields : (Syntax.Ir.name * number option * Units.t option) list;
+}
 
 type reason =
   | Unknown
@@ -30,8 +38,8 @@ type reason =
   | Field of {
       name : string;
       at : Span.t;
-      units : string option;
-      whole : (string * (Span.t * string) list) option Lazy.t;
+      constructor : Environment.constructor option;
+      completed : completed Lazy.t option;
     }
   | Output of reason
 

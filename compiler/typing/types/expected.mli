@@ -9,6 +9,23 @@ type decider = {
 }
 (** An earlier argument whose type shares a variable with the parameter's type. *)
 
+type number = {
+  negative : bool;
+  digits : string;
+  unit_ : Resolve.Ir.unit_ option;
+  at : Span.t;  (** without the sign *)
+}
+(** A number in the program. *)
+
+type completed = {
+  ty : Type.t;
+  units : Units.t list;  (** the arguments of [ty] *)
+  is_example : bool;  (** nothing determines some of these units, so they are examples *)
+  fields : (Syntax.Ir.name * number option * Units.t option) list;
+      (** for each field, the number that it is set to, and the unit that this number needs *)
+}
+(** A record whose numbers all have the units of one type. *)
+
 (** The reason why an expression must have a certain type. *)
 type reason =
   | Unknown
@@ -43,9 +60,11 @@ type reason =
   | Field of {
       name : string;
       at : Span.t;
-      units : string option;  (** how the units of the record's fields are related *)
-      whole : (string * (Span.t * string) list) option Lazy.t;
-          (** the hint that writes the units of all the fields, and its edits *)
+      constructor : Environment.constructor option;
+          (** of the record, if the units of its fields depend on each other *)
+      completed : completed Lazy.t option;
+          (** if the field is such a number without a unit, the record with all units; inference
+              computes it when a message needs it *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

@@ -96,9 +96,10 @@ let rec tree : Ir.ty -> tree = function
 
 let ty t = write (tree t)
 let class_ : Ir.class_ -> string = function Eq -> "Eq" | Ord -> "Ord" | Declared c -> c.name
+let final_constraint c t = write (Applied (class_ c, [ tree t ]))
 
 let scheme (s : Ir.scheme) =
-  let constraint_ (c, t) = write (Applied (class_ c, [ tree t ])) in
+  let constraint_ (c, t) = final_constraint c t in
   let body = ty s.ty in
   match s.context with
   | [] -> body

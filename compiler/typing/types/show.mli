@@ -9,6 +9,9 @@ val ty : Ir.ty -> string
 val scheme : Ir.scheme -> string
 (** The type with its context: [Eq a => a -> a -> Bool]. *)
 
+val final_constraint : Ir.class_ -> Ir.ty -> string
+(** For example [Eq (Maybe Int)]. *)
+
 val unit_ : Ir.unit_ -> string
 (** For example [m/s], [kg m/s^2] or [1]. *)
 

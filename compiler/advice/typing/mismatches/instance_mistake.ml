@@ -85,12 +85,17 @@ let is_direct fact =
   && (Type.expand fact.required.argument == Type.expand fact.lack.culprit
      || same_foreign fact.words fact.required.argument fact.lack.culprit)
 
-let without_hints { required; lack; words; culprit; _ } =
+let user fact = Required_label.user fact.words fact.required
+
+let name_of_user fact =
+  match fact.required.by with Name name -> name | Instance (class_, _) -> Show.class_ class_
+
+let without_hints ({ required; lack; words; culprit; _ } as fact) =
   let at = required.at in
   match lack.lacking with
   | Declared _ when Environment.is_task lack.culprit ->
       Diagnostic.error ~code:"E0371" ~at "%s does not return a task, but %s is needed here"
-        required.by culprit
+        (user fact) culprit
   | Declared _ ->
       Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
         (Show.constraint_ words lack.lacking lack.culprit)
@@ -99,10 +104,10 @@ let without_hints { required; lack; words; culprit; _ } =
       let of_ = if lack.through = [] then Show.quoted words required.argument else culprit in
       Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
 
-let where_needed { required; lack; words; _ } d =
+let where_needed ({ required; lack; words; _ } as fact) d =
   if Environment.is_task lack.culprit then d
   else
-    Diagnostic.here (Printf.sprintf "%s needs it" required.by) d
+    Diagnostic.here (Printf.sprintf "%s needs it" (user fact)) d
     |> through_instances words lack |> Required_label.add words required
 
 (* {2 Rules}
@@ -113,7 +118,7 @@ let where_needed { required; lack; words; _ } d =
 let several_outputs fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ }
-    when fact.required.by = "`roMake`" && is_function fact.lack.culprit ->
+    when fact.required.by = Name "roMake" && is_function fact.lack.culprit ->
       Some
         (fun (d : Diagnostic.t) ->
           { d with message = "`roMake` takes one function, and turns it into an output" }
@@ -141,7 +146,7 @@ let output_with_an_event fact =
             message =
               Printf.sprintf
                 "a pair of an output and an event is needed here, but %s returns only an output"
-                fact.required.by;
+                (user fact);
             here = "";
             labels = [];
           }
@@ -164,11 +169,11 @@ let output_of_numbers fact =
       Some
         (Diagnostic.hint
            (match fact.required.by with
-           | "`roMake`" | "`setVelTR`" ->
+           | Name ("roMake" | "setVelTR") ->
                Printf.sprintf
                  "%s returns the commands for a robot: the signature, or the other outputs here, \
                   must be `RobotOutput` too, not %s"
-                 fact.required.by fact.culprit
+                 (user fact) fact.culprit
            | _ ->
                "a robot takes commands, not numbers: make an output of the speed and the turn rate \
                 with `roMake (setVelTR v omega)`"))
@@ -269,7 +274,7 @@ let command_line fact =
 let task fact =
   match (fact.lack.lacking, command_line fact) with
   | Declared _, Some (command, at)
-    when Environment.is_task fact.lack.culprit && fact.required.by = "`roMake`" ->
+    when Environment.is_task fact.lack.culprit && fact.required.by = Name "roMake" ->
       let text = Printf.sprintf "sleepT 1[s] (%s)" command in
       Some
         (fun d ->
@@ -283,7 +288,7 @@ let task fact =
   | Declared _, _ when Environment.is_task fact.lack.culprit ->
       Some
         (Diagnostic.hint
-           (if fact.required.by = "`roMake`" then
+           (if fact.required.by = Name "roMake" then
               "a command of the robot is not a task: in a `do`, give it for a time with `sleepT \
                1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
             else
@@ -316,7 +321,7 @@ let not_comparable fact =
 (* A function that sets an output, used without `roMake`. *)
 let output_not_made fact =
   match fact.lack.lacking with
-  | Declared { name = "RobotOutput"; _ } when fact.required.by <> "`roMake`" ->
+  | Declared { name = "RobotOutput"; _ } when fact.required.by <> Name "roMake" ->
       let hint = Output_mistake.hint_without_instance fact.lack.culprit in
       Some (Option.fold hint ~none:Fun.id ~some:Diagnostic.hint)
   | _ -> None
@@ -339,7 +344,7 @@ let parameters fact =
     | Signal_function _ -> 1
     | _ -> 0
   in
-  let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+  let name = name_of_user fact in
   Option.map count (Show.declared_type fact.words { module_ = "Capability"; name })
 
 let is_of_an_output (class_ : Ir.class_) =
@@ -349,7 +354,7 @@ let is_of_an_output (class_ : Ir.class_) =
   | Declared _ | Eq | Ord -> false
 
 let takes_a_robot fact =
-  let by = fact.required.by in
+  let by = user fact in
   match (is_of_an_output fact.lack.lacking, parameters fact) with
   | false, Some 1 ->
       let name = String.concat "" (String.split_on_char '`' by) in
@@ -375,7 +380,7 @@ let mode_without_event fact =
   match Type.expand fact.lack.culprit with
   | Tuple [ _; e ] when Environment.is_event e && column >= 1 ->
       let start = Span.position ~line:(Span.line at.start) ~column in
-      let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+      let name = name_of_user fact in
       if Show.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop) = Some (before ^ name)
       then
         let cure = Printf.sprintf "(%s &&& after 10[s])" name in
@@ -482,7 +487,7 @@ let not_a_condition words ~at culprit =
 
 let undecided words (required : required) class_ =
   Diagnostic.error ~code:"E0308" ~at:required.at "nothing determines the type at which %s is used"
-    required.by
+    (Required_label.user words required)
   |> Diagnostic.note (Printf.sprintf "it must be a type of the class `%s`" (Show.class_ class_))
   |> Diagnostic.hint "annotate it with a type, as in `(e :: T)`"
   |> Required_label.add words required

@@ -81,7 +81,8 @@ let one words ({ required; _ } as m : promise) =
   let needed = constraint_ words m in
   let error by =
     Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not declare"
-      required.by needed (name by)
+      (Required_label.user words required)
+      needed (name by)
   in
   match owner words m with
   | None -> error None
@@ -104,7 +105,7 @@ let several words (first : promise) rest =
   in
   let label diagnostic (m : promise) =
     Diagnostic.label ~at:m.required.at
-      (Printf.sprintf "%s needs `%s`" m.required.by (constraint_ words m))
+      (Printf.sprintf "%s needs `%s`" (Required_label.user words m.required) (constraint_ words m))
       diagnostic
   in
   List.fold_left label

@@ -68,12 +68,20 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
         diagnostic
       |> decided words decided_by
   | Output reason -> label_reason words reason expected diagnostic
-  | Field { name; at; units; whole } ->
-      (match if String.equal diagnostic.code "E0320" then Lazy.force whole else None with
+  | Field { name; at; constructor; completed } ->
+      let whole =
+        match (constructor, completed) with
+        | Some constructor, Some completed when String.equal diagnostic.code "E0320" ->
+            Record_units.completed words constructor (Lazy.force completed)
+        | _ -> None
+      in
+      (match whole with
       | Some (text, edits) ->
           hint text { diagnostic with hints = []; fixes = [] }
           |> fix "give the numbers their units" edits
-      | None -> Option.fold units ~none:Fun.id ~some:note diagnostic)
+      | None ->
+          let relate constructor = note (Record_units.relation constructor) in
+          Option.fold constructor ~none:Fun.id ~some:relate diagnostic)
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
 
 let definition name = Printf.sprintf "this defines `%s`" name

@@ -12,3 +12,8 @@ let add words required diagnostic =
   match required.because with
   | Some (place, cause) -> Diagnostic.label ~at:place (text_of_cause words cause) diagnostic
   | None -> diagnostic
+
+let user words required =
+  match required.by with
+  | Name name -> Printf.sprintf "`%s`" name
+  | Instance (class_, head) -> Printf.sprintf "`%s`" (Show.constraint_ words class_ head)

@@ -1,0 +1,14 @@
+(** Records whose units depend on each other, such as the settings of a PID controller. *)
+
+open Basis
+open Typing
+
+val relation : Environment.constructor -> string
+(** Describes how the units of the fields are related. *)
+
+val completed :
+  Show.words ->
+  Environment.constructor ->
+  Expected.completed ->
+  (string * (Span.t * string) list) option
+(** The hint that shows the whole record with a unit after each number, and its edits. *)
