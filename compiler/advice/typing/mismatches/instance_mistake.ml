@@ -132,11 +132,13 @@ let output_with_an_event fact =
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
       let at = fact.required.at in
       let written =
-        Option.bind (Source.text (Show.sources fact.words) at.file) (fun text ->
+        Option.bind
+          (Source.text (Show.sources fact.words) at.file)
+          (fun text ->
             Option.bind (Name_in_text.application ~text at) (fun (whole, _) ->
                 Option.map (fun output -> (whole, output)) (Show.quote fact.words whole)))
       in
-      let name = String.concat "" (String.split_on_char '`' fact.required.by) in
+      let name = name_of_user fact in
       let unknown = if String.equal name "roMake" then "roMake (…)" else name in
       let output = Option.fold written ~none:unknown ~some:snd in
       Some
