@@ -8,11 +8,13 @@ let program ?sources sink facts ~real resolved =
   Option.bind
     (sound sink (Infer.program ?sources sink facts ~real resolved))
     (fun typed ->
-      let typed = Levels.program ?sources sink typed in
+      let typed = Levels.program facts typed in
       Patterns.check facts typed;
       sound sink typed)
 
 let partial ~real resolved =
   let sink = Diagnostic.sink () in
   let typed = Infer.program sink (Facts.ignored ()) ~real resolved in
-  match Levels.program sink typed with leveled -> leveled | exception Diagnostic.Bug _ -> typed
+  match Levels.program (Facts.ignored ()) typed with
+  | leveled -> leveled
+  | exception Diagnostic.Bug _ -> typed

@@ -45,6 +45,7 @@ let inference words (fact : Typing.Inference_fact.t) =
 let diagnostic sources (fact : Typing.Fact.t) =
   match fact with
   | Pattern fact -> Pattern_mistake.diagnostic sources fact
+  | Level fact -> Level_mistake.diagnostic sources fact
   | Inference { words; fact } -> inference words fact
   | Instance { words; fact } -> Instance_mistake.diagnostic words fact
   | Misapplied { words; call; mistake } ->

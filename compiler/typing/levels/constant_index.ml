@@ -18,9 +18,7 @@ let local c (x : Local.t) e = Int_table.replace c.locals x.id e
 let global c name e =
   if not (Global_table.mem c.params name) then Global_table.replace c.globals name e
 
-type problem = Variable of Local.t * Span.t | Param of Global.t * Span.t | Computed of Span.t
-
-exception Problem of problem
+exception Problem of Level_fact.problem
 
 let fail problem = raise_notrace (Problem problem)
 

@@ -10,7 +10,7 @@ type frame = {
 }
 
 type walk = {
-  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
   graph : Level_graph.t;
   unfinished : unit Int_table.t;
       (** variables of [let]s whose definitions have not been completely traversed *)
@@ -32,21 +32,9 @@ let rec starts = function
   | Tuple parts -> List.exists starts parts
   | Variable _ | Number _ | Bool | String | Size _ -> false
 
-let report_recursion w (x : Local.t) (e : expr) =
-  let why =
-    match e.ty with
-    | Function _ -> "a function cannot call itself"
-    | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
-        "only the equations of a `proc` may be recursive"
-  in
-  Diagnostic.(
-    error ~code:"E0346" ~at:e.span "`%s` is used in its own definition" x.name
-    |> here why
-    |> label ~at:x.span (Printf.sprintf "`%s` is defined here" x.name)
-    |> emit w.sink)
-
 let mention w frames (x : Local.t) (e : expr) =
-  if Int_table.mem w.unfinished x.id && not (starts e.ty) then report_recursion w x e;
+  if Int_table.mem w.unfinished x.id && not (starts e.ty) then
+    Facts.report w.facts (Level (Recursive { variable = x; use = e }));
   match Level_graph.find w.graph x with
   | None -> Diagnostic.bug ~stage:"Typing.Levels" "`%s` has no level" x.name
   | Some node ->
@@ -173,7 +161,7 @@ and proc w frames input equations output =
   frame.owner <- None;
   expr w frames output
 
-let definition sink (d : definition) =
-  let w = { sink; graph = Level_graph.create (); unfinished = Int_table.create 16 } in
+let definition facts (d : definition) =
+  let w = { facts; graph = Level_graph.create (); unfinished = Int_table.create 16 } in
   expr w (push [] ~proc:false) d.value;
   w.graph

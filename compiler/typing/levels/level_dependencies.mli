@@ -1,5 +1,5 @@
-(** Builds the {!Level_graph} of a definition in one walk. Reports [E0346] if a [let] or [where] is
+(** Builds the {!Level_graph} of a definition in one walk. Reports a [let] or [where] that is
     recursive, unless the recursion is through a signal function or task that restarts itself. *)
 
-val definition : Basis.Diagnostic.sink -> Ir.definition -> Level_graph.t
+val definition : Fact.t Basis.Facts.t -> Ir.definition -> Level_graph.t
 (** The result must still be solved; see {!Level_graph.solve}. *)

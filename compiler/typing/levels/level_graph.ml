@@ -87,18 +87,17 @@ let solve t =
   drain t.statics (fun _ -> function
     | Mentioned { within; _ } | Contained within -> static t within)
 
-(* Maximum length of the chain shown to the user. *)
+(* Maximum length of the chain. *)
 let longest_chain = 8
 
-let explain variable node d =
-  let rec go hops (x : Ir.Local.t) node d =
-    let label at why = Diagnostic.label ~at (Printf.sprintf "`%s` is a signal: %s" x.name why) d in
+let reasons variable node : Level_fact.reason list =
+  let rec go hops variable node : Level_fact.reason list =
     match node.cause with
-    | None_known -> d
-    | From_input -> label x.span "it comes from the `proc`'s input here"
-    | Runs at -> label at "a signal function runs here"
-    | Mentions { variable = y; node; at } ->
-        let d = label at (Printf.sprintf "it depends on `%s` here" y.name) in
-        if hops = longest_chain then d else go (hops + 1) y node d
+    | None_known -> []
+    | From_input -> [ { variable; why = Input } ]
+    | Runs at -> [ { variable; why = Runs_at at } ]
+    | Mentions { variable = other; node; at } ->
+        { variable; why = Depends_on (other, at) }
+        :: (if hops = longest_chain then [] else go (hops + 1) other node)
   in
-  go 1 variable node d
+  go 1 variable node

@@ -49,5 +49,6 @@ val solve : t -> unit
 val level : node -> Ir.level
 val origin : node -> origin
 
-val explain : Ir.Local.t -> node -> Diagnostic.t -> Diagnostic.t
-(** Adds the chain of places that makes the variable a signal. *)
+val reasons : Ir.Local.t -> node -> Level_fact.reason list
+(** The chain of places that makes the variable a signal, starting with the variable itself; at most
+    eight. *)

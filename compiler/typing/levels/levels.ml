@@ -4,15 +4,15 @@ open Ir
 (* An expression that must not depend on the signals of the enclosing proc. Signals from outside
    that proc are captured, so they are static here. [depth]: depth of the expression. [proc_depth]:
    depth of the proc. Each region is reported at most once. *)
-type region = { depth : int; proc_depth : int; kind : kind; mutable reported : bool }
-
-and kind =
-  | Head of { head : expr; input : expr }
-  | Binding_of of Local.t  (** a signal function *)
-  | Binding_of_task of Local.t
+type region = {
+  depth : int;
+  proc_depth : int;
+  must_be_static : Level_fact.region;
+  mutable reported : bool;
+}
 
 type place = {
-  position : Misplaced.position;
+  position : Level_fact.position;
   depth : int;
   proc_depth : int;
   regions : region list;  (** innermost first *)
@@ -24,115 +24,31 @@ type place = {
 }
 
 type walk = {
-  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
   graph : Level_graph.t;
   constants : Constant_index.constants;
   definition : Global.t;
   within : expr;  (** the value of the definition *)
-  sources : Source.t;
   values : (int, expr) Hashtbl.t;  (** the value of each local variable, by its [id] *)
   memory : Memory.t;
 }
 
-let enter place kind =
+let report w fact = Facts.report w.facts (Level fact)
+
+let enter place must_be_static =
   {
     place with
     regions =
-      { depth = place.depth; proc_depth = place.proc_depth; kind; reported = false }
+      { depth = place.depth; proc_depth = place.proc_depth; must_be_static; reported = false }
       :: place.regions;
   }
 
 (* {1 Values that must be static} *)
 
-let rec runs_a_local (h : expr) =
-  match h.desc with Local _ -> true | Apply (f, _) -> runs_a_local f | _ -> false
-
-let complaint kind what =
-  match kind with
-  | Head { head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ }; _ }
-    ->
-      Printf.sprintf "the initial value of `delay` must be static, but %s" what
-  | Head { head = { desc = Apply _; _ } as h; _ } when not (runs_a_local h) ->
-      Printf.sprintf "the arguments of %s before its signal must be static, but %s"
-        (Misplaced.name h) what
-  | Head _ -> Printf.sprintf "the signal function that runs here must be static, but %s" what
-  | Binding_of x ->
-      Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
-  | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
-
-(* The hint for an argument of a signal function that is not static. *)
-let for_arguments w head input =
-  let value (x : Local.t) = Hashtbl.find_opt w.values x.id in
-  match Settings.hint w.sources ~value ~head ~input with
-  | Some hint -> hint
-  | None when runs_a_local head ->
-      "static values are known when it starts: pass a signal in its input, or use `initially` to \
-       start it with the first value of a signal"
-  | None ->
-      "static values are known when it starts: run one for each of a few constant settings and \
-       choose between their outputs, pass the signal in the input, or use `initially` to keep its \
-       first value"
-
-(* `delay x 0`, with the arguments in the wrong order *)
-let exchanged_delay w (start : expr) (input : expr) =
-  let quote e = Option.map Source.grouped (Settings.quote w.sources e) in
-  match (quote start, quote input) with
-  | Some x, Some constant when Settings.is_constant input ->
-      let text = Printf.sprintf "delay %s %s" constant x in
-      Some
-        (fun d ->
-          Diagnostic.hint
-            (Printf.sprintf "the initial value comes before the signal: write `%s`" text)
-            d
-          |> Diagnostic.fix
-               (Printf.sprintf "write `%s`" text)
-               [ (start.span, constant); (input.span, x) ])
-  | _ -> None
-
-(* A hint that guesses what the programmer meant. *)
-let cure w = function
-  | Head
-      {
-        head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, start); _ };
-        input;
-      }
-    when exchanged_delay w start input <> None ->
-      Option.get (exchanged_delay w start input)
-  | Head { head = { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ }; _ }
-    ->
-      Diagnostic.hint
-        "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
-         `previous x`, with `import Control`"
-  | Head { head = { desc = If _ | Case _; _ }; _ } ->
-      Diagnostic.hint "run each in a separate equation, and choose between their outputs"
-  | Head
-      {
-        head =
-          { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ };
-        _;
-      }
-    when name = "switch" || name = "dSwitch" ->
-      Diagnostic.hint (Printf.sprintf "pass it in the event of the `%s`, or use `initially`" name)
-  | Binding_of_task _ ->
-      Diagnostic.hint
-        "pass values that are known at the start as parameters of the task, and signals in its \
-         input"
-  | Head { head; input } -> Diagnostic.hint (for_arguments w head input)
-  | Binding_of x ->
-      Diagnostic.hint
-        (Printf.sprintf
-           "pass signals in its input: `%s` can take a pair, `proc (x, y) -> …`; to pass a value \
-            from one mode to the next, use the event of the switch"
-           x.name)
-
-let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
-
-let report w region ~at what explain =
+let not_static w (region : region) ~at cause =
   if not region.reported then (
     region.reported <- true;
-    Diagnostic.(
-      error ~code:(code region.kind) ~at "%s" (complaint region.kind what)
-      |> explain |> cure w region.kind |> emit w.sink))
+    report w (Not_static { at; region = region.must_be_static; cause }))
 
 let outermost suits regions =
   List.fold_left (fun found r -> if suits r then Some r else found) None regions
@@ -148,10 +64,8 @@ let mention w place (x : Local.t) (e : expr) =
           let concerned (r : region) = r.proc_depth <= bound_at && bound_at <= r.depth in
           match outermost concerned place.regions with
           | None -> ()
-          | Some region ->
-              report w region ~at:e.span
-                (Printf.sprintf "`%s` is a signal" x.name)
-                (Level_graph.explain x node)))
+          | Some region -> not_static w region ~at:e.span (Mentions (x, Level_graph.reasons x node))
+          ))
 
 (* {1 Places of instances} *)
 
@@ -168,13 +82,19 @@ let bound_here place e =
   if place.conditional <> [] then ignore (Parts.exists bound e);
   !found
 
-let obstacle w place (e : expr) head : Misplaced.obstacle option =
+let rec runs (h : expr) definition =
+  match h.desc with
+  | Global (g, _) -> g = definition
+  | Apply (f, _) -> runs f definition
+  | _ -> false
+
+let obstacle w place (e : expr) head : Level_fact.obstacle option =
   match (place.position, bound_here place e) with
   | Every_instant, _ -> None
   | (Outside | In_task), _ -> Some Depends_on_start
   | _, Some x -> Some (Bound_here x)
   | _ when place.lifted -> Some Lifted
-  | _ when Misplaced.runs head w.definition -> Some Own_definition
+  | _ when runs head w.definition -> Some Own_definition
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
 (* Checks the places of the head and of the input. An instance is reported at most once. A stateless
@@ -182,7 +102,7 @@ let obstacle w place (e : expr) head : Misplaced.obstacle option =
 let instance w place (e : expr) head input =
   let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
   let nothing_runs region =
-    report w region ~at:e.span (Printf.sprintf "%s runs here" (Misplaced.name head)) Fun.id;
+    not_static w region ~at:e.span (Runs head);
     (place, place)
   in
   match region place.depth with
@@ -190,8 +110,8 @@ let instance w place (e : expr) head input =
   | None -> (
       match obstacle w place e head with
       | Some obstacle ->
-          Misplaced.report w.sink w.sources ~definition:w.definition ~within:w.within place.position
-            obstacle e ~head ~input;
+          let { definition; within; _ } = w and { position; _ } = place in
+          report w (Misplaced { definition; within; position; obstacle; instance = e; head; input });
           (place, place)
       | None -> (
           match region place.proc_depth with
@@ -200,9 +120,10 @@ let instance w place (e : expr) head input =
               let place =
                 { place with position = Every_instant; depth = place.proc_depth; conditional = [] }
               in
-              (enter place (Head { head; input }), place)))
+              let value (x : Local.t) = Hashtbl.find_opt w.values x.id in
+              (enter place (Head { head; input; value }), place)))
 
-let conditional place (position : Misplaced.position) =
+let conditional place (position : Level_fact.position) =
   match place.position with
   | Every_instant -> { place with position }
   | In_branch (Some _) -> { place with position = In_branch None }
@@ -224,67 +145,20 @@ let knowing place patterns =
 
 (* {1 The index of an array} *)
 
-let not_constant w ?array (e : expr) problem =
-  let error at format = Diagnostic.error ~code:"E0347" ~at format in
-  let index = match e.desc with Local (x, _) -> x.name | Global (g, _) -> g.name | _ -> "i" in
-  (match (problem : Constant_index.problem) with
-  | Variable (x, at) ->
-      error at "the index of `!` must be constant, but `%s` is not" x.name
-      |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
-  | Param (p, at) ->
-      error at
-        "the index of `!` must be constant, but the parameter `%s` is only known when the program \
-         starts"
-        p.name
-  | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
-  | Computed at ->
-      error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
-  |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
-  |> Diagnostic.hint
-       (let quoted = Option.bind array (fun (a : expr) -> Source.quote w.sources a.span) in
-        let index = Option.value (Source.quote w.sources e.span) ~default:index in
-        let missing =
-          match Option.map (fun (a : expr) -> a.ty) array with
-          | Some (Data { arguments = [ _; Number _ ]; _ }) -> "0"
-          | Some (Data { arguments = [ _; Bool ]; _ }) -> "False"
-          | _ -> "x"
-        in
-        match quoted with
-        | Some array when String.length array + String.length index < 60 ->
-            Printf.sprintf
-              "use `at %s %s %s`, which takes any index, and returns `%s` if there is no such \
-               element"
-              (Source.grouped index) missing (Source.grouped array) missing
-        | _ ->
-            Printf.sprintf
-              "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
-              (Source.grouped index))
-  |> Diagnostic.emit w.sink
-
-let outside w (array : expr) (index : expr) k =
-  let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
+let check_size w (array : expr) index value =
+  let outside size = report w (Index_outside { array; index; value; size }) in
   match array.ty with
-  | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
-      error "index %d is outside of an array of %d elements" k n
-      |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
-      |> Diagnostic.hint
-           (if n = 1 then "its only element has the index 0"
-            else Printf.sprintf "the indices are from 0 to %d" (n - 1))
-      |> Diagnostic.emit w.sink
-  | _ when k < 0 ->
-      error "index %d is outside of every array" k
-      |> Diagnostic.hint "the indices start at 0"
-      |> Diagnostic.emit w.sink
-  | _ -> ()
+  | Data { arguments = [ Size n; _ ]; _ } when value >= n || value < 0 -> outside (Some n)
+  | _ -> if value < 0 then outside None
 
 let index w (array : expr) (k : expr) =
   match Constant_index.value w.constants k with
   | Ok n ->
       let n = Int32.to_int n in
-      outside w array k n;
+      check_size w array k n;
       n
   | Error problem ->
-      not_constant w ~array k problem;
+      report w (Index_not_constant { index = k; array = Some array; problem });
       0
 
 (* {1 The walk} *)
@@ -307,7 +181,7 @@ let rec expr w place (e : expr) : expr =
       mention w place x e;
       e
   | Primitive ({ name = "!"; _ }, _) ->
-      not_constant w e (Computed e.span);
+      report w (Index_not_constant { index = e; array = None; problem = Computed e.span });
       e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
   | Tuple es -> several w place e es (fun es -> Tuple es)
@@ -418,7 +292,7 @@ and lambda w place name e patterns body =
   if body' == body then e else { e with desc = Lambda (patterns, body') }
 
 and function_ w place name patterns body =
-  let position : Misplaced.position =
+  let position : Level_fact.position =
     match place.position with
     | (Outside | In_task) as position -> position
     | Every_instant | In_branch _ | In_guard | In_function _ -> In_function name
@@ -448,16 +322,14 @@ and binding w place (b : binding) =
 let top_level =
   { position = Outside; depth = 1; proc_depth = 0; regions = []; conditional = []; lifted = false }
 
-let program ?(sources = Source.create ()) sink (p : program) =
+let program facts (p : program) =
   let constants = Constant_index.create p.params and memory = Memory.create p in
   (* Each variable occurs in one definition only, so each definition has its own graph. *)
   let definition (d : definition) =
-    let graph = Level_dependencies.definition sink d in
+    let graph = Level_dependencies.definition facts d in
     Level_graph.solve graph;
     let values = Hashtbl.create 16 in
-    let w =
-      { sink; graph; constants; definition = d.name; within = d.value; sources; values; memory }
-    in
+    let w = { facts; graph; constants; definition = d.name; within = d.value; values; memory } in
     (match d.value.ty with Number _ -> Constant_index.global constants d.name d.value | _ -> ());
     let value = expr w top_level d.value in
     if value == d.value then d else { d with value }

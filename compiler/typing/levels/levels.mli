@@ -6,13 +6,11 @@
     that place.
 
     Takes an inferred program and fills in the level of each binding. Reports signal functions that
-    are run without being static ([E0340]), other misplaced instances ({!Misplaced}), bound signal
-    functions that are not static ([E0344]), and recursive lets ([E0346]). Each message shows the
-    chain of equations that makes the variable a signal. A proc inside another proc captures the
-    variables it mentions at the instant at which it is created.
+    are run or bound without being static, misplaced instances, recursive lets, and array indices
+    that are not constant. A proc inside another proc captures the variables it mentions at the
+    instant at which it is created.
 
     Method: {!Level_dependencies} builds the dependency graph, {!Level_graph} solves it, and a
     second walk checks each place. Linear time. *)
 
-val program : ?sources:Basis.Source.t -> Basis.Diagnostic.sink -> Ir.program -> Ir.program
-(** [sources]: the files that messages quote from. *)
+val program : Fact.t Basis.Facts.t -> Ir.program -> Ir.program

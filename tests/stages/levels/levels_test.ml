@@ -3,7 +3,7 @@
 open Trees
 
 let check expected definitions =
-  let pass sink p = ignore (Typing.Levels.program sink p) in
+  let pass sink p = ignore (Typing.Levels.program (Advice.Of_typing.into sink) p) in
   Alcotest.(check string) "messages" expected (messages pass definitions)
 
 let x = local 1 "x"
@@ -116,7 +116,7 @@ let levels_filled_in () =
   in
   let value = lambda [ bound k float ] (proc (bound x float) equations vx) in
   let sink = Basis.Diagnostic.sink () in
-  let p = Typing.Levels.program sink (program [ ("f", value) ]) in
+  let p = Typing.Levels.program (Advice.Of_typing.into sink) (program [ ("f", value) ]) in
   match (List.hd p.definitions).value.desc with
   | Lambda (_, { desc = Proc { equations; _ }; _ }) ->
       Alcotest.(check bool)

@@ -25,7 +25,7 @@ let resolved =
        ~library "main.frob")
 
 let typed =
-  Typing.Levels.program sink
+  Typing.Levels.program (Basis.Facts.ignored ())
     (Typing.Infer.program sink (Basis.Facts.ignored ()) ~real:Double resolved)
 
 let core = Core.Of_typed.program typed

@@ -1,17 +1,6 @@
 open Basis
-open Ir
-
-type position =
-  | Outside
-  | In_task
-  | Every_instant
-  | In_branch of condition option
-  | In_guard
-  | In_function of string
-
-and condition = { test : expr; chosen_if : bool }
-
-type obstacle = Depends_on_start | Bound_here of Local.t | Own_definition | Lifted
+open Typing
+open Typing.Ir
 
 let rec head_name (h : expr) =
   match h.desc with
@@ -20,24 +9,12 @@ let rec head_name (h : expr) =
   | Apply (f, _) -> head_name f
   | _ -> None
 
-let rec runs (h : expr) definition =
-  match h.desc with
-  | Global (g, _) -> g = definition
-  | Apply (f, _) -> runs f definition
-  | _ -> false
-
 let name h =
   match head_name h with Some name -> Printf.sprintf "`%s`" name | None -> "a signal function"
 
 (* {1 Hints} *)
 
-let longest = 60
-
-let quote sources (e : expr) =
-  match Source.quote sources e.span with
-  | Some text when String.length text <= longest -> Some text
-  | _ -> None
-
+let quote = Settings.quote
 let signal h = Option.fold (head_name h) ~none:"itsValue" ~some:(fun name -> name ^ "Now")
 
 let equation sources h (e : expr) =
@@ -50,7 +27,7 @@ let own_equation sources h e =
 
 (* A hint for restarting the signal function whenever the branch is chosen. *)
 let anew sources condition h input =
-  let resets { test; chosen_if } =
+  let resets ({ test; chosen_if } : Level_fact.condition) =
     match (quote sources h, quote sources input, quote sources test) with
     | Some h', Some input, Some test ->
         let becomes =
@@ -144,9 +121,9 @@ let in_a_test sources (definition : Global.t) (value : expr) =
            (Option.value (quote sources value) ~default:"…"))
   | Some (Trial, _) | None -> None
 
-let report sink sources ~definition ~within position obstacle (e : expr) ~head ~input =
+let diagnostic sources ~definition ~within (position : Level_fact.position)
+    (obstacle : Level_fact.obstacle) (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
-  let emit d = Diagnostic.emit sink d in
   let bound (x : Local.t) d =
     Diagnostic.here (Printf.sprintf "`%s` has a value only here" x.name) d
     |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
@@ -155,45 +132,40 @@ let report sink sources ~definition ~within position obstacle (e : expr) ~head ~
     let d = run where "E0342" in
     match obstacle with
     | Own_definition ->
-        emit
-          (Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
-          |> Diagnostic.hint
-               "an equation holds at every instant, so a signal function need not call itself to \
-                continue"
-          |> Diagnostic.hint
-               "to change what runs after an event, use `switch (proc x -> (output, event)) (\\_ \
-                -> …)`, whose last part may be this signal function again")
+        Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
+        |> Diagnostic.hint
+             "an equation holds at every instant, so a signal function need not call itself to \
+              continue"
+        |> Diagnostic.hint
+             "to change what runs after an event, use `switch (proc x -> (output, event)) (\\_ -> \
+              …)`, whose last part may be this signal function again"
     | Depends_on_start | Lifted ->
-        emit
-          (Diagnostic.here "its output depends on when it started" d
-          |> own_equation sources head e |> anew sources condition head input)
+        Diagnostic.here "its output depends on when it started" d
+        |> own_equation sources head e |> anew sources condition head input
     | Bound_here x ->
-        emit
-          (bound x d
-          |> Diagnostic.hint
-               "a signal function runs at every instant: use an input that always has a value, or \
-                run it on events with `onEvent`")
+        bound x d
+        |> Diagnostic.hint
+             "a signal function runs at every instant: use an input that always has a value, or \
+              run it on events with `onEvent`"
   in
   match position with
-  | Every_instant -> ()
+  | Every_instant -> Diagnostic.bug ~stage:"Advice.Misplaced_instance" "an instance that is allowed"
   | Outside ->
-      emit
-        (run "outside of a `proc`" "E0341"
-        |> Diagnostic.here "only a `proc` can run a signal function"
-        |> Diagnostic.hint
-             (match in_a_test sources definition within with
-             | Some hint -> hint
-             | None -> outside sources within head))
+      run "outside of a `proc`" "E0341"
+      |> Diagnostic.here "only a `proc` can run a signal function"
+      |> Diagnostic.hint
+           (match in_a_test sources definition within with
+           | Some hint -> hint
+           | None -> outside sources within head)
   | In_task ->
-      emit
-        (run "outside of a `proc`" "E0341"
-        |> Diagnostic.here "the statements of a task cannot run signal functions"
-        |> Diagnostic.hint
-             (let asked = Option.value (quote sources head) ~default:"…" in
-              Printf.sprintf "to read it once, write `x <- ask %s` before this, and `x` here"
-                (Source.grouped asked))
-        |> Diagnostic.hint
-             "to run it at every instant of a task, write `mkTask (proc i -> (output, event))`")
+      run "outside of a `proc`" "E0341"
+      |> Diagnostic.here "the statements of a task cannot run signal functions"
+      |> Diagnostic.hint
+           (let asked = Option.value (quote sources head) ~default:"…" in
+            Printf.sprintf "to read it once, write `x <- ask %s` before this, and `x` here"
+              (Source.grouped asked))
+      |> Diagnostic.hint
+           "to run it at every instant of a task, write `mkTask (proc i -> (output, event))`"
   | In_branch condition -> of_choice "in a branch" condition
   | In_guard -> of_choice "in a guard" None
   | In_function f -> (
@@ -201,21 +173,19 @@ let report sink sources ~definition ~within position obstacle (e : expr) ~head ~
       let d = run where "E0343" in
       match obstacle with
       | Depends_on_start | Own_definition | Lifted ->
-          emit
-            (Diagnostic.here "a function cannot run a signal function: its state needs a `proc`" d
-            |> own_equation sources head e)
+          Diagnostic.here "a function cannot run a signal function: its state needs a `proc`" d
+          |> own_equation sources head e
       | Bound_here x ->
-          emit
-            (bound x d
-            |> Diagnostic.hint
-                 (match (f, quote sources head) with
-                 | "", Some h when String.equal h x.name ->
-                     "use `parB` to run an array of signal functions on one input, `parZ` to run \
-                      each on its own input"
-                 | "", Some h ->
-                     Printf.sprintf "use `mapSF %s` to run one for each element of an array"
-                       (Source.grouped h)
-                 | _, _ ->
-                     Printf.sprintf "turn %s into a signal function, `proc %s -> …`"
-                       (if f = "" then "this" else Printf.sprintf "`%s`" f)
-                       x.name)))
+          bound x d
+          |> Diagnostic.hint
+               (match (f, quote sources head) with
+               | "", Some h when String.equal h x.name ->
+                   "use `parB` to run an array of signal functions on one input, `parZ` to run \
+                    each on its own input"
+               | "", Some h ->
+                   Printf.sprintf "use `mapSF %s` to run one for each element of an array"
+                     (Source.grouped h)
+               | _, _ ->
+                   Printf.sprintf "turn %s into a signal function, `proc %s -> …`"
+                     (if f = "" then "this" else Printf.sprintf "`%s`" f)
+                     x.name))

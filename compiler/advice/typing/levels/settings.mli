@@ -2,6 +2,7 @@
     must be static. *)
 
 open Basis
+open Typing
 
 val quote : Source.t -> Ir.expr -> string option
 (** The source text, if it is short. *)

@@ -1,5 +1,6 @@
 open Basis
-open Ir
+open Typing
+open Typing.Ir
 
 let longest = 60
 

@@ -1,0 +1,51 @@
+open Basis
+open Typing
+open Typing.Ir
+
+let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
+  let error at format = Diagnostic.error ~code:"E0347" ~at format in
+  let index = match e.desc with Local (x, _) -> x.name | Global (g, _) -> g.name | _ -> "i" in
+  (match problem with
+  | Variable (x, at) ->
+      error at "the index of `!` must be constant, but `%s` is not" x.name
+      |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+  | Param (p, at) ->
+      error at
+        "the index of `!` must be constant, but the parameter `%s` is only known when the program \
+         starts"
+        p.name
+  | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
+  | Computed at ->
+      error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
+  |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
+  |> Diagnostic.hint
+       (let quoted = Option.bind array (fun (a : expr) -> Source.quote sources a.span) in
+        let index = Option.value (Source.quote sources e.span) ~default:index in
+        let missing =
+          match Option.map (fun (a : expr) -> a.ty) array with
+          | Some (Data { arguments = [ _; Number _ ]; _ }) -> "0"
+          | Some (Data { arguments = [ _; Bool ]; _ }) -> "False"
+          | _ -> "x"
+        in
+        match quoted with
+        | Some array when String.length array + String.length index < 60 ->
+            Printf.sprintf
+              "use `at %s %s %s`, which takes any index, and returns `%s` if there is no such \
+               element"
+              (Source.grouped index) missing (Source.grouped array) missing
+        | _ ->
+            Printf.sprintf
+              "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
+              (Source.grouped index))
+
+let outside ~(array : expr) ~(index : expr) value ~size =
+  let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
+  match size with
+  | Some n ->
+      error "index %d is outside of an array of %d elements" value n
+      |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
+      |> Diagnostic.hint
+           (if n = 1 then "its only element has the index 0"
+            else Printf.sprintf "the indices are from 0 to %d" (n - 1))
+  | None ->
+      error "index %d is outside of every array" value |> Diagnostic.hint "the indices start at 0"

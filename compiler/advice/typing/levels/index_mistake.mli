@@ -1,0 +1,9 @@
+(** Messages about the index of [!]: it is not constant ([E0347]), or out of range ([E0332]). *)
+
+open Basis
+open Typing
+
+val not_constant : Source.t -> ?array:Ir.expr -> Ir.expr -> Level_fact.problem -> Diagnostic.t
+
+val outside : array:Ir.expr -> index:Ir.expr -> int -> size:int option -> Diagnostic.t
+(** The index has this value, and the array this size, if it is known. *)
