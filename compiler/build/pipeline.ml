@@ -22,7 +22,7 @@ let parse (r : Request.t) sink sources =
   match if is_asked then Result.to_option (r.files.read r.file) else None with
   | Some text ->
       Source.add sources ~file:r.file text;
-      let* parsed = Syntax.Parse.program sink ~file:r.file text in
+      let* parsed = Syntax.Parse.program (Advice.Of_syntax.into sink) ~file:r.file text in
       let lint = Syntax.Lint.program and print = Syntax.Print.program in
       Option.map ignore (stage r sink Parse ~lint ~print parsed)
   | None -> Some ()

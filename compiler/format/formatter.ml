@@ -27,10 +27,10 @@ let without_tabs text =
     Option.value (Tabs.expanded text) ~default:text
   else text
 
-let text sink ~file text =
+let text facts ~file text =
   let as_before after = Formatted (Basis.Line_ends.write (Basis.Line_ends.of_text text) after) in
   let text = without_tabs text in
-  match Syntax.Parse.program sink ~file text with
+  match Syntax.Parse.program facts ~file text with
   | None -> Broken
   | Some _ -> (
       match formatted ~break:true text with

@@ -9,9 +9,9 @@ open Basis
 
 type result =
   | Formatted of string
-  | Broken  (** the text is not a program; the sink contains the errors *)
+  | Broken  (** the text is not a program; its errors have been reported *)
   | Refused of Laws.t  (** the formatter has a bug: its result breaks this law *)
 
-val text : Diagnostic.sink -> file:string -> string -> result
-(** [text sink ~file text]: [file] is the name for messages. Accepts any bytes. All lines get the
+val text : Syntax.Fact.t Facts.t -> file:string -> string -> result
+(** [text facts ~file text]: [file] is the name for messages. Accepts any bytes. All lines get the
     same line ending as the first line. *)

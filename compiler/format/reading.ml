@@ -137,8 +137,7 @@ let no_words : Word.t array = [||]
 let is_closer = function RPAREN | RBRACKET | RBRACE -> true | _ -> false
 
 let layout_of text =
-  let sink = Basis.Diagnostic.sink () in
-  let layout = Layout.create (Lexer.create sink ~file:"" text) in
+  let layout = Layout.create (Lexer.create ignore ~file:"" text) in
   let rec go found =
     let token = Layout.next layout in
     let found = token :: found in
@@ -156,8 +155,7 @@ let without_empty_items (tokens : Layout.token array) =
   Array.of_list (List.rev (Array.fold_left add [] tokens))
 
 let lexed text =
-  let sink = Basis.Diagnostic.sink () in
-  let lexer = Lexer.create sink ~file:"" text in
+  let lexer = Lexer.create ignore ~file:"" text in
   let rec go found =
     let token = Lexer.next lexer in
     match token.token with END -> Array.of_list (List.rev found) | _ -> go (token :: found)

@@ -18,11 +18,11 @@ let with_stops width text =
     text;
   Buffer.contents result
 
-let parses text = Syntax.Parse.program (Basis.Diagnostic.sink ()) ~file:"" text <> None
+let parses text = Syntax.Parse.program (Basis.Facts.ignored ()) ~file:"" text <> None
 
 (* Whether a string literal contains a tab. *)
 let in_quotes text =
-  let lexer = Syntax.Lexer.create (Basis.Diagnostic.sink ()) ~file:"" text in
+  let lexer = Syntax.Lexer.create ignore ~file:"" text in
   let rec go () =
     let token = Syntax.Lexer.next lexer in
     match token.token with

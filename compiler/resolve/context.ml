@@ -28,9 +28,9 @@ let tell t visible =
   t.unresolved <- []
 
 let parse t ~file text =
-  let sink = Diagnostic.sink () in
-  let program = Syntax.Parse.program sink ~file text in
-  List.iter (fun d -> report t (Syntax d)) (Diagnostic.all sink);
+  let facts = Facts.map (fun fact -> Fact.Syntax fact) t.facts in
+  let program = Syntax.Parse.program facts ~file text in
+  if program = None then t.has_errors <- true;
   program
 
 let has_errors t = t.has_errors

@@ -183,7 +183,7 @@ type warning =
     }
 
 type t =
-  | Syntax of Diagnostic.t
+  | Syntax of Syntax.Fact.t
   | In_modules of in_modules
   | Setting of { name : string; at : Span.t; problem : setting }
   | Unresolved of { visible : Visible.t; names : unresolved list }

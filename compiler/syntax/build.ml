@@ -42,8 +42,7 @@ let context (t : Ir.ty) =
     | Type { name; units = None; arguments = [ argument ] } -> (name, argument)
     | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
     | Size_operation _ ->
-        Reject.at ~code:"E0110" t.span ~hint:"as in `(Eq a, Ord b) => …`"
-          "expected classes before `=>`, each with one type"
+        Reject.because (Context_without_classes t.span)
   in
   match t.desc with
   | Tuple_type ts -> Long_list.map one ts
@@ -62,18 +61,14 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
         (name, variable)
     | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
     | Size_operation _ ->
-        Reject.at ~code:"E0110" head.span ~hint:"as in `class Shape a where`"
-          "the head of a class must be its name and one type variable"
+        Reject.because (Class_head head.span)
   in
   let superclass ((class_ : Ir.qualified), (t : Ir.ty)) =
     match t.desc with
     | Type_variable x when String.equal x.text variable.text -> class_
     | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _
     | Size_operation _ ->
-        Reject.at ~code:"E0110" t.span
-          ~hint:
-            (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
-          "a superclass must use the class's own variable `%s`" variable.text
+        Reject.because (Superclass_of_other_type { at = t.span; class_ = name; variable })
   in
   Class { superclasses = List.map superclass context; name; variable; members }
 
@@ -83,19 +78,13 @@ let instance context (head : Ir.ty) members : Ir.declaration_desc =
       Instance { context; class_; head; members }
   | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _
   | Size_operation _ ->
-      Reject.at ~code:"E0110" head.span
-        ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
-        "the head of an instance must be a class and one type"
+      Reject.because (Instance_head head.span)
 
 (* Foreign code *)
 
 let expect_word expected (word : Ir.name) =
   if not (String.equal word.text expected) then
-    Reject.at ~code:"E0110" word.span
-      ~hint:
-        "as in `foreign name :: Float -> Float = \"c_name\"`, `foreign sf name :: SF Float Float = \
-         \"c_name\"`, `foreign type Name = \"struct name\"` or `foreign include \"name.h\"`"
-      "expected `%s` here, found `%s`" expected word.text
+    Reject.because (Foreign_word { expected; found = word })
 
 let foreign_signal_function ~word name ty symbol : Ir.declaration_desc =
   expect_word "sf" word;
@@ -115,15 +104,11 @@ let whole digits = Option.map Int32.to_int (Option.bind (Exact.of_literal digits
 let size location (digits, decimal) =
   match whole digits with
   | Some n when not decimal -> n
-  | Some _ | None ->
-      Reject.at ~code:"E0110" (span location)
-        "the size of an array must be a whole number, not `%s`" digits
+  | Some _ | None -> Reject.because (Size_not_whole { at = span location; digits })
 
 let sign_of_sizes location : string -> Ir.size_operator = function
   | "+" -> Plus_sizes
-  | text ->
-      Reject.at ~code:"E0110" (span location)
-        "sizes have the operators `+`, `-` and `*`, but not `%s`" text
+  | text -> Reject.because (Size_operator { at = span location; operator = text })
 
 (* Units *)
 
@@ -145,13 +130,7 @@ let product factors =
     match f.factor with
     | Measure unit_ -> unit_
     | Amount { digits = "1"; decimal = false } -> one f.span
-    | Amount { digits; _ } ->
-        Reject.at ~code:"E0119" f.span
-          ~hint:
-            (Printf.sprintf
-               "write a power as `m^2`; an array of %s elements has the type `Array %s Float`"
-               digits digits)
-          "the number `%s` cannot be part of a unit, only `1` can" digits
+    | Amount { digits; _ } -> Reject.because (Number_in_unit { at = f.span; digits })
   in
   let multiply left (f : Surface.factor) = Some (times left (measure f) ~over:f.over) in
   match List.fold_left multiply None (List.rev factors) with
@@ -164,23 +143,16 @@ let exponent location ~negative numerator ~over : Ir.rational =
   let small digits =
     match whole digits with
     | Some n when n <= 1000 -> n
-    | Some _ | None ->
-        Reject.at ~code:"E0119" (span location)
-          "the exponent of a unit must be a whole number up to 1000, or a quotient of two such \
-           numbers"
+    | Some _ | None -> Reject.because (Exponent_too_large (span location))
   in
   let numerator = small numerator and denominator = small over in
-  if denominator = 0 then
-    Reject.at ~code:"E0119" (span location) "the exponent of a unit is a division by zero";
+  if denominator = 0 then Reject.because (Exponent_over_zero (span location));
   let divisor = gcd numerator denominator in
   let numerator = numerator / divisor in
   { numerator = (if negative then -numerator else numerator); denominator = denominator / divisor }
 
 let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
-  let reject span =
-    Reject.at ~code:"E0119" span ~hint:"as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
-      "the scale of a unit must be a number, optionally with `pi`, or a quotient of two"
-  in
+  let reject span = Reject.because (Scale_of_unit span) in
   let add ((scale : Ir.scale), factor_seen, unit_) (f : Surface.factor) =
     match f.factor with
     | Amount { digits; _ } when f.over ->
@@ -205,34 +177,6 @@ let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
 
 (* Statements *)
 
-let last_statement_hint = "end the `do` with its output, as in `returnA -< x`"
-
-(* The first word of an expression, if it is a name. *)
-let rec first_word (e : Ir.expr) =
-  match e.desc with
-  | Variable { qualifier = None; name; _ } -> Some name
-  | Apply (head, _) -> first_word head
-  | Binary { left; _ } -> first_word left
-  | _ -> None
-
-(* Rejects a loop in the notation of another language among the statements of a [proc]. *)
-let reject_block term =
-  match first_word (Term.to_expr term) with
-  | Some { text = ("while" | "for" | "foreach" | "repeat") as text; span } ->
-      Reject.at ~code:"E0116" span
-        ~hint:
-          "all statements of a `proc` hold at every instant: choose a value by `if c then a else \
-           b`, or repeat a task by `whileT c t`"
-        "a `proc` has no loops, so it cannot contain `%s`" text
-  | _ -> ()
-
-let reject_waiting term =
-  match first_word (Term.to_expr term) with
-  | Some { text; span } when Beginnings.waits text ->
-      Reject.at ~code:"E0116" span ~hint:Beginnings.waiting
-        "a `proc` cannot wait: all its statements hold at every instant"
-  | _ -> ()
-
 let do_body location statements : Ir.proc_body =
   (* [rec] has no effect: its statements are merged with the others. *)
   let rec flatten done_ work : Surface.statement list =
@@ -255,48 +199,26 @@ let do_body location statements : Ir.proc_body =
         let before = { command.span with stop = command.span.start } in
         Bind { pattern = { desc = Any; span = before }; command }
     | Let declarations -> Let_equations declarations
-    | Bare_expression ({ span; _ } as term) ->
-        reject_block term;
-        reject_waiting term;
-        Reject.at ~code:"E0116" span
-          ~hint:
-            "a `proc` has no side effects: bind the value with `let x = e`, or run a signal \
-             function with `x <- sf -< e`; for tasks, use a `do` without `proc`"
-          "this expression is not a statement of a `proc`"
+    | Bare_expression term ->
+        Reject.because (Expression_in_proc { expr = Term.to_expr term; is_last = false })
     | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   in
   match flatten [] [ statements ] with
   | Bare_command result :: before -> Do { statements = List.rev_map statement before; result }
-  | Bare_expression ({ span; _ } as term) :: _ ->
-      reject_block term;
-      reject_waiting term;
-      Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` to output this value"
-        "the last statement of this `do` is its output, and needs `-<`"
+  | Bare_expression term :: _ ->
+      Reject.because (Expression_in_proc { expr = Term.to_expr term; is_last = true })
   | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->
-      Reject.at ~code:"E0116" span ~hint:last_statement_hint
-        "the last statement of this `do` is its output, so it cannot bind a name"
-  | Let _ :: _ ->
-      Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
-        "the last statement of this `do` is a `let`, so it has no output"
+      Reject.because (Output_binds span)
+  | Let _ :: _ -> Reject.because (Output_is_let (span location))
   | Rec _ :: _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
-  | [] ->
-      Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
-        "this `do` is empty, so it has no output"
+  | [] -> Reject.because (Empty_proc (span location))
 
 (* A [do] block of tasks. Its last statement is a task, whose result is the block's result. *)
 let task_body location statements : Ir.expr_desc =
-  let last_is what span =
-    Reject.at ~code:"E0116" span ~hint:"end the `do` with a task, as in `return x`"
-      "the last statement of a `do` must be a task, so it cannot %s" what
-  in
   let no_command (c : Ir.command) =
     raise (Reject.Command { command = c.span; block = fst location })
   in
-  let no_rec span =
-    Reject.at ~code:"E0116" span
-      ~hint:"to repeat a task, write `forever t`, or its own name as its last statement"
-      "`rec` is only allowed in the `do` of a `proc`, because tasks run one after the other"
-  in
+  let no_rec span = Reject.because (Rec_in_task span) in
   let rec place (statements : Surface.statement list) =
     match statements with
     | (Bare_command { span; _ } | Bare_expression { span; _ }) :: _ -> span
@@ -323,34 +245,23 @@ let task_body location statements : Ir.expr_desc =
   match (List.rev statements : Surface.statement list) with
   | Bare_expression result :: before ->
       Sequence { statements = List.rev_map statement before; result = Term.to_expr result }
-  | Arrow_bind { left; _ } :: _ -> (
-      match (Term.to_pattern left).desc with
-      | Bound { text; _ } ->
-          Reject.at ~code:"E0116" left.span
-            ~hint:
-              (Printf.sprintf
-                 "remove `%s <-` to return the task's result, or add a last statement such as \
-                  `return %s`"
-                 text text)
-            "the last statement of a `do` must be a task, so it cannot bind a name"
-      | _ -> last_is "bind a name" left.span)
-  | (Let _ as last) :: _ -> last_is "be a `let`" (place [ last ])
+  | Arrow_bind { left; _ } :: _ ->
+      let name =
+        match (Term.to_pattern left).desc with Bound { text; _ } -> Some text | _ -> None
+      in
+      Reject.because (Last_task_binds { at = left.span; name })
+  | (Let _ as last) :: _ -> Reject.because (Last_task_is_let (place [ last ]))
   | (Bare_command command | Command_bind { command; _ }) :: _ -> no_command command
   | Rec inner :: _ -> no_rec (place inner)
-  | [] ->
-      Reject.at ~code:"E0116" (span location) ~hint:"end the `do` with a task, as in `return x`"
-        "this `do` is empty: it contains no task"
+  | [] -> Reject.because (Empty_task (span location))
 
 (* Clauses *)
 
 let where location = function
-  | [] ->
-      Reject.at ~code:"E0110" (span location)
-        ~hint:"indent the definitions after `where` further than the definition that it belongs to"
-        "this `where` has no definitions"
+  | [] -> Reject.because (Empty_where (span location))
   | declarations -> declarations
 
 let declarations list =
   let declarations, clauses = Clauses.joined list in
-  List.iter Reject.diagnostic clauses;
+  List.iter Reject.because clauses;
   declarations

@@ -449,5 +449,4 @@ whole:
     { match n with
       | digits, false -> digits
       | digits, true ->
-          Reject.at ~code:"E0119" (span $loc) ~hint:"a root is written `m^(1/2)`"
-            "the exponent `%s` of a unit is not a whole number" digits }
+          Reject.because (Exponent_not_whole { at = span $loc; digits }) }

@@ -11,7 +11,7 @@ type token = {
 }
 
 type t = {
-  sink : Diagnostic.sink;
+  report : Lexical_fact.t -> unit;
   file : string;
   text : string;
   mutable at : int;
@@ -23,18 +23,17 @@ type t = {
   mutable doc : string list;  (** lines of the current doc comment, last one first *)
   mutable doc_line : int;  (** line number of the last line in [doc] *)
   mutable bad_line : int;  (** line number of the last unexpected character *)
-  mutable colons : string option list;  (** hints already given for colons *)
   mutable cut_off : bool;  (** an unterminated comment hides the rest of the text *)
 }
 
 let copy t = { t with at = t.at }
 let byte_order_mark = "\xef\xbb\xbf"
 
-let create sink ~file text =
+let create report ~file text =
   let marked = String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark in
   let at = if marked then 3 else 0 in
   {
-    sink;
+    report;
     file;
     text;
     at;
@@ -45,7 +44,6 @@ let create sink ~file text =
     doc = [];
     doc_line = 0;
     bad_line = 0;
-    colons = [];
     cut_off = false;
   }
 
@@ -71,12 +69,7 @@ let newline t =
   t.extra <- 0;
   t.fresh <- true
 
-let report t ~code ~start ?hint ?write message =
-  let at = Build.span (start, position t) in
-  Diagnostic.error ~code ~at "%s" message
-  |> Option.fold hint ~none:Fun.id ~some:Diagnostic.hint
-  |> Option.fold write ~none:Fun.id ~some:(Diagnostic.write at)
-  |> Diagnostic.emit t.sink
+let report t ~start problem = t.report { at = Build.span (start, position t); problem }
 
 (* {1 Comments} *)
 
@@ -117,11 +110,7 @@ let nested_comment t =
     if depth > 0 then
       if at_end t then (
         t.cut_off <- true;
-        Diagnostic.emit t.sink
-          (Diagnostic.error ~code:"E0104"
-             ~at:(Build.span (start, opener_stop))
-             "this comment is never closed"
-          |> Diagnostic.hint "close it with `-}`; comments nest, so each `{-` needs its own `-}`"))
+        t.report { at = Build.span (start, opener_stop); problem = Comment_not_closed })
       else
         match (peek t 0, peek t 1) with
         | '{', '-' ->
@@ -208,9 +197,7 @@ let take_name t =
     t.at <- t.at + 1
   done;
   let length = t.at - first in
-  if length > most_letters then
-    report t ~code:"E0105" ~start
-      (Printf.sprintf "a name has at most %d characters, but this one has %d" most_letters length);
+  if length > most_letters then report t ~start (Long_name { most = most_letters; length });
   String.sub t.text first (min length most_letters)
 
 (* Does this `.` select a field: no space on either side, and a lower-case name after it? *)
@@ -308,41 +295,14 @@ let number t =
     let rest = take_name t in
     let has_unit = base = 10 && is_unit rest in
     let rest = if has_unit then rest ^ take_rest_of_unit t else rest in
-    let hint =
-      match (base, rest) with
-      | 16, _ -> "after `0x`, use the digits `0` to `9` and `a` to `f`"
-      | 8, _ -> "after `0o`, use the digits `0` to `7`"
-      | 2, _ -> "after `0b`, use the digits `0` and `1`"
-      | _ when rest.[0] = '_' -> "use `_` only between two digits"
-      | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "remove the suffix: `%s`" text
-      | _ when has_unit -> Printf.sprintf "put the unit in brackets: `%s[%s]`" text rest
-      | _ ->
-          Printf.sprintf "for a product write `%s * %s`; put a unit in brackets: `%s[%s]`" text rest
-            text rest
-    in
-    let problem =
-      if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest
-    in
-    let write =
-      match (base, rest) with
-      | 10, ("f" | "F" | "d" | "L" | "u") -> Some text
-      | 10, _ when rest <> "" && not (String.contains rest '_') ->
-          Some (Printf.sprintf "%s[%s]" text rest)
-      | _ -> None
-    in
-    report t ~code:"E0105" ~start ~hint ?write (Printf.sprintf "the number `%s` %s" text problem);
+    report t ~start (Number_followed { base; number = text; rest; has_unit });
     BAD)
   else if base = 10 && (not point) && exponent = 0 && lacks_fraction t then (
     t.at <- t.at + 1;
-    let written = text ^ ".0" in
-    report t ~code:"E0105" ~start ~write:written
-      ~hint:(Printf.sprintf "write a digit after the point: `%s`" written)
-      (Printf.sprintf "the number `%s.` has no digit after its point" text);
+    report t ~start (No_fraction { number = text });
     BAD)
   else if String.length text > most_digits then (
-    report t ~code:"E0105" ~start
-      (Printf.sprintf "a number has at most %d characters, but this one has %d" most_digits
-         (String.length text));
+    report t ~start (Long_number { most = most_digits; length = String.length text });
     BAD)
   else NUMBER (text, point || exponent > 0)
 
@@ -357,11 +317,7 @@ let fraction t =
   let first = t.at in
   t.at <- t.at + 1;
   digits t;
-  let text = "0" ^ String.sub t.text first (t.at - first) in
-  report t ~code:"E0105" ~start ~write:text
-    ~hint:(Printf.sprintf "write a digit before the point: `%s`" text)
-    (Printf.sprintf "the number `%s` has no digit before its point"
-       (String.sub t.text first (t.at - first)));
+  report t ~start (No_whole_part { fraction = String.sub t.text first (t.at - first) });
   BAD
 
 let string t =
@@ -374,8 +330,7 @@ let string t =
         t.at <- t.at + 1;
         token
     | _ when at_end t || peek t 0 = '\n' ->
-        report t ~code:"E0104" ~start ~hint:"end the text with another `\"` on the same line"
-          "this text is not closed on its line";
+        report t ~start Text_not_closed;
         BAD
     | '\\' -> (
         let from = position t in
@@ -392,8 +347,7 @@ let string t =
         | 't' -> escape '\t'
         | _ ->
             if (not (at_end t)) && peek t 0 <> '\n' then step t;
-            report t ~code:"E0105" ~start:from ~hint:"use `\\\"`, `\\\\`, `\\n` or `\\t`"
-              "unknown escape in a text";
+            report t ~start:from Unknown_escape;
             go BAD)
     | c ->
         step t;
@@ -408,21 +362,12 @@ let unexpected t =
   let start = position t in
   let length = max 1 (fst (Utf8.decode t.text t.at)) in
   let character = String.sub t.text t.at length in
-  let shown =
-    if character >= " " && character <> "\x7f" then Printf.sprintf "`%s`" character
-    else Printf.sprintf "with code %d" (Char.code character.[0])
-  in
-  let { Character_hint.hint; instead } =
-    Character_hint.of_character ~text:t.text ~at:t.at character
-  in
+  let offset = t.at in
   for _ = 1 to length do
     step t
   done;
-  (* report one per line, because the rest of the line probably causes the same error *)
-  if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
-    report t ~code:"E0103" ~start ?hint ?write:instead
-      (Printf.sprintf "unexpected character %s" shown);
-  if character = ":" then t.colons <- Character_hint.of_each_line hint @ t.colons;
+  let is_first = t.bad_line <> t.line in
+  report t ~start (Unexpected_character { character; offset; is_first });
   t.bad_line <- t.line;
   BAD
 

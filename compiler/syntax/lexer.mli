@@ -3,8 +3,6 @@
     Never fails: invalid characters are reported and replaced with a [BAD] token. Takes linear time
     and keeps only one token in memory. *)
 
-open Basis
-
 type token = {
   token : Grammar.token;
   start : Lexing.position;
@@ -16,8 +14,8 @@ type token = {
 
 type t
 
-val create : Diagnostic.sink -> file:string -> string -> t
-(** The text must be UTF-8; see {!Basis.Utf8}. *)
+val create : (Lexical_fact.t -> unit) -> file:string -> string -> t
+(** Calls the function for each problem. The text must be UTF-8; see {!Basis.Utf8}. *)
 
 val copy : t -> t
 (** A copy of the state, for reading the same tokens twice. *)

@@ -41,58 +41,17 @@ type pending =
   | Binary of { left : term; operator : Ir.qualified; level : int; side : side }
   | Unary of Span.t
 
-let shown (operator : Ir.qualified) = operator.name.text
-
-(* The exponent 0.5, also as `(1 / 2)`. *)
-let rec is_half (t : term) =
-  match t.desc with
-  | Parenthesized t -> is_half t
-  | Number { digits; unit_ = None; _ } -> float_of_string_opt digits = Some 0.5
-  | Expression
-      (Binary
-         {
-           operator = { name = { text = "/"; _ }; _ };
-           left = { desc = Number { digits = one; unit_ = None; _ }; _ };
-           right = { desc = Number { digits = two; unit_ = None; _ }; _ };
-         }) ->
-      float_of_string_opt one = Some 1. && float_of_string_opt two = Some 2.
-  | _ -> false
-
 let literal_exponent (base : term) (operator : Ir.qualified) (right : term) =
-  let error span =
-    Diagnostic.error ~code:"E0117" ~at:span "the exponent of `%s` must be a literal whole number"
-      (shown operator)
-  in
-  let root quote =
-    let span = Span.merge base.span right.span in
-    match quote base.span with
-    | Some text ->
-        let cure = "sqrt " ^ Source.grouped text in
-        error right.span
-        |> Diagnostic.hint (Printf.sprintf "for a square root, write `%s`" cure)
-        |> Diagnostic.write span ("(" ^ cure ^ ")")
-    | None -> error right.span |> Diagnostic.hint "for a square root, write `sqrt (…)`"
-  in
-  let reject span =
-    if is_half right then Reject.with_text root
-    else
-      Reject.diagnostic
-        (error span
-        |> Diagnostic.hint
-             "for other exponents use `**`, which takes Floats without a unit; for an Int `n` \
-              write `x ** toFloat n`")
-  in
+  let reject () = Reject.because (Exponent { base; operator; exponent = right }) in
   let rec read negative (t : term) =
     match t.desc with
     | Parenthesized t -> read negative t
     | Negated t when not negative -> read true t
     | Number { digits; decimal = false; unit_ = None } -> (
-        match Build.whole digits with
-        | Some n -> if negative then -n else n
-        | None -> reject right.span)
+        match Build.whole digits with Some n -> if negative then -n else n | None -> reject ())
     | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _ | Tuple _
     | Array _ | Application _ | Braces _ ->
-        reject right.span
+        reject ()
   in
   read false right
 
@@ -112,77 +71,9 @@ let apply (left : term) (operator : Ir.qualified) (right : term) : term =
 let negate span (operand : term) : term =
   { desc = Negated operand; span = Span.merge span operand.span }
 
-(* `x > 0 and y > 0`: the word was parsed as an argument. *)
-let written_in_words (operand : term) =
-  let word (t : term) =
-    match t.desc with
-    | Variable { qualifier = None; name = { text = "and"; _ }; _ } -> Some ("and", "&&", t.span)
-    | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some ("or", "||", t.span)
-    | Constructor { qualifier = None; name = { text = "AND"; _ }; _ } -> Some ("AND", "&&", t.span)
-    | Constructor { qualifier = None; name = { text = "OR"; _ }; _ } -> Some ("OR", "||", t.span)
-    | _ -> None
-  in
-  match operand.desc with Application { arguments; _ } -> List.find_map word arguments | _ -> None
-
-(* `x < 1` and `0 < x` for a chain with a simple operand in its middle *)
-let compared_twice first (operand : term) second =
-  match operand.desc with
-  | Variable { qualifier = None; name; _ } ->
-      Printf.sprintf "compare two at a time, joined by `&&`: `… %s %s && %s %s …`" (shown first)
-        name.text name.text (shown second)
-  | _ -> "compare two at a time: `a < b && b < c`"
-
-(* `0.2[m] < d && d < 0.8[m]` for a chain of comparisons *)
-let both_compared (left : term) first (operand : term) second (right : term) quote d =
-  match (quote left.span, quote operand.span, quote right.span) with
-  | Some a, Some b, Some c ->
-      let text = Printf.sprintf "%s %s %s && %s %s %s" a (shown first) b b (shown second) c in
-      Diagnostic.hint (Printf.sprintf "compare two at a time: `%s`" text) d
-      |> Diagnostic.write (Span.merge left.span right.span) text
-  | Some a, Some b, _ ->
-      Diagnostic.hint
-        (Printf.sprintf "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
-           (shown second))
-        d
-  | _ -> Diagnostic.hint (compared_twice first operand second) d
-
-let reject_two (left : term) (first : Ir.qualified) operand (second : Ir.qualified) right =
-  match written_in_words operand with
-  | Some (word, symbol, at) ->
-      Reject.diagnostic
-        (Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" word
-        |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word)
-        |> Diagnostic.write at symbol)
-  | None ->
-      Reject.with_text (fun quote ->
-          Diagnostic.error ~code:"E0113" ~at:second.span
-            "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
-          |> Diagnostic.label ~at:first.span "after this one"
-          |>
-          if fst (precedence second) = comparison_level then
-            both_compared left first operand second right quote
-          else Diagnostic.hint "put parentheses around the part to compute first")
-
-let in_parentheses (first : Span.t) (last : Span.t) =
-  let place at = Span.make ~file:first.file ~start:at ~stop:at in
-  Diagnostic.fix ~safe:true "put parentheses around it"
-    [ (place first.start, "("); (place last.stop, ")") ]
-
-(* `(-x)`, if the operand is short. *)
-let negated (operand : term) =
-  match operand.desc with
-  | Variable { qualifier = None; name; _ } -> Printf.sprintf "(-%s)" name.text
-  | Number { digits; unit_ = None; _ } -> Printf.sprintf "(-%s)" digits
-  | _ -> "(-x)"
-
-let reject_minus (operator : Ir.qualified) at (operand : term) =
-  Reject.diagnostic
-    (Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
-       (shown operator)
-    |> Diagnostic.hint
-         (Printf.sprintf "put it and its operand in parentheses: `x %s %s`" (shown operator)
-            (negated operand))
-    |> in_parentheses at operand.span)
+let reject_two left first middle second right =
+  let compare = fst (precedence second) = comparison_level in
+  Reject.because (Two_operators { left; first; middle; second; right; compare })
 
 (* Operator-precedence parsing with an explicit stack. [reduce] applies the operators on the stack
    that bind tighter than an operator of [level]. [right]: the operand after the operator [next]. *)
@@ -203,12 +94,9 @@ let rec reduce stack operand level side next ~right =
 let push stack next = function
   | Minus at ->
       (match stack with
-      | Binary b :: _ when b.level >= minus_level -> reject_minus b.operator at next
-      | Unary first :: _ ->
-          Reject.diagnostic
-            (Diagnostic.error ~code:"E0113" ~at "two minus signs in a row need parentheses"
-            |> Diagnostic.label ~at:first "the first"
-            |> in_parentheses at next.span)
+      | Binary b :: _ when b.level >= minus_level ->
+          Reject.because (Minus_after { operator = b.operator; at; operand = next })
+      | Unary first :: _ -> Reject.because (Two_minuses { first; second = at; operand = next })
       | Binary _ :: _ | [] -> ());
       Unary at :: stack
   | Operand { operand; operator } ->
@@ -243,19 +131,13 @@ let loosest stack =
   | Binary b :: _ -> Some (b.level, b.side, Some b.operator)
   | Unary _ :: _ -> Some (minus_level, Left, None)
 
-let reject_section (operator : Ir.qualified) inner =
-  let inside = match inner with Some inner -> shown inner | None -> "-" in
-  Reject.at ~code:"E0113" operator.span ~hint:"put parentheses around the operand of the section"
-    "this section needs parentheses: `%s` would take only a part of its operand with `%s`"
-    (shown operator) inside
-
 let check_section (operator : Ir.qualified) wanted stack =
   let level, side = precedence operator in
   match loosest stack with
   | None -> ()
   | Some (inner_level, inner_side, inner) ->
       if inner_level < level || (inner_level = level && not (side = wanted && inner_side = wanted))
-      then reject_section operator inner
+      then Reject.because (Section { operator; inner })
 
 let section ~span desc : term = { desc = Expression desc; span }
 

@@ -6,7 +6,7 @@ let most_errors = 50
 
 type reader = {
   mutable layout : Layout.t;
-  sink : Diagnostic.sink;
+  report : Fact.problem -> unit;
   text : string;
   mutable cut : bool;
       (** The previous item was incomplete. If the current item ends before it defines anything, it
@@ -18,11 +18,6 @@ type reader = {
   mutable defines : bool;  (** an [=] or [::] of this item has been read *)
   mutable tokens : int;  (** upper bound on the number of tokens in this item *)
 }
-
-let quote reader (span : Span.t) =
-  let sources = Source.create () in
-  Source.add sources ~file:span.file reader.text;
-  Source.quote sources span
 
 let next reader =
   reader.tokens <- reader.tokens + 1;
@@ -45,6 +40,18 @@ let is_semicolon reader (token : Layout.token) =
   let at = token.start.pos_cnum in
   at < String.length reader.text && reader.text.[at] = ';'
 
+(* Is an expression, type or definition that ends with this token always incomplete? *)
+let expects_more : Layout.token option -> bool = function
+  | Some
+      {
+        token =
+          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
+          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
+        _;
+      } ->
+      true
+  | Some _ | None -> false
+
 (* Parses an item with menhir's incremental automaton, which can be inspected at an error. *)
 let explained reader =
   reader.defines <- false;
@@ -63,14 +70,11 @@ let explained reader =
     | Automaton.Shifting _ | Automaton.AboutToReduce _ -> (
         match Automaton.resume checkpoint with
         | checkpoint -> advance before checkpoint
-        | exception Reject.Rejected d ->
-            Diagnostic.emit reader.sink d;
-            (Failed, skip reader !token)
-        | exception Reject.With_text explain ->
-            Diagnostic.emit reader.sink (explain (quote reader));
+        | exception Reject.Rejected reason ->
+            reader.report (Rejected reason);
             (Failed, skip reader !token)
         | exception Reject.Command { command; block } ->
-            Syntax_error.command reader.sink ~text:reader.text ~command ~block !token;
+            reader.report (Command_in_task { command; block; token = !token });
             (Failed, skip reader !token))
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
@@ -86,11 +90,10 @@ let explained reader =
         in
         if ended && is_semicolon reader !token then reader.split <- true;
         let of_last = (reader.cut && ended && not reader.defines) || rest_of_last in
-        reader.cut <- ended && Found.expects_more before;
+        reader.cut <- ended && expects_more before;
         let found = !token in
         let told, last = skip_line reader ~bad:false found found in
-        if not (of_last || told) then
-          Syntax_error.report reader.sink ~text:reader.text ~state ~before found;
+        if not (of_last || told) then reader.report (Unexpected { state; before; token = found });
         (Failed, last)
     | Automaton.Accepted item ->
         reader.cut <- false;
@@ -136,19 +139,9 @@ let item reader =
   | item ->
       reader.cut <- false;
       (Item item, !last)
-  | exception
-      (Quick_grammar.Error | Bad_token | Reject.Rejected _ | Reject.With_text _ | Reject.Command _)
-    ->
+  | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _ | Reject.Command _) ->
       reader.layout <- again;
       explained reader
-
-let misplaced sink code span message hint =
-  Diagnostic.emit sink (Diagnostic.error ~code ~at:span "%s" message |> Diagnostic.hint hint)
-
-let too_deep sink at =
-  Diagnostic.emit sink
-    (Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep" Layout.deepest
-    |> Diagnostic.hint "define the inner parts under their own names")
 
 let levels_of_a_token = 4
 
@@ -156,7 +149,9 @@ let levels_of_a_token = 4
    too. A token adds only a few levels, so an item with few tokens cannot be too deep. *)
 let check_depth reader declaration =
   if levels_of_a_token * reader.tokens > Layout.deepest then
-    Option.iter (too_deep reader.sink) (Node.depth_exceeds Layout.deepest (Declaration declaration))
+    Option.iter
+      (fun at -> reader.report (Too_deep at))
+      (Node.depth_exceeds Layout.deepest (Declaration declaration))
 
 (* Collects the items of a program. All lists have the last element first. *)
 let rec collect reader (program : Ir.program) errors =
@@ -173,13 +168,10 @@ let rec collect reader (program : Ir.program) errors =
       | Item Nothing -> (program, errors)
       | Item (Header header) ->
           if program.header <> None || program.imports <> [] || program.declarations <> [] then
-            misplaced reader.sink "E0118" header.span "`module` must be at the beginning of a file"
-              "move it to the first line, or remove it";
+            reader.report (Misplaced_header header.span);
           ({ program with header = Some header }, errors)
       | Item (Import import) ->
-          if program.declarations <> [] then
-            misplaced reader.sink "E0118" import.span "an `import` must come before all definitions"
-              "move it to the top of the file";
+          if program.declarations <> [] then reader.report (Misplaced_import import.span);
           ({ program with imports = import :: program.imports }, errors)
       | Item (Declaration d) ->
           check_depth reader d;
@@ -187,14 +179,15 @@ let rec collect reader (program : Ir.program) errors =
     in
     if last then program else collect reader program errors
 
-let read sink ~file text =
-  let layout = Layout.create (Lexer.create sink ~file text) in
+let read report ~file text =
+  let lexical fact = report (Fact.Lexical fact) in
+  let layout = Layout.create (Lexer.create lexical ~file text) in
   let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
   match
     collect
       {
         layout;
-        sink;
+        report;
         text;
         cut = false;
         failed = false;
@@ -206,10 +199,10 @@ let read sink ~file text =
   with
   | program ->
       let declarations, clauses = Clauses.joined (List.rev program.declarations) in
-      List.iter (Diagnostic.emit sink) clauses;
+      List.iter (fun reason -> report (Fact.Rejected reason)) clauses;
       Some { program with imports = List.rev program.imports; declarations }
   | exception Layout.Too_deep token ->
-      too_deep sink (Build.span (token.start, token.stop));
+      report (Too_deep (Build.span (token.start, token.stop)));
       None
 
 (* The span of [length] bytes at an offset. *)
@@ -226,40 +219,32 @@ let span_at ~file text offset length =
     ~start:(Span.position ~line:!line ~column)
     ~stop:(Span.position ~line:!line ~column:(column + length))
 
-let check_tabs sink ~file text =
+let check_tabs report ~file text =
   match String.index_opt text '\t' with
   | None -> ()
   | Some offset ->
       let count = ref 0 in
       String.iter (fun c -> if c = '\t' then incr count) text;
-      let more = if !count = 1 then "" else Printf.sprintf " (%d in this file)" !count in
-      Diagnostic.emit sink
-        (Diagnostic.error ~code:"E0102" ~at:(span_at ~file text offset 1)
-           "this is a tab, but only spaces are allowed, because indentation has a meaning%s" more
-        |> Diagnostic.hint "set up your editor to insert spaces instead of tabs")
+      report (Fact.Tabs { at = span_at ~file text offset 1; count = !count })
 
-let program sink ~file text =
+let program facts ~file text =
+  let has_errors = ref false in
+  let report problem =
+    has_errors := true;
+    Facts.report facts { Fact.file; text; problem }
+  in
   match Utf8.first_error text with
   | Some offset ->
-      Diagnostic.emit sink
-        (Diagnostic.error ~code:"E0101" ~at:(span_at ~file text offset 1)
-           "this file is not valid UTF-8: byte %d is not allowed here"
-           (Char.code text.[offset])
-        |> Diagnostic.hint "save the file as UTF-8 text");
+      report (Not_utf8 { at = span_at ~file text offset 1; byte = text.[offset] });
       None
-  | None -> (
-      (* A separate sink for this file, to find out whether the file has errors. *)
-      let own = Diagnostic.sink () in
-      check_tabs own ~file text;
-      let program = read own ~file text in
-      List.iter (Diagnostic.emit sink) (Diagnostic.all own);
-      match program with
-      | Some program when not (Diagnostic.has_errors own) -> Some program
-      | Some _ | None -> None)
+  | None ->
+      check_tabs report ~file text;
+      let program = read report ~file text in
+      if !has_errors then None else program
 
 let readable ~file text =
-  let sink = Diagnostic.sink () in
-  let program = if Utf8.first_error text <> None then None else read sink ~file text in
+  let is_too_deep = ref false in
   (* a tree that is nested too deeply is not safe to traverse *)
-  let is_too_deep (d : Diagnostic.t) = String.equal d.code "E0106" in
-  if List.exists is_too_deep (Diagnostic.all sink) then None else program
+  let report : Fact.problem -> unit = function Too_deep _ -> is_too_deep := true | _ -> () in
+  let program = if Utf8.first_error text <> None then None else read report ~file text in
+  if !is_too_deep then None else program

@@ -1,8 +1,8 @@
 open Basis
 
-let diagnostics suggestions (fact : Resolve.Fact.t) =
+let diagnostics syntax suggestions (fact : Resolve.Fact.t) =
   match fact with
-  | Syntax diagnostic -> [ diagnostic ]
+  | Syntax fact -> Of_syntax.diagnostics syntax fact
   | In_modules fact -> [ Import_mistake.diagnostic fact ]
   | Setting { name; at; problem } -> [ Setting_mistake.diagnostic ~name ~at problem ]
   | Unresolved { visible; names } -> Unresolved.diagnostics suggestions visible names
@@ -12,4 +12,4 @@ let diagnostics suggestions (fact : Resolve.Fact.t) =
   | In_foreign_code fact -> [ Foreign_declaration_mistake.diagnostic fact ]
   | Warning fact -> [ Name_warning.diagnostic fact ]
 
-let into sink = Facts.into_several sink (diagnostics (Suggestion.create ()))
+let into sink = Facts.into_several sink (diagnostics (Of_syntax.create ()) (Suggestion.create ()))

@@ -8,6 +8,7 @@ type 'fact t = {
 
 let into_several sink advise = { sink; advise; held = None }
 let into sink advise = into_several sink (fun fact -> [ advise fact ])
+let map f t = { sink = t.sink; advise = (fun fact -> t.advise (f fact)); held = None }
 let ignored () = into_several (Diagnostic.sink ()) (fun _ -> [])
 
 let pass_on t held =

@@ -18,6 +18,10 @@ val into_several : Diagnostic.sink -> ('fact -> Diagnostic.t list) -> 'fact t
 val ignored : unit -> 'fact t
 (** Discards all facts. *)
 
+val map : ('a -> 'b) -> 'b t -> 'a t
+(** Reports each fact as the fact that contains it, for a stage that runs another one. Facts
+    reported to the result cannot be held with {!hold} of the argument. *)
+
 val report : 'fact t -> 'fact -> unit
 
 val has_errors : 'fact t -> bool

@@ -38,7 +38,7 @@ let read path =
 
 let prelude path =
   let text = read path in
-  match Syntax.Parse.program (Diagnostic.sink ()) ~file:path text with
+  match Syntax.Parse.program (Facts.ignored ()) ~file:path text with
   | Some tree -> tree
   | None -> failwith "the prelude cannot be read"
 

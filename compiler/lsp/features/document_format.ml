@@ -26,7 +26,7 @@ let edit ws (doc : Document.t) before after : Json.t =
 
 let edits ws (doc : Document.t) =
   let before = Text.contents doc.text in
-  match Formatting.Formatter.text (Diagnostic.sink ()) ~file:doc.path before with
+  match Formatting.Formatter.text (Facts.ignored ()) ~file:doc.path before with
   | Formatted after when String.equal before after -> Ok (Json.List [])
   | Formatted after -> Ok (List [ edit ws doc before after ])
   | Broken -> Ok (List [])

@@ -34,7 +34,7 @@ let at_the_edge ~column piece =
   | first :: rest -> String.concat "\n" (first :: List.map moved rest)
 
 let format text =
-  match Formatting.Formatter.text (Diagnostic.sink ()) ~file:"" text with
+  match Formatting.Formatter.text (Facts.ignored ()) ~file:"" text with
   | Formatted text -> Some text
   | Broken | Refused _ -> None
 

@@ -19,7 +19,7 @@ let prepare ws (doc : Document.t) params : Json.t =
 (* {1 Names} *)
 
 let tokens_of text =
-  let lexer = Syntax.Lexer.create (Diagnostic.sink ()) ~file:"" text in
+  let lexer = Syntax.Lexer.create ignore ~file:"" text in
   let first = (Syntax.Lexer.next lexer).token in
   (first, (Syntax.Lexer.next lexer).token)
 

@@ -117,7 +117,7 @@ let check ~library ~read ~path text =
   (* The text is parsed only here, and a second time only if it has syntax errors. *)
   let tree = ref None in
   let parse ~file text =
-    tree := Syntax.Parse.program (Diagnostic.sink ()) ~file text;
+    tree := Syntax.Parse.program (Facts.ignored ()) ~file text;
     !tree
   in
   let request = request ~library ~read ~path text ~parse in

@@ -92,7 +92,7 @@ let parsed ws path module_ =
           let tree =
             match Prepared.Library.tree ~file text with
             | Some tree -> Some tree
-            | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file:path text
+            | None -> Syntax.Parse.program (Facts.ignored ()) ~file:path text
           in
           let parsed = Option.map (fun tree -> { groups = groups module_ tree; tree }) tree in
           (* A module with syntax errors keeps its previous exports. *)

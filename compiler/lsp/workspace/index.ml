@@ -43,7 +43,7 @@ let declared_in sources file =
           let tree =
             match Prepared.Library.tree ~file text with
             | Some tree -> Some tree
-            | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file text
+            | None -> Syntax.Parse.program (Facts.ignored ()) ~file text
           in
           let declared =
             Option.fold tree ~none:(Hashtbl.create 1) ~some:(fun tree ->

@@ -1,7 +1,7 @@
 type token = { token : Syntax.Grammar.token; start : int; stop : int; first : bool }
 
 let of_text text =
-  let lexer = Syntax.Lexer.create (Basis.Diagnostic.sink ()) ~file:"" text in
+  let lexer = Syntax.Lexer.create ignore ~file:"" text in
   let rec go found =
     let t = Syntax.Lexer.next lexer in
     match t.token with

@@ -14,10 +14,9 @@ let shown path = Filename.basename (Filename.dirname path) ^ "/" ^ Filename.base
 
 let prepared path =
   let file = shown path and text = read path in
-  let sink = Diagnostic.sink () in
-  match (Syntax.Parse.program sink ~file text, Diagnostic.all sink) with
-  | Some tree, [] -> (file, text, Marshal.to_string tree [])
-  | _ -> failwith (path ^ " is not accepted without a message: run frobc check on it")
+  match Syntax.Parse.program (Facts.ignored ()) ~file text with
+  | Some tree -> (file, text, Marshal.to_string tree [])
+  | None -> failwith (path ^ " is not accepted without a message: run frobc check on it")
 
 let () =
   let paths = List.sort String.compare (List.tl (Array.to_list Sys.argv)) in

@@ -61,7 +61,7 @@ let one ~check file =
   let name = if file = stdin_name then "standard input" else file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   Source.add sources ~file:name before;
-  match Formatting.Formatter.text sink ~file:name before with
+  match Formatting.Formatter.text (Advice.Of_syntax.into sink) ~file:name before with
   | Broken ->
       Reporting.print_diagnostics Text sources sink;
       Exit_status.rejected

@@ -261,7 +261,7 @@ let split text =
            (Basis.Printable.name text))
 
 let formatted ~file text =
-  match Formatting.Formatter.text (Basis.Diagnostic.sink ()) ~file text with
+  match Formatting.Formatter.text (Basis.Facts.ignored ()) ~file text with
   | Formatted text -> text
   | Broken | Refused _ -> text
 

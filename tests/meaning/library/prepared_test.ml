@@ -16,7 +16,9 @@ let shown module_ = "stdlib/" ^ module_ ^ ".frob"
 
 let parsed module_ =
   let sink = Diagnostic.sink () in
-  let tree = Syntax.Parse.program sink ~file:(shown module_) (text module_) in
+  let tree =
+    Syntax.Parse.program (Advice.Of_syntax.into sink) ~file:(shown module_) (text module_)
+  in
   Alcotest.(check int) "no diagnostics" 0 (List.length (Diagnostic.all sink));
   tree
 

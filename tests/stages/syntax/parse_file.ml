@@ -9,7 +9,7 @@ let () =
   close_in channel;
   let sink = Diagnostic.sink () and source = Source.create () in
   Source.add source ~file text;
-  let program = Syntax.Parse.program sink ~file text in
+  let program = Syntax.Parse.program (Advice.Of_syntax.into sink) ~file text in
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
   let print program =
     Syntax.Lint.program program;

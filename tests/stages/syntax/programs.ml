@@ -2,7 +2,7 @@ open Basis
 
 let parse text =
   let sink = Diagnostic.sink () in
-  let program = Syntax.Parse.program sink ~file:"main.frob" text in
+  let program = Syntax.Parse.program (Advice.Of_syntax.into sink) ~file:"main.frob" text in
   Option.iter Syntax.Lint.program program;
   (Diagnostic.all sink, program)
 

@@ -14,7 +14,7 @@ main = switch (proc x -> (before + half x, edge (before > 3)) where before = del
 let the = Option.get
 let library = "../../../stdlib"
 let sink = Diagnostic.sink ()
-let parsed = the (Syntax.Parse.program sink ~file:"main.frob" text)
+let parsed = the (Syntax.Parse.program (Advice.Of_syntax.into sink) ~file:"main.frob" text)
 
 let resolved =
   let on_disk = Resolve.Files.on_disk in

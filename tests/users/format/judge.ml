@@ -9,7 +9,7 @@ let trimmed text =
   String.concat "\n" (List.map line (String.split_on_char '\n' text))
 
 let parsed text =
-  Syntax.Parse.program (Basis.Diagnostic.sink ()) ~file:"" (trimmed text)
+  Syntax.Parse.program (Basis.Facts.ignored ()) ~file:"" (trimmed text)
   |> Option.map Without_spans.program
 
 let comments text =
@@ -40,7 +40,7 @@ let comments text =
   go [] 0
 
 let formatted text =
-  match Formatting.Formatter.text (Basis.Diagnostic.sink ()) ~file:"" text with
+  match Formatting.Formatter.text (Basis.Facts.ignored ()) ~file:"" text with
   | Formatted text -> Ok text
   | Broken -> Error "it is no program to the formatter"
   | Refused law -> Error ("the formatter refuses: " ^ Formatting.Laws.name law)

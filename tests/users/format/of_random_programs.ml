@@ -6,7 +6,7 @@ module Lexer = Syntax.Lexer
 let chance = Fuzz.Choice.chance
 
 let tokens text =
-  let lexer = Lexer.create (Basis.Diagnostic.sink ()) ~file:"" text in
+  let lexer = Lexer.create ignore ~file:"" text in
   let rec go found =
     let token = Lexer.next lexer in
     match token.token with END -> List.rev found | _ -> go (token :: found)

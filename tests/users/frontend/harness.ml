@@ -16,7 +16,7 @@ let read file =
 (* Most inputs do not parse. They take little time, because the library is not read for them. *)
 let parses file =
   let sink = Diagnostic.sink () in
-  match Syntax.Parse.program sink ~file (read file) with
+  match Syntax.Parse.program (Advice.Of_syntax.into sink) ~file (read file) with
   | Some parsed when not (Diagnostic.has_errors sink) ->
       Syntax.Lint.program parsed;
       ignore (Format.asprintf "%a" Syntax.Print.program parsed);
@@ -42,7 +42,7 @@ let run ~library file =
     let sink = Diagnostic.sink () and sources = Source.create () in
     let text = read file in
     Source.add sources ~file text;
-    ignore (Syntax.Parse.program sink ~file text);
+    ignore (Syntax.Parse.program (Advice.Of_syntax.into sink) ~file text);
     show sink sources
 
 (* {1 afl's persistent mode} *)

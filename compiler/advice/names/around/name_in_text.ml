@@ -96,7 +96,7 @@ let call ~text (span : Span.t) =
   else
     let open Basis.Let_syntax.Option in
     let* stop = close opening 0 in
-    let* written = Syntax.Other_notation.expression (String.sub line first (stop - first)) in
+    let* written = Other_notation.expression (String.sub line first (stop - first)) in
     let name = String.sub line first (opening - first) in
     if String.equal written name || String.starts_with ~prefix:(name ^ " ") written then None
     else Some (on_line span first stop, written)
@@ -140,7 +140,7 @@ let without_modules module_ text =
       if stop = i then String.make 1 text.[i] ^ go (i + 1)
       else if String.starts_with ~prefix word then
         let member = String.sub word n (String.length word - n) in
-        Option.value (Syntax.Other_function.alone member) ~default:member ^ go stop
+        Option.value (Other_function.alone member) ~default:member ^ go stop
       else word ^ go stop
   in
   go 0

@@ -112,7 +112,7 @@ let c_declarations program =
         when is_c_type name.text -> (
           let word (p : pattern) = match p.desc with Bound word -> Some word.text | _ -> None in
           let words = name.text :: List.filter_map word parameters in
-          let is_type word = is_c_type word && not (List.mem word Syntax.Beginnings.needless) in
+          let is_type word = is_c_type word && not (List.mem word Beginnings.needless) in
           let type_ = Option.value (List.find_opt is_type words) ~default:name.text in
           match List.rev parameters with
           | {

@@ -132,8 +132,8 @@ let c_declaration t =
   Option.map
     (fun (d : Proc_signals.c_declaration) ->
       let hint =
-        match (d.value, Typed_left.of_declaration t Syntax.Typed_equation.of_c d) with
-        | None, Some typed -> Syntax.Typed_equation.without_type typed
+        match (d.value, Typed_left.of_declaration t Typed_equation.of_c d) with
+        | None, Some typed -> Typed_equation.without_type typed
         | _ -> of_c_declaration d
       in
       Other_meaning.diagnostic t

@@ -12,7 +12,7 @@ let unit_after_number (t : Unknown.t) =
 let power_in_text (t : Unknown.t) =
   match (t.name.text, application t) with
   | ("pow" | "powf"), Some (whole, [ base; exponent ]) ->
-      Syntax.Other_notation.expression (Printf.sprintf "pow(%s, %s)" base exponent)
+      Other_notation.expression (Printf.sprintf "pow(%s, %s)" base exponent)
       |> Option.map (fun text -> (whole, text))
   | _ -> None
 
@@ -58,18 +58,18 @@ let field (t : Unknown.t) =
 let of_a_module ~text (name : Syntax.Ir.name) =
   let open Basis.Let_syntax.Option in
   let* whole = Name_in_text.member ~text name.span in
-  let* member = Syntax.Other_function.without_module (Name_in_text.written ~text whole) in
-  match (Syntax.Other_function.constant member, Name_in_text.call ~text whole) with
+  let* member = Other_function.without_module (Name_in_text.written ~text whole) in
+  match (Other_function.constant member, Name_in_text.call ~text whole) with
   | Some text, _ -> Some (whole, text)
   | None, Some (at, text) -> Some (at, text)
   | None, None -> (
       match Name_in_text.application ~text whole with
       | Some (at, arguments) when not (Name_in_text.is_an_argument ~text name.span) ->
           let arguments = List.map (Name_in_text.without_modules name.text) arguments in
-          let* text = Syntax.Other_function.applied member arguments in
+          let* text = Other_function.applied member arguments in
           Some (at, text)
       | Some _ | None ->
-          let* text = Syntax.Other_function.alone member in
+          let* text = Other_function.alone member in
           Some (whole, text))
 
 let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name

@@ -15,7 +15,7 @@ let error (t : Unknown.t) what =
 (* `Velocity v = 0.3[m/s]`, whose pattern has a type as its constructor. Only the first word of the
    type is reported. *)
 let equation (t : Unknown.t) =
-  match Syntax.Typed_equation.of_line (line_of t t.name.span) with
+  match Typed_equation.of_line (line_of t t.name.span) with
   | Some typed when is_a_type t && index t = typed.start ->
       let column n = Span.position ~line:(Span.line t.name.span.start) ~column:(n + 1) in
       let first = if typed.in_a_let then typed.start else typed.first in
@@ -24,7 +24,7 @@ let equation (t : Unknown.t) =
       Some
         (Report
            (error t (what ^ " cannot start with")
-           |> Diagnostic.hint (Syntax.Typed_equation.advice typed)
+           |> Diagnostic.hint (Typed_equation.advice typed)
            |> Diagnostic.fix "remove the type" [ (place, "") ]))
   | Some typed when is_a_type t && index t < typed.stop -> Some Reported
   | Some _ | None -> None
@@ -32,7 +32,7 @@ let equation (t : Unknown.t) =
 (* `f (Float x) = …`. Only the first type is reported. *)
 let parameter (t : Unknown.t) =
   let line = line_of t t.name.span in
-  match Syntax.Typed_equation.of_parameters line with
+  match Typed_equation.of_parameters line with
   | Some hint when is_a_type t && index t < String.index line '=' ->
       if Name_in_text.before ~text:(Unknown.text t) t.name.span = '(' then
         Some (Report (error t "a parameter cannot have" |> Diagnostic.hint hint))
@@ -41,14 +41,14 @@ let parameter (t : Unknown.t) =
 
 let of_declaration t of_line (d : Proc_signals.c_declaration) =
   match of_line (line_of t d.head.span) with
-  | Some (typed : Syntax.Typed_equation.t) when String.equal typed.name d.declared.text ->
+  | Some (typed : Typed_equation.t) when String.equal typed.name d.declared.text ->
       Some typed
   | Some _ | None -> None
 
 (* The name `v` of `const Velocity v = 0.3[m/s]`, which defines a function `const`. *)
 let declared (t : Unknown.t) =
   match Unknown.c_declaration t with
-  | Some d when t.namespace = Values && of_declaration t Syntax.Typed_equation.of_line d <> None ->
+  | Some d when t.namespace = Values && of_declaration t Typed_equation.of_line d <> None ->
       Some Reported
   | Some _ | None -> None
 

@@ -9,7 +9,7 @@ val rules : (Unknown.t -> advice option) list
 
 val of_declaration :
   Unknown.t ->
-  (string -> Syntax.Typed_equation.t option) ->
+  (string -> Typed_equation.t option) ->
   Proc_signals.c_declaration ->
-  Syntax.Typed_equation.t option
+  Typed_equation.t option
 (** The equation on the line of the declaration, read by the function. *)

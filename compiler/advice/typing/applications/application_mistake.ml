@@ -192,7 +192,7 @@ let mapped_range words ~at ~head (arguments : Resolve.Ir.expr list) =
   let d =
     Diagnostic.error ~code:"E0301" ~at:head "`map` applies a function to each element of an array"
   in
-  match Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
+  match Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
   | Some text when List.compare_lengths texts arguments = 0 ->
       Diagnostic.hint
         (Printf.sprintf "to convert a number from one range to another, write `%s`" text)

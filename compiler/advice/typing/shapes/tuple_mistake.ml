@@ -4,8 +4,7 @@ open Diagnostic
 open Shape_fact
 
 (* The text as an argument. Calls in the C notation, [f(x, y)], are rewritten in Frob's. *)
-let argument_of text =
-  Source.grouped (Option.value (Syntax.Other_notation.expression text) ~default:text)
+let argument_of text = Source.grouped (Option.value (Other_notation.expression text) ~default:text)
 
 let selected fact =
   match (fact.wanted, fact.given, fact.expected.because) with
@@ -212,7 +211,7 @@ let mapped_range fact =
       let written =
         Option.bind
           (all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) es))
-          (fun texts -> Syntax.Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
+          (fun texts -> Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
       in
       error ~code:"E0301" ~at:fact.at "`map` applies a function to each element of an array"
       |> hint

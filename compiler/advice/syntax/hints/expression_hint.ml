@@ -1,0 +1,106 @@
+open Basis
+open Syntax
+open Grammar
+open Found
+
+(* [2 * x | x <- xs], a Haskell list comprehension. *)
+let comprehension found =
+  match found.context with
+  | (Bracket, { by; _ }) :: _ -> (
+      let end_ = end_of_line found found.token.start.pos_cnum in
+      let rest = between found found.token.stop.pos_cnum end_ in
+      let element = between found by.stop.pos_cnum found.token.start.pos_cnum in
+      match String.split_on_char '<' rest with
+      | [ x; source ] when source <> "" && source.[0] = '-' -> (
+          let x = String.trim x in
+          match String.split_on_char ']' (String.sub source 1 (String.length source - 1)) with
+          | xs :: _ :: _ when x <> "" && not (String.contains xs ',') ->
+              Some
+                (Printf.sprintf "use `map (\\%s -> %s) %s` to compute each element" x element
+                   (Source.grouped (String.trim xs)))
+          | _ -> Some "use `map (\\x -> x + 1) xs` to compute each element")
+      | _ -> None)
+  | _ -> None
+
+let do_argument found =
+  match (found.token.token, found.before) with
+  | ( DO,
+      Some
+        {
+          token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
+          _;
+        } ) ->
+      Some "put the `do` in parentheses, or write `$` before it"
+  | _ -> None
+
+let lambda_argument found =
+  match (found.token.token, found.before) with
+  | ( (BACKSLASH | LAMBDA_CASE),
+      Some
+        {
+          token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _;
+          _;
+        } ) ->
+      Some "put the lambda in parentheses: `f (\\x -> …)`"
+  | _ -> None
+
+let pattern_of_proc found =
+  match (found.token.token, found.before) with
+  | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
+    when stands_after found "proc" constructor ->
+      Some "put parentheses around a pattern such as `(Just x)`"
+  | _ -> None
+
+(* `@(x) x * 2`, as in MATLAB *)
+let function_handle found =
+  let first = found.token.stop.pos_cnum in
+  match found.token.token with
+  | AT when after found = '(' -> (
+      match String.index_from_opt found.text first ')' with
+      | Some closing when closing < end_of_line found first ->
+          let names =
+            String.split_on_char ',' (String.sub found.text (first + 1) (closing - first - 1))
+          in
+          let body = Other_definition.body_of_lambda found.text (closing + 1) in
+          Some
+            (Printf.sprintf "write an anonymous function as `\\%s -> %s`"
+               (String.concat " " (List.map String.trim names))
+               (Option.value body ~default:"…"))
+      | _ -> None)
+  | _ -> None
+
+let list_comprehension found =
+  match (found.token.token, found.before) with BAR, _ -> comprehension found | _ -> None
+
+(* The parameters before the arrow, `x` or `(x, y)`, after the innermost `(` or `=`. *)
+let parameters_before found =
+  let stop = found.token.start.pos_cnum in
+  let bol = found.token.start.pos_bol in
+  let rec start i depth =
+    if i <= bol then bol
+    else
+      match found.text.[i - 1] with
+      | ')' -> start (i - 1) (depth + 1)
+      | '(' when depth > 0 -> start (i - 1) (depth - 1)
+      | ('(' | '=' | ',') when depth = 0 -> i
+      | _ -> start (i - 1) depth
+  in
+  let text = between found (start stop 0) stop in
+  let blank = function '(' | ')' | ',' -> ' ' | c -> c in
+  let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
+  let is_name w = String.for_all Character.is_name w && w <> "" && Character.is_lower w.[0] in
+  if names <> [] && List.for_all is_name names then Some (String.concat " " names) else None
+
+let arrow_function found =
+  let general = "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`" in
+  match parameters_before found with
+  | None -> general
+  | Some parameters ->
+      let body =
+        match Other_definition.body_of_lambda found.text found.token.stop.pos_cnum with
+        | Some body when String.length body <= 60 -> body
+        | Some _ | None -> "…"
+      in
+      Printf.sprintf "write an anonymous function as `\\%s -> %s`%s" parameters body
+        (if String.contains parameters ' ' then ""
+         else Printf.sprintf ", a signal function as `proc %s -> …`" parameters)

@@ -1,0 +1,278 @@
+open Syntax
+open Grammar
+open Found
+
+let an_equation = "Frob has no assignments: write an equation that holds at every instant"
+
+(* The rest of the line after this offset, without a `;`. *)
+let rest_of_line found offset =
+  let rest = between found offset (end_of_line found offset) in
+  let n = String.length rest in
+  if n > 0 && rest.[n - 1] = ';' then String.trim (String.sub rest 0 (n - 1)) else rest
+
+(* The constant in an equation `y = 0.1` of the lines above, in the same definition. *)
+let constant_above found name =
+  let first = start_of_definition found in
+  let lines = String.split_on_char '\n' (between found first found.token.start.pos_bol) in
+  let prefix = name ^ " = " in
+  let value line =
+    let line = String.trim line in
+    if not (String.starts_with ~prefix line) then None
+    else
+      let n = String.length prefix in
+      let value = String.trim (String.sub line n (String.length line - n)) in
+      let is_literal = function
+        | '0' .. '9' | '.' | '-' | '[' | ']' | '/' | '^' | 'a' .. 'z' | 'A' .. 'Z' -> true
+        | _ -> false
+      in
+      if
+        value <> "" && String.for_all is_literal value
+        && (Basis.Character.is_digit value.[0] || value.[0] = '-')
+      then Some value
+      else None
+  in
+  List.find_map value lines
+
+(* The equation for a value that accumulates the change at every instant, as `y += x` does in a
+   loop. *)
+let accumulates found name change =
+  match constant_above found name with
+  | Some value ->
+      Printf.sprintf "%s: in place of both lines, write `%s = delay %s %s %s`" an_equation name
+        (Basis.Source.grouped value) name change
+  | None ->
+      Printf.sprintf "%s: `%s = delay 0 %s %s`, where 0 is the initial value" an_equation name name
+        change
+
+(* `y = delay 0 y + x` for `y += x`. *)
+let accumulated found (operator : Layout.token) =
+  let line = between found found.token.start.pos_bol operator.start.pos_cnum in
+  let value = Other_notation.expression (rest_of_line found found.token.stop.pos_cnum) in
+  match value with
+  | Some value when line <> "" && String.for_all Basis.Character.is_name line ->
+      accumulates found line
+        (Printf.sprintf "%s %s" (written found operator) (Basis.Source.grouped value))
+  | _ -> an_equation ^ ", as in `n = delay 0 n + 1`"
+
+let assigns found =
+  match found.before with
+  | Some { token = OPERATOR "!"; _ } -> Some "use `/=` to compare for inequality"
+  | Some ({ token = OPERATOR "+" | MINUS | STAR | SLASH; _ } as operator) ->
+      Some (accumulated found operator)
+  | Some _ | None -> None
+
+(* A `//` at the start of a line. *)
+let starts_a_comment found =
+  found.token.token = SLASH
+  && after found = '/'
+  && between found found.token.start.pos_bol found.token.start.pos_cnum = ""
+
+let own_operator =
+  "programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``"
+
+(* `map (\x -> x * 2) xs` for `xs .* 2`, `zipWith (\x y -> x * y) xs ys` for `xs .* ys` *)
+let element_by_element found (point : Layout.token) operator =
+  let left = word_before found point.start.pos_cnum in
+  let right = rest_of_line found found.token.stop.pos_cnum in
+  let is_word text = text <> "" && String.for_all Basis.Character.is_name text in
+  if not (is_word left && is_word right) then None
+  else
+    let text =
+      if Basis.Character.is_digit right.[0] then
+        Printf.sprintf "map (\\x -> x %c %s) %s" operator right left
+      else if operator = '^' then Printf.sprintf "zipWith (\\x y -> x ** y) %s %s" left right
+      else Printf.sprintf "zipWith (\\x y -> x %c y) %s %s" operator left right
+    in
+    Some
+      (Printf.sprintf
+         "for numbers, write `%s %s %s`; operators take numbers, not arrays: for arrays, write `%s`"
+         left
+         (if operator = '^' && not (Basis.Character.is_digit right.[0]) then "**"
+          else String.make 1 operator)
+         right text)
+
+(* The numbers around the `..` of `seeds = [1..10]`. *)
+let seeds found (point : Layout.token) =
+  let first = word_before found point.start.pos_cnum in
+  let rec digits stop =
+    if Basis.Character.is_digit (char_at found stop) then digits (stop + 1) else stop
+  in
+  let start = found.token.stop.pos_cnum in
+  let start = if char_at found start = ' ' then start + 1 else start in
+  let last = String.sub found.text start (digits start - start) in
+  let is_number text = text <> "" && String.for_all Basis.Character.is_digit text in
+  if is_number first && is_number last then
+    Printf.sprintf "use ``%s `to` %s``, without brackets, which includes both numbers" first last
+  else "use ``1 `to` 20``, without brackets, which includes both numbers"
+
+(* An operator of another language that starts with a Frob operator. *)
+let foreign_operator found (before : Layout.token) =
+  if not (is_adjacent found before) then None
+  else
+    match written found before ^ written found found.token with
+    | "<$" | "<*" ->
+        Some
+          "use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the \
+           elements of an array"
+    | (".^" | ".*" | "./") as text when element_by_element found before text.[1] <> None ->
+        element_by_element found before text.[1]
+    | ".^" | ".*" | "./" ->
+        Some
+          "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, \
+           `zipWith (*) xs ys` for two"
+    | "<<" ->
+        let bits = word_before found before.start.pos_cnum in
+        let by = rest_of_line found found.token.stop.pos_cnum in
+        let is_word text = text <> "" && String.for_all Basis.Character.is_name text in
+        Some
+          (if is_word bits && is_word by then
+             Printf.sprintf "to shift the bits of an Int, write `shiftL %s %s`" bits by
+           else "to shift the bits of an Int, write `shiftL bits n`")
+    | "<>" -> Some "use `/=` to compare for inequality"
+    | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
+    | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
+    | "++" when after found = ' ' ->
+        Some "texts and arrays cannot be joined: a text is a label, and an array has a fixed size"
+    | ("++" | "--") as text ->
+        let name = word_before found before.start.pos_cnum in
+        let name = if name = "" then "n" else name in
+        Some (accumulates found name (Printf.sprintf "%c 1" text.[0]))
+    | "===" -> Some "use `==` to compare"
+    | "!!" ->
+        Some
+          "use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` \
+           replaces a missing element"
+    | "/*" -> Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
+    | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
+    | ".." when names_before found "seeds" -> Some (seeds found before)
+    | ".." ->
+        let inside =
+          match
+            ( String.rindex_from_opt found.text before.start.pos_cnum '[',
+              String.index_from_opt found.text before.stop.pos_cnum ']' )
+          with
+          | Some first, Some last when last <= end_of_line found before.stop.pos_cnum ->
+              let text = between found (first + 1) last in
+              String.concat "" (String.split_on_char ' ' text)
+          | _ -> ""
+        in
+        Some (Beginnings.no_ranges inside)
+    | _ -> None
+
+let foreign found = Option.bind found.before (foreign_operator found)
+
+let row found =
+  match (found.token.token, found.before) with
+  | COMMA, Some { token = NUMBER _; _ } when names_before found "!" ->
+      Some "write one `!` for each index: `m ! 0 ! 1`"
+  | _ -> None
+
+let member found =
+  match (found.token.token, found.before) with
+  | ARROW, Some ({ token = LOWER _; _ } as name)
+    when is_adjacent found name && not (is_blank (after found)) ->
+      let record = written found name in
+      let field = part found (word_from found found.token.stop.pos_cnum) in
+      Some
+        (if field = "" then
+           "use `r.speed` for a field; to read a sensor, apply its signal function, as in \
+            `frontSonar i`"
+         else if List.mem record [ "i"; "input"; "robot"; "this"; "self" ] then
+           Printf.sprintf "to read a sensor, write `%s i`; for a field, `%s.%s`" field record field
+         else
+           Printf.sprintf
+             "write `%s.%s` for a field; to read a sensor, apply its signal function, as in `%s i`"
+             record field field)
+  | _ -> None
+
+(* `0,3[m/s]` *)
+let decimal_comma found =
+  match (found.token.token, found.before) with
+  | COMMA, Some ({ token = NUMBER _; _ } as number)
+    when is_adjacent found number && Basis.Character.is_digit (after found) ->
+      let rest = rest_of_line found found.token.stop.pos_cnum in
+      let is_of_a_literal c = not (List.mem c [ ' '; ')'; ','; ';' ]) in
+      let rec stop i =
+        if i < String.length rest && is_of_a_literal rest.[i] then stop (i + 1) else i
+      in
+      Some
+        (Printf.sprintf "a decimal point is a `.`: write `%s.%s`" (written found number)
+           (String.sub rest 0 (stop 0)))
+  | _ -> None
+
+let negated found =
+  match (found.token.token, found.before) with
+  | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
+  | OPERATOR "!", _ when after found <> '=' ->
+      let rec first i = if char_at found i = ' ' then first (i + 1) else i in
+      Other_operator.negation found.text (first found.token.stop.pos_cnum)
+  | _ -> None
+
+let negation found =
+  match (found.token.token, found.before) with
+  | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
+  | OPERATOR "!", _ when after found <> '=' -> (
+      match negated found with
+      | None -> Some "use `not b` for the opposite of `b`"
+      | Some (text, _) -> Some (Printf.sprintf "write `%s`" text))
+  | _ -> None
+
+let before_point found =
+  match found.token.token with
+  | OPERATOR "."
+    when after found = '.'
+         && String.trim
+              (between found found.token.stop.pos_cnum
+                 (end_of_line found found.token.stop.pos_cnum))
+            = ".." ->
+      Some "remove `...`: an indented line continues the line above"
+  | OPERATOR "." when Basis.Character.is_digit (after found) ->
+      Some "write a digit before the point, as in `0.5`"
+  | _ -> None
+
+let after_point found =
+  match found.before with
+  | Some { token = OPERATOR "."; start; _ }
+    when Basis.Character.is_digit (char_at found (start.pos_cnum - 1)) ->
+      Some "write a digit after the point, as in `5.0`"
+  | _ -> None
+
+let comment found =
+  match found.token.token with
+  | SLASH when after found = '*' && found.before = None ->
+      Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
+  | SLASH when starts_a_comment found -> Some "write `--` to start a comment"
+  | _ -> None
+
+let own found =
+  match found.token.token with
+  | BAR when is_symbol (after found) && after found <> '>' -> Some own_operator
+  | _ -> None
+
+let pipe found =
+  match found.token.token with
+  | BAR when after found = '>' -> (
+      match Other_operator.pipeline found.text found.token.start.pos_cnum with
+      | Some text -> Some (Printf.sprintf "write each function before its argument: `%s`" text)
+      | None -> Some "write the function before its argument: `f x`")
+  | _ -> None
+
+(* `a | b`, a disjunction. *)
+let disjunction found =
+  let is_operand : Layout.token option -> bool = function
+    | Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> true
+    | Some _ | None -> false
+  in
+  match found.token.token with
+  | BAR
+    when is_blank (after found)
+         && is_operand found.before && (not found.token.first)
+         && (not
+               (List.mem (first_word found)
+                  [ "data"; "type"; "class"; "instance"; "foreign"; "param" ]))
+         && (not (names_before found "::"))
+         && (not (opens_with Layout.Bracket found.context))
+         && (not (opens_with Layout.Brace found.context))
+         && not (List.mem (first_word_of_line found) [ "match"; "with" ]) ->
+      Some "write `||` between two conditions"
+  | _ -> None

@@ -1,0 +1,297 @@
+open Basis
+open Syntax
+open Grammar
+open Found
+
+(* {1 Lines that begin as in other languages} *)
+
+(* `Robot (setVelTR)` for `from Robot import setVelTR`. *)
+let python_import found =
+  let bol = found.token.start.pos_bol in
+  let module_ = between found bol found.token.start.pos_cnum in
+  let module_ = String.trim (String.sub module_ 4 (String.length module_ - 4)) in
+  let names =
+    between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+  in
+  let is_name =
+    String.for_all (function
+      | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
+      | _ -> false)
+  in
+  if module_ = "" || not (is_name module_) then "Robot"
+  else
+    let module_ = String.capitalize_ascii module_ in
+    if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
+
+(* `math` in `from math import sqrt` *)
+let first_module found bol = part found (first_word_from found (snd (word_from found bol)))
+
+(* The position and hint for a definition, or the current line, that begins like code in another
+   language. *)
+let beginning found =
+  let start = found.token.start in
+  let bol = start_of_definition found in
+  let above = String.split_on_char '\n' (String.sub found.text bol (start.pos_cnum - bol)) in
+  let definition =
+    { start with pos_bol = bol; pos_lnum = start.pos_lnum + 1 - List.length above }
+  in
+  match part found (word_from found bol) with
+  | "void" -> Some (definition, Beginnings.no_procedures)
+  | "function" ->
+      let hint =
+        match Other_definition.of_matlab found.text bol with
+        | Some d -> Other_definition.advice d ^ "; a block ends where its indentation ends"
+        | None -> Beginnings.by_equation
+      in
+      Some (definition, hint)
+  | ("struct" | "typedef") when Other_definition.record found.text bol <> None ->
+      let text = Option.get (Other_definition.record found.text bol) in
+      Some (definition, Beginnings.declare_a_record text)
+  | "enum" when Other_definition.enumeration found.text bol <> None ->
+      let text = Option.get (Other_definition.enumeration found.text bol) in
+      Some (definition, Printf.sprintf "declare an enumeration with `data`: `%s`" text)
+  | "from" when found.token.token = IMPORT ->
+      Some
+        ( start,
+          let line = between found bol start.pos_cnum in
+          let module_ =
+            match String.split_on_char ' ' line with
+            | _ :: module_ :: _ -> List.hd (String.split_on_char '.' module_)
+            | _ -> first_module found bol
+          in
+          if List.mem module_ [ "math"; "cmath"; "numpy" ] then
+            "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
+          else if Import_hint.of_library module_ <> None then
+            Option.get (Import_hint.of_library module_)
+          else Printf.sprintf "use `import %s`" (python_import found) )
+  | _ ->
+      let word = part found (first_word_from found start.pos_bol) in
+      let line = between found start.pos_bol (end_of_line found start.pos_bol) in
+      let hint =
+        match Beginnings.rounds line with
+        | _ when Beginnings.is_forever line -> Some Beginnings.forever
+        | Some rounds when innermost_block found.context = Do -> Some (Beginnings.repeated rounds)
+        | Some _ | None -> None
+      in
+      let hint = match hint with Some hint -> Some hint | None -> Beginnings.of_word word in
+      Option.map (fun hint -> (start, hint)) hint
+
+(* {1 Rules}
+
+   The hint comes from the first rule that applies, so the order defines the priority:
+
+   - Constructs that certainly belong to another language come first, whatever Frob expects at that
+     token.
+   - A rule for a token in one context, such as a `=` in the braces of a record, comes before the
+     rule for that token in any context.
+   - The indentation rules come last: they apply only if nothing else explains the token. *)
+
+let habits =
+  [
+    Choice_hint.of_assignments;
+    (fun found -> Option.map snd (beginning found));
+    Operator_hint.foreign;
+  ]
+
+let imports =
+  Import_hint.
+    [
+      path;
+      mathematics;
+      of_python;
+      capital;
+      Declaration_hint.choices;
+      of_haskell;
+      with_points;
+      hiding;
+    ]
+
+let declarations =
+  Declaration_hint.
+    [
+      Choice_hint.matched;
+      Choice_hint.after_value;
+      Choice_hint.when_for_if;
+      Choice_hint.double_arrow;
+      Choice_hint.if_in_a_guard;
+      Choice_hint.membership;
+      Equation_hint.split_by_value;
+      Equation_hint.outside_do;
+      Equation_hint.outside_proc;
+      defined_word;
+      without_where;
+      type_of_choices;
+      Operator_hint.row;
+      foreign_import;
+      without_value;
+      alias;
+      capital;
+      Choice_hint.branch;
+      Type_hint.with_parameters;
+      Type_hint.contexts;
+      Type_hint.split_arrow;
+      Type_hint.parameters;
+      Choice_hint.in_braces;
+    ]
+
+let equations_and_fields =
+  [
+    Indentation_hint.equations_before_output;
+    Equation_hint.changed;
+    Equation_hint.in_a_choice;
+    Equation_hint.keyword_argument;
+    Equation_hint.changed_field;
+    Equation_hint.statement;
+    Record_hint.changed_copy;
+    Record_hint.constructor_of_data;
+    Record_hint.type_before_name;
+    Record_hint.without_names;
+    Record_hint.with_points;
+    Record_hint.in_a_unit;
+    Equation_hint.without_parentheses;
+    Equation_hint.two_names;
+    Equation_hint.comparison;
+    Type_hint.capital;
+    Record_hint.without_comma;
+    Record_hint.typed;
+    Expression_hint.do_argument;
+    Expression_hint.lambda_argument;
+    Record_hint.block_in_braces;
+    Record_hint.without_equation;
+  ]
+
+let expressions =
+  [
+    Expression_hint.pattern_of_proc;
+    Choice_hint.otherwise;
+    Choice_hint.without_then;
+    Choice_hint.chain;
+    Expression_hint.function_handle;
+    Expression_hint.list_comprehension;
+    Operator_hint.member;
+    Record_hint.changed;
+    Record_hint.strict;
+    Choice_hint.absolute_value;
+    Declaration_hint.local;
+    Type_hint.pointer;
+    Type_hint.size;
+    Choice_hint.equation_before_guards;
+    Record_hint.capital;
+    Choice_hint.without_of;
+    Indentation_hint.of_where;
+  ]
+
+let general =
+  [
+    Operator_hint.negation;
+    Operator_hint.decimal_comma;
+    Operator_hint.before_point;
+    Operator_hint.after_point;
+    Operator_hint.comment;
+    Operator_hint.own;
+    Operator_hint.pipe;
+    Operator_hint.disjunction;
+    Declaration_hint.word_as_name;
+    Indentation_hint.not_indented;
+    Indentation_hint.misplaced_line;
+  ]
+
+let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general
+let of_token found = List.find_map (fun (rule : Found.rule) -> rule found) rules
+
+(* {1 Hints with a lower priority than the hints of the automaton's state} *)
+
+(* Does the text after an opening brace continue with a name and this sign: `=` in a record value,
+   `::` in a record type? *)
+let opens_fields found sign =
+  let rec skip accepts i =
+    if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i
+  in
+  let name = skip (fun c -> c = ' ') found.token.stop.pos_cnum in
+  let stop = skip Basis.Character.is_name name in
+  let at = skip is_blank stop in
+  stop > name
+  && at + String.length sign <= String.length found.text
+  && String.equal (String.sub found.text at (String.length sign)) sign
+
+(* Hints used if neither the token nor the state suggests a better one. *)
+let usual found =
+  match found.token.token with
+  | ARROW -> (
+      match found.context with
+      | ((Block (Top | Let | Where) | Paren), _) :: _ -> Some (Expression_hint.arrow_function found)
+      | _ -> None)
+  | DOUBLE_ARROW when opens_with Layout.Paren found.context && not (names_before found "::") ->
+      Some (Expression_hint.arrow_function found)
+  | LBRACE when opens_fields found "=" -> Some (Record_hint.without_constructor found)
+  | LBRACE when opens_fields found "::" && first_word found = "type" ->
+      Some (Beginnings.declare_a_record "data Pose = Pose { heading :: Angle }")
+  | LBRACE -> Some (Indentation_hint.without_braces found)
+  | DOUBLE_COLON -> Some (Type_hint.misplaced found)
+  | _ -> None
+
+let hint found ~state_hints =
+  match (of_token found, state_hints, usual found) with
+  | Some hint, _, _ -> [ hint ]
+  | None, (_ :: _ as hints), _ -> hints
+  | None, [], Some hint -> [ hint ]
+  | None, [], None -> []
+
+(* The operator of another language that contains the token. *)
+let foreign_operator_around found =
+  let is_foreign =
+    match (found.token.token, found.before) with
+    | BAR, _ -> is_symbol (after found)
+    | SLASH, _ when Operator_hint.starts_a_comment found -> true
+    | EQUAL, Some { token = OPERATOR "=="; _ } -> Operator_hint.foreign found <> None
+    | EQUAL, Some _ -> Equation_hint.changed found <> None
+    | _ -> Operator_hint.foreign found <> None
+  in
+  let rec first i = if is_symbol (char_at found (i - 1)) then first (i - 1) else i in
+  let rec last i = if is_symbol (char_at found i) then last (i + 1) else i in
+  if is_foreign then Some (first found.token.start.pos_cnum, last found.token.stop.pos_cnum)
+  else None
+
+(* The `elif` before this `then`. *)
+let else_if found =
+  let stop = found.token.start.pos_cnum in
+  let rec words i =
+    if i < found.token.start.pos_bol then None
+    else
+      let ((_, last) as word) = word_from found i in
+      if List.mem (part found word) [ "elif"; "elsif"; "elseif" ] && last < stop then Some word
+      else words (i - 1)
+  in
+  match found.token.token with
+  | THEN when opens_with Layout.Then found.context -> words stop
+  | _ -> None
+
+(* The `std::` of which this token is the `::`. *)
+let namespace found =
+  match (found.token.token, found.before) with
+  | DOUBLE_COLON, Some ({ token = LOWER _; _ } as before)
+    when is_adjacent found before && Basis.Character.is_name (after found) ->
+      Some (before.start.pos_cnum, found.token.stop.pos_cnum)
+  | _ -> None
+
+let foreign found =
+  let at (line : Lexing.position) ((first, last) as it) =
+    let there offset = { line with pos_cnum = offset } in
+    (part found it, Build.span (there first, there last))
+  in
+  let here = found.token.start in
+  match (beginning found, foreign_operator_around found) with
+  | Some (line, _), _ -> Some (at line (first_word_from found line.pos_bol))
+  | None, Some it -> Some (at here it)
+  | None, None ->
+      Option.map (at here) (match namespace found with Some it -> Some it | None -> else_if found)
+
+let other_place found diagnostic =
+  match found.context with
+  | (((If | Then | Case) as opener), { by; _ }) :: _
+    when by.start.pos_lnum <> found.token.start.pos_lnum ->
+      let word = match opener with Case -> "case" | _ -> "if" in
+      Diagnostic.label
+        ~at:(Build.span (by.start, by.stop))
+        (Printf.sprintf "this `%s`" word) diagnostic
+  | _ -> diagnostic

@@ -1,0 +1,150 @@
+open Syntax
+open Grammar
+open Found
+
+(* `Float - > Float`, with a space inside the arrow. *)
+let splits_an_arrow found =
+  let stop = found.token.stop.pos_cnum in
+  is_blank (char_at found stop)
+  && char_at found (stop + 1) = '>'
+  && is_blank (char_at found (stop + 2))
+
+(* `f :: Float, Float -> Float`, with a comma instead of an arrow. *)
+let lists_parameters found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  List.mem "::" (String.split_on_char ' ' line)
+  && (not (String.contains line '='))
+  && not (in_brackets found.context)
+
+(* Is this inside a signature, directly after `Array`? *)
+let is_in_a_size found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  let words = String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)) in
+  List.mem "::" words
+  && (not (List.mem "=" words))
+  && match List.filter (( <> ) "") (List.rev words) with _ :: "Array" :: _ -> true | _ -> false
+
+(* `vector<float>`, as in C++ *)
+let with_parameters found =
+  match (found.token.token, found.before) with
+  | OPERATOR "<", Some { token = LOWER ("vector" | "array" | "list" | "deque"); _ } ->
+      Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
+  | _ -> None
+
+(* `HasSonar i => DiffDrive o => SF i o`, as in Haskell *)
+let contexts found =
+  match found.token.token with
+  | DOUBLE_ARROW -> (
+      let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+      let is_closed text = not (String.contains text '(' || String.contains text '=') in
+      match String.split_on_char '=' line with
+      | [ before; second ] when String.starts_with ~prefix:">" second -> (
+          let second = String.trim (String.sub second 1 (String.length second - 1)) in
+          match String.split_on_char ':' before with
+          | [ _; ""; first ] when is_closed first && is_closed second ->
+              Some (Printf.sprintf "write one context: `(%s, %s) =>`" (String.trim first) second)
+          | _ -> None)
+      | _ -> None)
+  | _ -> None
+
+let split_arrow found =
+  match (found.token.token, found.before) with
+  | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->
+      Some "remove the space from the arrow: `->`"
+  | _ -> None
+
+let parameters found =
+  match (found.token.token, found.before) with
+  | COMMA, Some _ when lists_parameters found ->
+      Some
+        "put `->` after each parameter, as in `Float -> Float -> Float`; put a tuple in parentheses"
+  | _ -> None
+
+let capital found =
+  match (found.token.token, found.before) with
+  | DOUBLE_COLON, Some { token = UPPER _; _ } ->
+      Some "start the name of a value with a lower-case letter"
+  | _ -> None
+
+let pointer found =
+  match (found.token.token, found.before) with
+  | STAR, Some _ when first_word found = "foreign" ->
+      Some "remove the `*`: C receives the address of an array or a record anyway"
+  | _ -> None
+
+let size found =
+  match (found.token.token, found.before) with
+  | SLASH, Some _ when is_in_a_size found ->
+      Some
+        "sizes have only the operators `+`, `-` and `*`: write the result, or give it a name, as \
+         in `type Half = 8`"
+  | (STAR | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
+      Some "put arithmetic on sizes in parentheses, as in `Array (N - 1) Float`"
+  | _ -> None
+
+(* `top-speed :: Velocity` *)
+let hyphenated line =
+  let is_a_word text =
+    text <> "" && Basis.Character.is_lower text.[0] && String.for_all Basis.Character.is_name text
+  in
+  match String.split_on_char '-' (String.trim line) with
+  | first :: (_ :: _ as others) when List.for_all is_a_word (first :: others) ->
+      Some (String.concat "" (first :: List.map String.capitalize_ascii others))
+  | _ -> None
+
+(* `max 0 x` for `std::max(0, x)`, where the token is the `::` *)
+let of_a_namespace found (before : Layout.token) =
+  let text = found.text and first = before.start.pos_cnum in
+  let is_of_a_name c = Basis.Character.is_name c || c = ':' in
+  let rec forward i = if is_of_a_name (char_at found i) then forward (i + 1) else i in
+  let rec close i depth =
+    match char_at found i with
+    | '(' -> close (i + 1) (depth + 1)
+    | ')' -> if depth = 1 then i + 1 else close (i + 1) (depth - 1)
+    | '\n' -> i
+    | _ -> close (i + 1) depth
+  in
+  let name = forward first in
+  let stop = if char_at found name = '(' then close name 0 else name in
+  Other_notation.expression (String.sub text first (stop - first))
+
+let misplaced found =
+  let general = "put the expression and its type in parentheses: `(e :: T)`" in
+  let at = found.token.start.pos_cnum in
+  let line = between found found.token.start.pos_bol at in
+  let ty = between found found.token.stop.pos_cnum (end_of_line found at) in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' line) in
+  match found.before with
+  | Some { token = LOWER _; _ } when hyphenated line <> None ->
+      Printf.sprintf "a name cannot contain `-`: write `%s`" (Option.get (hyphenated line))
+  | Some ({ token = LOWER _; _ } as before)
+    when is_adjacent found before && Basis.Character.is_lower (after found) ->
+      let prefix = written found before in
+      Option.fold (of_a_namespace found before)
+        ~none:
+          (Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`" prefix)
+        ~some:(fun text ->
+          Printf.sprintf "write `%s`, without `%s::`%s" text prefix
+            (if String.starts_with ~prefix:"clamp " text then "; it needs `import Control`" else ""))
+  | _ when String.length line + String.length ty > 70 || String.contains ty '=' -> (
+      match words with
+      | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->
+          "write the type in a signature on the line above, with the name only: `f :: Float -> \
+           Float`"
+      | _ -> general)
+  | _ -> (
+      match (words, found.before) with
+      | [ name; "=" ], Some { token = EQUAL; _ } ->
+          Printf.sprintf "remove the `=`: `%s :: %s`" name ty
+      | name :: _ :: _, _
+        when String.for_all Basis.Character.is_name name
+             && Basis.Character.is_lower name.[0]
+             && not (List.mem "=" words || List.mem "->" words) ->
+          Printf.sprintf "write only the name before the `::` of a signature: `%s :: %s`" name ty
+      | _, Some { token = LOWER _ | NUMBER _ | RPAREN | RBRACKET | FIELD _; _ } -> (
+          match List.rev (String.split_on_char '=' line) with
+          | value :: _ :: _ when not (List.mem "->" words || String.contains value '(') ->
+              Printf.sprintf "put the expression and its type in parentheses: `(%s :: %s)`"
+                (String.trim value) ty
+          | _ -> general)
+      | _ -> general)

@@ -1,0 +1,11 @@
+(** Characters, names, numbers, texts and comments that the lexer does not accept. *)
+
+open Basis
+
+type colons
+(** The hints given for colons so far. *)
+
+val no_colons : colons
+
+val diagnostic : text:string -> colons -> Syntax.Lexical_fact.t -> Diagnostic.t option * colons
+(** [None] if the diagnostic of an earlier character explains this one. *)

@@ -1,0 +1,12 @@
+(** Turns the facts of the parser into diagnostics. *)
+
+open Basis
+
+type t
+(** The diagnostics of the file that is being parsed: a hint about the whole file is given once. *)
+
+val create : unit -> t
+val diagnostics : t -> Syntax.Fact.t -> Diagnostic.t list
+
+val into : Diagnostic.sink -> Syntax.Fact.t Facts.t
+(** Emits the diagnostics into the sink. *)

@@ -1,0 +1,62 @@
+open Basis
+open Syntax
+
+let error at format = Diagnostic.error ~code:"E0110" ~at format
+
+let context at =
+  error at "expected classes before `=>`, each with one type"
+  |> Diagnostic.hint "as in `(Eq a, Ord b) => …`"
+
+let class_head at =
+  error at "the head of a class must be its name and one type variable"
+  |> Diagnostic.hint "as in `class Shape a where`"
+
+let superclass ~at ~(class_ : Ir.name) (variable : Ir.name) =
+  error at "a superclass must use the class's own variable `%s`" variable.text
+  |> Diagnostic.hint
+       (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text class_.text variable.text)
+
+let instance_head at =
+  error at "the head of an instance must be a class and one type"
+  |> Diagnostic.hint "as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
+
+let foreign_word ~expected (found : Ir.name) =
+  error found.span "expected `%s` here, found `%s`" expected found.text
+  |> Diagnostic.hint
+       "as in `foreign name :: Float -> Float = \"c_name\"`, `foreign sf name :: SF Float Float = \
+        \"c_name\"`, `foreign type Name = \"struct name\"` or `foreign include \"name.h\"`"
+
+let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
+
+let size_operator ~at operator =
+  error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
+
+let empty_where at =
+  error at "this `where` has no definitions"
+  |> Diagnostic.hint
+       "indent the definitions after `where` further than the definition that it belongs to"
+
+(* {1 Units} *)
+
+let error at format = Diagnostic.error ~code:"E0119" ~at format
+
+let number_in_unit ~at digits =
+  error at "the number `%s` cannot be part of a unit, only `1` can" digits
+  |> Diagnostic.hint
+       (Printf.sprintf
+          "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
+          digits)
+
+let exponent_not_whole ~at digits =
+  error at "the exponent `%s` of a unit is not a whole number" digits
+  |> Diagnostic.hint "a root is written `m^(1/2)`"
+
+let exponent_too_large at =
+  error at
+    "the exponent of a unit must be a whole number up to 1000, or a quotient of two such numbers"
+
+let exponent_over_zero at = error at "the exponent of a unit is a division by zero"
+
+let scale at =
+  error at "the scale of a unit must be a number, optionally with `pi`, or a quotient of two"
+  |> Diagnostic.hint "as in `unit inch = 0.0254 m` or `unit deg = pi/180`"

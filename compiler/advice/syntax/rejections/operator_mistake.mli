@@ -1,0 +1,26 @@
+(** Operators that need parentheses, and exponents. Diagnostics quote the source text. *)
+
+open Basis
+open Syntax
+open Syntax.Ir
+
+val exponent :
+  text:string -> base:Surface.term -> operator:qualified -> Surface.term -> Diagnostic.t
+(** An exponent that is not a whole number. *)
+
+val two_operators :
+  text:string ->
+  compare:bool ->
+  Surface.term ->
+  qualified ->
+  Surface.term ->
+  qualified ->
+  Surface.term ->
+  Diagnostic.t
+(** [a < b < c] *)
+
+val minus_after : operator:qualified -> at:Span.t -> Surface.term -> Diagnostic.t
+(** [x * -y]; the last argument is the operand of the minus sign. *)
+
+val two_minuses : first:Span.t -> second:Span.t -> Surface.term -> Diagnostic.t
+val section : qualified -> inner:qualified option -> Diagnostic.t

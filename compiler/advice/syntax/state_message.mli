@@ -1,0 +1,14 @@
+(** The message of each error state of the automaton, from [grammar.messages]. *)
+
+type expects =
+  | Equals  (** after the left side of a definition *)
+  | Arrow  (** after the input of a [proc] or a parameter of a lambda *)
+  | Other
+
+type t = {
+  expected : string;  (** the first words of the message *)
+  hints : string list;
+  expects : expects;
+}
+
+val of_state : int -> t

@@ -1,0 +1,25 @@
+(** What the parser reports, as values without any text. The library [advice] turns each fact into a
+    diagnostic. *)
+
+open Basis
+
+type problem =
+  | Not_utf8 of { at : Span.t; byte : char }
+  | Tabs of { at : Span.t; count : int }
+  | Too_deep of Span.t
+  | Lexical of Lexical_fact.t
+  | Unexpected of {
+      state : int;  (** of the automaton *)
+      before : Layout.token option;  (** the preceding token, if it belongs to the same item *)
+      token : Layout.token;  (** the one that the parser cannot accept *)
+    }
+  | Rejected of Rejection.t
+  | Command_in_task of {
+      command : Span.t;
+      block : Lexing.position;  (** the start of the [do] that contains it *)
+      token : Layout.token;  (** the first one after the part of the [do] with the command *)
+    }
+  | Misplaced_header of Span.t
+  | Misplaced_import of Span.t
+
+type t = { file : string; text : string;  (** the whole source *) problem : problem }
