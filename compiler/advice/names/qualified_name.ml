@@ -36,7 +36,7 @@ let of_a_type : rule =
 let of_another_language : rule =
  fun visible qualifier _ ->
   Option.map
-    (fun hint ->
+    (fun row ->
       match Rewritten.of_a_module ~text:visible.text qualifier with
       | Some (at, text) ->
           fun d ->
@@ -44,8 +44,8 @@ let of_another_language : rule =
               (Printf.sprintf "mathematical functions are built in: write `%s`" text)
               d
             |> Diagnostic.write at (Source.grouped text)
-      | None -> Diagnostic.hint hint)
-    (Other_languages.qualifier qualifier.text)
+      | None -> Diagnostic.hint (Phrasebook.hint row))
+    (Phrasebook.find Qualifier qualifier.text)
 
 let similar suggestions (visible : Visible.t) (qualifier : Syntax.Ir.name) =
   let imported =

@@ -24,7 +24,8 @@ let lower_case : rule =
     (List.find_opt same known)
 
 let of_another_language : rule =
- fun { target; _ } -> Option.map Diagnostic.hint (Other_languages.module_ target.text)
+ fun { target; _ } ->
+  Option.map (fun row -> Diagnostic.hint (Phrasebook.hint row)) (Phrasebook.find Module target.text)
 
 let similar : rule =
  fun { target; known; _ } ->
@@ -37,6 +38,11 @@ let similar : rule =
 (* The contents of the module are in a library module with a different name. *)
 let in_library : rule =
  fun { target; imported; _ } ->
+  let named (row : Phrasebook.row) =
+    match row with
+    | { hint = Some what; replacement = Some module_; _ } -> Some (what, module_)
+    | _ -> None
+  in
   Option.map
     (fun (what, module_) ->
       if List.mem module_ imported then
@@ -45,7 +51,7 @@ let in_library : rule =
       else fun d ->
         Diagnostic.hint (Printf.sprintf "%s in `%s`: write `import %s`" what module_ module_) d
         |> Diagnostic.write target.span module_)
-    (Other_languages.in_library target.text)
+    (Option.bind (Phrasebook.find Library target.text) named)
 
 let missing_module (missing : missing) =
   let rules = [ lower_case; of_another_language; similar; in_library ] in

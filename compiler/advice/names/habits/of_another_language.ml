@@ -23,12 +23,10 @@ let integral t =
     (Rewritten.integral t)
 
 let symbol (t : Unknown.t) =
-  match (t.namespace, t.name.text) with
-  | (Values | Constructors), ("and" | "AND") -> Some "&&"
-  | (Values | Constructors), ("or" | "OR") -> Some "||"
-  | Values, "xor" -> Some "/="
-  | Values, "is" -> Some "=="
-  | _ -> None
+  match t.namespace with
+  | Values | Constructors ->
+      Option.bind (Phrasebook.find Operator t.name.text) (fun row -> row.replacement)
+  | Types | Units | Classes -> None
 
 let operator (t : Unknown.t) =
   Option.map
@@ -71,35 +69,33 @@ let call (t : Unknown.t) =
 
 (* {1 Words} *)
 
-let of_last_element =
+let last_element =
   "to get the last element of an array, write its index, as in `xs ! 2` for the third: the first \
    is `xs ! 0`"
 
-let hint_of_word (t : Unknown.t) =
-  let name = t.name.text in
+(* `xs(end)`; elsewhere, `end` has a row in the phrasebook *)
+let of_last_element (t : Unknown.t) =
+  if
+    t.namespace = Values && String.equal t.name.text "end"
+    && Name_in_text.before ~text:(Unknown.text t) t.name.span = '('
+  then Some (explained t last_element)
+  else None
+
+let place (t : Unknown.t) : Phrasebook.place option =
   match t.namespace with
-  | Values
-    when String.equal name "end" && Name_in_text.before ~text:(Unknown.text t) t.name.span = '(' ->
-      Some of_last_element
-  | Values -> Other_languages.value name
-  | Constructors -> Other_languages.constructor name
-  | Types -> Other_languages.type_ name
-  | Classes -> Other_languages.class_ name
+  | Values -> Some Value
+  | Constructors -> Some Constructor
+  | Types -> Some Type
+  | Classes -> Some Class
   | Units -> None
 
-(* The name in a hint such as "write `return`", which suggests only another name. *)
-let only_a_name hint =
-  let is_inner = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' -> true | _ -> false in
-  match String.split_on_char '`' hint with
-  | [ "write "; name; "" ] when String.for_all is_inner name -> Some name
-  | _ -> None
-
 let word (t : Unknown.t) =
+  let row = Option.bind (place t) (fun place -> Phrasebook.find place t.name.text) in
   Option.map
-    (fun hint ->
-      explained t (Imports.without_imported t.module_.visible hint)
-      |> Option.fold (only_a_name hint) ~none:Fun.id ~some:(Diagnostic.write t.name.span))
-    (hint_of_word t)
+    (fun row ->
+      explained t (Imports.without_imported t.module_.visible (Phrasebook.hint row))
+      |> Option.fold (Phrasebook.name row) ~none:Fun.id ~some:(Diagnostic.write t.name.span))
+    row
 
 (* {1 Declarations of C} *)
 
@@ -142,7 +138,8 @@ let c_declaration t =
       |> Diagnostic.hint hint)
     (Unknown.c_declaration t)
 
-let rules = [ member; integral; operator; capital; before_a_text; call; word; c_declaration ]
+let rules =
+  [ member; integral; operator; capital; before_a_text; call; of_last_element; word; c_declaration ]
 
 let controller (t : Unknown.t) =
   Option.map

@@ -7,18 +7,36 @@ type hint = {
 }
 
 let plain text = { text; edit = None; is_certain = false }
-let is_a_word name = Other_languages.robot name <> None
+let is_a_word name = Phrasebook.find Robot name <> None
 
 (* The name of a sensor in another language, applied to the input: `speed i`. *)
 let of_a_reading (t : Unknown.t) =
   match Name_in_text.application ~text:(Unknown.text t) t.name.span with
-  | Some (whole, [ (("i" | "input") as input) ]) ->
+  | Some (whole, ([ ("i" | "input") ] as input)) ->
       Option.map
-        (fun reading ->
-          let text = Printf.sprintf reading input in
+        (fun (text, _) ->
           { text = Printf.sprintf "write `%s`" text; edit = Some (whole, text); is_certain = true })
-        (Other_languages.reading t.name.text)
+        (Phrasebook.applied Reading t.name.text input)
   | Some _ | None -> None
+
+(* The names to whose previous value this name may refer: `v` for `v_prev` and `prevV`. *)
+let current name =
+  let n = String.length name in
+  let without_end suffix =
+    if String.ends_with ~suffix name && n > String.length suffix then
+      Some (String.sub name 0 (n - String.length suffix))
+    else None
+  in
+  let without_start prefix =
+    let k = String.length prefix in
+    if String.starts_with ~prefix name && n > k then
+      Some (String.uncapitalize_ascii (String.sub name k (n - k)))
+    else None
+  in
+  List.filter_map without_end
+    [ "_prev"; "_old"; "_last"; "_previous"; "Prev"; "Old"; "Last"; "Previous" ]
+  @ List.filter_map without_start
+      [ "prev_"; "old_"; "last_"; "previous_"; "prev"; "old"; "last"; "previous" ]
 
 (* `v_prev`, `prevV` or `lastV`, if `v` is known *)
 let of_a_previous_value (t : Unknown.t) =
@@ -32,7 +50,7 @@ let of_a_previous_value (t : Unknown.t) =
           base base
       in
       { text; edit = None; is_certain = true })
-    (List.find_opt is_signal (Other_languages.current t.name.text))
+    (List.find_opt is_signal (current t.name.text))
 
 let of_an_index (t : Unknown.t) =
   if Name_in_text.is_index ~text:(Unknown.text t) t.name.span then
@@ -45,21 +63,20 @@ let of_an_index (t : Unknown.t) =
 (* `roMake (setSpeed 0.3[m/s] 0)`, with the arguments of [setVelTR] *)
 let of_speeds (t : Unknown.t) =
   let source = Unknown.text t in
-  if not (Other_languages.is_of_speed t.name.text) then None
+  if not (Name_in_text.follows ~text:source "roMake (" t.name.span) then None
   else
-    match Name_in_text.application ~text:source t.name.span with
-    | Some (whole, ([ _; _ ] as arguments))
-      when Name_in_text.follows ~text:source "roMake (" t.name.span ->
-        let text = String.concat " " ("setVelTR" :: arguments) in
-        Some
-          {
-            text = Printf.sprintf "write `%s`, which sets the speed and the turn rate" text;
-            edit = Some (whole, text);
-            is_certain = false;
-          }
-    | Some _ | None -> None
+    Option.bind (Name_in_text.application ~text:source t.name.span) @@ fun (whole, arguments) ->
+    Option.map
+      (fun (text, _) ->
+        {
+          text = Printf.sprintf "write `%s`, which sets the speed and the turn rate" text;
+          edit = Some (whole, text);
+          is_certain = true;
+        })
+      (Phrasebook.applied Speed t.name.text arguments)
 
-let of_a_word (t : Unknown.t) = Option.map plain (Other_languages.robot t.name.text)
+let of_a_word (t : Unknown.t) =
+  Option.map (fun row -> plain (Phrasebook.hint row)) (Phrasebook.find Robot t.name.text)
 
 let of_the_input (t : Unknown.t) =
   match t.name.text with

@@ -84,10 +84,11 @@ let of_a_container (t : Unknown.t) =
       ~some:(fun line ->
         String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
   in
-  let kinds = List.filter (fun kind -> List.mem kind words) [ "Array"; "Event"; "Task" ] in
-  match (Other_languages.of_each t.name.text, kinds) with
-  | Some choices, [ kind ] ->
-      Option.map (fun text -> (t.name.span, text)) (List.assoc_opt kind choices)
+  let containers = [ ("Array", Phrasebook.In_array); ("Event", In_event); ("Task", In_task) ] in
+  match List.filter (fun (container, _) -> List.mem container words) containers with
+  | [ (_, place) ] ->
+      Option.bind (Phrasebook.find place t.name.text) (fun row ->
+          Option.map (fun text -> (t.name.span, text)) row.replacement)
   | _ -> None
 
 let counted_in_text (t : Unknown.t) =
@@ -105,22 +106,50 @@ let counted_in_text (t : Unknown.t) =
       Some (whole, String.concat " " ("countWhere" :: arguments))
   | Some _ | None -> None
 
-(* `constrain x 0 255`, with the arguments in the order of Frob *)
+(* A number with or without a unit, as an argument. *)
+let is_a_literal text =
+  let text =
+    if String.starts_with ~prefix:"(-" text && String.ends_with ~suffix:")" text then
+      String.sub text 2 (String.length text - 3)
+    else text
+  in
+  let end_ = Option.value (String.index_opt text '[') ~default:(String.length text) in
+  float_of_string_opt (String.sub text 0 end_) <> None
+
+(* Rows of the phrasebook cannot express these, because the arguments decide. *)
+let by_arguments name arguments =
+  match (name, arguments) with
+  | ("constrain" | "clip" | "saturate" | "clampTo"), [ low; high; x ]
+    when is_a_literal low && not (is_a_literal x) ->
+      Some (Printf.sprintf "clamp %s %s %s" low high x)
+  | ("constrain" | "clip" | "saturate" | "clampTo"), [ x; low; high ] ->
+      Some (Printf.sprintf "clamp %s %s %s" low high x)
+  | ("deg2rad" | "radians" | "toRadians" | "to_radians"), [ x ] ->
+      Some (if float_of_string_opt x = None then x ^ " * 1[deg]" else x ^ "[deg]")
+  | ("sleep" | "wait"), [ t ] when String.ends_with ~suffix:"s]" t ->
+      Some (Printf.sprintf "sleepT %s restingOutput" t)
+  | _ -> None
+
+(* `zip xs ys`, with the arguments in the order of Frob *)
 let applied_in_text (t : Unknown.t) =
   Option.bind (application t) (fun (whole, arguments) ->
-      Option.map (fun (text, _) -> (whole, text)) (Other_languages.applied t.name.text arguments))
+      match by_arguments t.name.text arguments with
+      | Some text -> Some (whole, text)
+      | None ->
+          Option.map
+            (fun (text, _) -> (whole, text))
+            (Phrasebook.applied Call t.name.text arguments))
 
 let member (t : Unknown.t) =
-  if t.namespace = Values && Other_languages.is_an_object t.name.text then field t else None
+  if t.namespace = Values && Phrasebook.find Object t.name.text <> None then field t else None
 
 let import_of (t : Unknown.t) text =
-  let module_ =
-    match application t with
-    | Some (_, arguments) -> Option.bind (Other_languages.applied t.name.text arguments) snd
-    | None -> None
+  let of_row =
+    Option.bind (application t) (fun (_, arguments) ->
+        Option.bind (Phrasebook.applied Call t.name.text arguments) (fun (_, row) -> row.hint))
   in
-  match module_ with
-  | Some module_ -> Printf.sprintf ", with `import %s`" module_
+  match of_row with
+  | Some hint -> hint
   | None when String.starts_with ~prefix:"clamp " text -> ", with `import Control`"
   | None when String.starts_with ~prefix:"countWhere " text -> ", with `import Arrays`"
   | None when String.starts_with ~prefix:"delay 0 " text ->
@@ -130,10 +159,8 @@ let import_of (t : Unknown.t) text =
   | None -> ""
 
 let controller (t : Unknown.t) =
-  match application t with
-  | Some (_, [ kp; ki; kd; e ]) when Other_languages.is_of_gains t.name.text ->
-      Some (Printf.sprintf "pid (Pid { kp = %s, ki = %s, kd = %s, largest = … }) %s" kp ki kd e)
-  | Some _ | None -> None
+  Option.bind (application t) (fun (_, arguments) ->
+      Option.map fst (Phrasebook.applied Controller t.name.text arguments))
 
 let call (t : Unknown.t) =
   let in_parentheses (t : Unknown.t) = Name_in_text.call ~text:(Unknown.text t) t.name.span in

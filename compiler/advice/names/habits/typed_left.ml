@@ -41,8 +41,7 @@ let parameter (t : Unknown.t) =
 
 let of_declaration t of_line (d : Proc_signals.c_declaration) =
   match of_line (line_of t d.head.span) with
-  | Some (typed : Typed_equation.t) when String.equal typed.name d.declared.text ->
-      Some typed
+  | Some (typed : Typed_equation.t) when String.equal typed.name d.declared.text -> Some typed
   | Some _ | None -> None
 
 (* The name `v` of `const Velocity v = 0.3[m/s]`, which defines a function `const`. *)

@@ -89,7 +89,9 @@ let as_a_call parameters ty ~name ~record arguments =
 let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
   match of_that_name words name with
   | None ->
-      Option.map (fun text -> Diagnostic.hint text diagnostic) (Other_languages.robot name.text)
+      Option.map
+        (fun row -> Diagnostic.hint (Phrasebook.hint row) diagnostic)
+        (Phrasebook.find Robot name.text)
   | Some (kind, parameters) ->
       let argument = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
       let arguments, stop = Option.value (called_with words name) ~default:([], name.span.stop) in

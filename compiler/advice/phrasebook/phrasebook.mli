@@ -1,0 +1,45 @@
+(** Words of other languages, from the table [words.txt], which explains its rows. *)
+
+type place =
+  | Value
+  | Robot
+  | Call
+  | Reading
+  | Speed
+  | Controller
+  | In_array
+  | In_event
+  | In_task
+  | Operator
+  | Object
+  | Constructor
+  | Type
+  | Class
+  | Qualifier
+  | Module
+  | Library
+  | Unit
+
+type row = {
+  word : string;
+  arguments : string list;  (** their names *)
+  place : place;
+  hint : string option;
+  replacement : string option;
+}
+
+val rows : row list Lazy.t
+(** In the order of the table. *)
+
+val find : place -> string -> row option
+(** The first row of the word at this place. *)
+
+val hint : row -> string
+(** The hint, or the one that suggests the replacement. *)
+
+val name : row -> string option
+(** The replacement, if the row has no other hint and it is one word. *)
+
+val applied : place -> string -> string list -> (string * row) option
+(** The replacement in the first row of the word at this place with as many arguments, in which
+    these arguments take the place of their names. *)

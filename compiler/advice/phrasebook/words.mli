@@ -1,0 +1,2 @@
+val text : string
+(** The contents of [words.txt]. *)
