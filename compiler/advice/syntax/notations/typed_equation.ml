@@ -51,12 +51,14 @@ let split line sign =
     (fun at ->
       let rest = at + String.length sign in
       (String.trim sign, String.sub line 0 at, String.sub line rest (String.length line - rest)))
-    (find sign (line ^ " "))
+    (find sign line)
 
 let typed is_a_type line =
   let open Basis.Let_syntax.Option in
+  (* the sign may be at the end of the line *)
+  let line = line ^ " " in
   let* sign, left, rest =
-    match split (line ^ " ") " = " with Some it -> Some it | None -> split line " <- "
+    match split line " = " with Some it -> Some it | None -> split line " <- "
   in
   let left = String.trim left |> fun t -> String.make (blanks line) ' ' ^ t in
   let* last = String.rindex_opt left ' ' in
