@@ -146,6 +146,9 @@ let emitted r sink sources p step =
     Option.bind p.flow.rate (fun rate ->
         Topics.of_program sink ~resolved:p.resolved p.typed p.written ~rate)
   in
+  let step =
+    { step with Step.Ir.console = Console_places.at_uses p.written step.Step.Ir.console }
+  in
   Pipeline.emit r sink sources ~units ~named ?node step
 
 let compile sink =

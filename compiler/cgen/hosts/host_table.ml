@@ -54,6 +54,10 @@ let take locations =
       locations := rest;
       location
 
+(* As in "wall_follow.frob:12". *)
+let line_of ({ file; start; _ } : Basis.Span.t) =
+  sprintf "%s:%d" (Filename.basename file) (Basis.Span.line start)
+
 let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
 let is_image = Flow.Shape.is_image
 
@@ -204,8 +208,9 @@ let controls out (program : Step.Ir.program) values =
   in
   let row (c : Core.Ir.control) value =
     let kind, least, most, first = bounds c.kind in
-    sprintf "%s, %s, %s, %.17g, %.17g, %.17g, &%s" kind (c_string c.label) (c_string c.unit_) least
-      most first value
+    sprintf "%s, %s, %s, %.17g, %.17g, %.17g, &%s, %s" kind (c_string c.label) (c_string c.unit_)
+      least most first value
+      (c_string (line_of c.span))
   in
   (* If the input contains several consoles, they have the same controls; hosts use the first. *)
   let values, _ = Basis.Long_list.split_at (List.length program.console) values in
@@ -256,10 +261,7 @@ let outputs ~enumerations out (program : Step.Ir.program) (side : Border.side) =
   let claim k ((name, shape), own) =
     let row (claim : F.claim) =
       let prefix = sprintf "claim_%d" k in
-      let place =
-        let { Basis.Span.file; start; _ } = claim.claimed_at in
-        sprintf "%s:%d" (Filename.basename file) (Basis.Span.line start)
-      in
+      let place = line_of claim.claimed_at in
       sprintf "%s, %s, %s, %d, &%s" (c_string claim.label) (c_string name) (c_string place)
         (if claim.is_assumption then 1 else 0)
         (fst (table_of out program ~prefix side own shape))

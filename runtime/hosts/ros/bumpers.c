@@ -52,9 +52,10 @@ bool bumpers_check(const struct frob_program *program, const char *const *argume
         if (k == BUMPERS || is_remapped(bumpers[k].topic, arguments, count))
             continue;
         snprintf(message, room,
-                 "%s reads the %s of the robot (`%s`), but no topic is configured for it: add "
+                 "%s: %s reads the %s of the robot (`%s`), but no topic is configured for it: add "
                  "`--ros-args -r %s:=TOPIC`, with a topic of the type std_msgs/msg/Bool",
-                 program->name, bumpers[k].label, bumpers[k].function, bumpers[k].topic);
+                 program->console[i].place, program->name, bumpers[k].label, bumpers[k].function,
+                 bumpers[k].topic);
         return false;
     }
     return true;

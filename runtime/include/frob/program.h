@@ -92,6 +92,7 @@ struct frob_control {
     double least, most;             /* range of a knob; 0 and 1 if the value is a bool */
     double first;                   /* initial value of a knob or toggle */
     const struct frob_value *value; /* its part of the input */
+    const char *place;              /* that requests it: "wall_follow.frob:12" */
 };
 
 /* A parameter of the program, which is fixed when a run starts. */
@@ -186,7 +187,7 @@ struct frob_program {
     const struct frob_node *node; /* NULL for a program without topics of its own */
 };
 
-#define FROB_PROGRAM_ABI 13u
+#define FROB_PROGRAM_ABI 14u
 
 /* What hosts say of a state that is not valid, after the name of the program or of its process. */
 #define FROB_DAMAGED_STATE                                                               \

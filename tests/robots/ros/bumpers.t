@@ -25,7 +25,7 @@ fake ROS 2, in which the bumper is pressed at a given time.
 Without a topic, it does not start.
 
   $ frobc run --ros2 careful.frob --ros-args -r bumper_left:=bumps/left -r my_bumper_right:=right
-  error: careful reads the right bumper of the robot (`bumpedRight`), but no topic is configured for it: add `--ros-args -r bumper_right:=TOPIC`, with a topic of the type std_msgs/msg/Bool
+  error: careful.frob:4: careful reads the right bumper of the robot (`bumpedRight`), but no topic is configured for it: add `--ros-args -r bumper_right:=TOPIC`, with a topic of the type std_msgs/msg/Bool
   [2]
 
 In the simulator, the robot's contacts press the bumpers.
