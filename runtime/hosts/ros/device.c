@@ -16,14 +16,19 @@
 /* After this time without messages, the driver reports the silence. */
 #define SILENCE_NS INT64_C(1000000000)
 
+/* Time to wait for the transforms of a lidar's frame before reporting that there are none. */
+#define FRAMES_NS INT64_C(3000000000)
+
 /* A robot that is slower than this counts as standing still. */
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
     { "late", 0.2, 0.01, 10.0, "maximum delay of a message that counts, s" },
-    { "lidar_x", 0.0, -10.0, 10.0, "position of the lidar ahead of the robot's centre, m" },
-    { "lidar_y", 0.0, -10.0, 10.0, "position of the lidar to the left, m" },
-    { "lidar_heading", 0.0, -7.0, 7.0, "direction of the lidar, positive to the left, rad" },
+    { "lidar_x", (double)NAN, -10.0, 10.0,
+      "position of the lidar ahead of the robot's centre, instead of reading /tf, m" },
+    { "lidar_y", (double)NAN, -10.0, 10.0, "position of the lidar to the left, m" },
+    { "lidar_heading", (double)NAN, -7.0, 7.0,
+      "direction of the lidar, positive to the left, rad" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
     { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
     { "lifecycle", 0.0, 0.0, 1.0, "1: be a managed node, as with --lifecycle" },
@@ -62,7 +67,7 @@ static void start(void *device, const double *values, const struct frob_serial *
     d->settings = values;
     d->serial = *serial;
     d->clock = *clock;
-    d->sensed_ns = d->odometry.received_ns = INT64_MIN;
+    d->sensed_ns = d->odometry.received_ns = d->map.topic.received_ns = INT64_MIN;
 }
 
 /* ---- Messages from the node */
@@ -165,6 +170,7 @@ static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
             sensor->kind = kind;
             sensor->control = origin->control;
             sensor->topic.received_ns = INT64_MIN;
+            sensor->lost_ns = INT64_MAX;
             for (size_t k = 0; k < d->started.sensor_count && k < ROS_SENSORS_MOST; k++)
                 if (d->started.sensors[k].control == origin->control)
                     snprintf(sensor->topic.name, sizeof sensor->topic.name, "%s",
@@ -175,15 +181,83 @@ static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
     return NULL;
 }
 
+/* Explains that the frame of a message is not known. `effect`: what happens therefore. `how`: how to do
+ * without the transform. */
+static void explain_placing(const struct ros_placing *placing, const char *effect, const char *how,
+                            char *why, size_t room)
+{
+    if (placing->fate == ROS_NOT_READ)
+        snprintf(why, room,
+                 "it is in the frame `%s`, and /tf cannot be read, because the package tf2_msgs is "
+                 "not installed%s: install it, or %s",
+                 placing->frame, effect, how);
+    else
+        snprintf(why, room,
+                 "no transform between its frame `%s` and `%s` is known%s: start the node that "
+                 "publishes it on /tf_static or /tf, or %s",
+                 placing->frame, placing->in, effect, how);
+}
+
+static double or_zero(double setting)
+{
+    return isnan(setting) ? 0.0 : setting;
+}
+
+/* Determines the place of a lidar: by the settings, if there are any, otherwise by the transforms.
+ * Returns NULL, or the reason why it is not known. */
+static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor,
+                           const struct ros_scan *message, struct ros_seat *seat)
+{
+    static const char stands[] = ", and the robot stands",
+                      how[] = "set the place of the lidar with `--set lidar_x=...`, `lidar_y` and "
+                              "`lidar_heading`";
+    const double *settings = d->settings;
+    seat->x_m = or_zero(settings[ROS_LIDAR_X]);
+    seat->y_m = or_zero(settings[ROS_LIDAR_Y]);
+    seat->heading_rad = or_zero(settings[ROS_LIDAR_HEADING]);
+    seat->is_upside_down = false;
+    if (!isnan(settings[ROS_LIDAR_X]) || !isnan(settings[ROS_LIDAR_Y]) ||
+        !isnan(settings[ROS_LIDAR_HEADING]))
+        return NULL;
+    if (message->placing.fate != ROS_FOUND)
+        explain_placing(&message->placing, stands, how, sensor->why, sizeof sensor->why);
+    else if (message->is_tilted)
+        snprintf(
+            sensor->why, sizeof sensor->why,
+            "its frame `%s` is tilted, so its rays are not parallel to the floor%s: correct the "
+            "transform, or %s",
+            message->placing.frame, stands, how);
+    else
+        *seat = message->seat;
+    return message->placing.fate != ROS_FOUND || message->is_tilted ? sensor->why : NULL;
+}
+
+int64_t ros_device_placed_ns(const struct ros_device *d, int64_t sensed_ns)
+{
+    for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
+        if (d->sensors[i].used && d->sensors[i].lost_ns < sensed_ns)
+            sensed_ns = d->sensors[i].lost_ns;
+    return sensed_ns;
+}
+
 static void take_scan(struct ros_device *d, const struct ros_scan *message)
 {
     struct ros_sensor *sensor = sensor_of(d, ROS_SCAN, &message->origin);
-    const struct ros_seat seat = { d->settings[ROS_LIDAR_X], d->settings[ROS_LIDAR_Y],
-                                   d->settings[ROS_LIDAR_HEADING] };
+    const int64_t now = frob_now_ns(&d->clock);
+    struct ros_seat seat;
     const char *bad;
     if (sensor == NULL)
         return;
-    bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
+    bad = seat_of(d, sensor, message, &seat);
+    if (bad == NULL)
+        sensor->lost_ns = INT64_MAX;
+    else if (sensor->lost_ns == INT64_MAX)
+        sensor->lost_ns = now;
+    /* When a node starts, the transforms may arrive after the scans. */
+    if (message->placing.fate == ROS_NOT_FOUND && bad != NULL && now - sensor->lost_ns < FRAMES_NS)
+        return;
+    if (bad == NULL)
+        bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
     if (bad == NULL)
         sensor->number++;
     sensor->fresh = ros_device_accepts(d, &sensor->topic, bad, message->origin.stamp_ns,
@@ -210,6 +284,26 @@ static void take_bumper(struct ros_device *d, const struct ros_bumper *message)
     struct ros_sensor *sensor = sensor_of(d, ROS_BUMPER, &message->origin);
     if (sensor != NULL)
         sensor->is_pressed = message->is_pressed;
+}
+
+static void take_click(struct ros_device *d, const struct ros_click *message)
+{
+    struct ros_map *map = &d->map;
+    const char *bad = NULL;
+    int64_t taken_ns;
+    if (message->placing.fate != ROS_FOUND) {
+        explain_placing(&message->placing, "", "choose another fixed frame in rviz", map->why,
+                        sizeof map->why);
+        bad = map->why;
+    } else if (!isfinite(message->x_m) || !isfinite(message->y_m)) {
+        bad = "its position is not a number";
+    }
+    if (!ros_device_accepts(d, &map->topic, bad, message->origin.stamp_ns,
+                            message->origin.arrived_ns, &taken_ns))
+        return;
+    map->x_m = message->x_m;
+    map->y_m = message->y_m;
+    map->fresh = true;
 }
 
 /* Sets the event of one control. A control may share its sensor with others. */
@@ -348,6 +442,8 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
         const struct frob_control *control = &program->console[i];
         struct ros_sensor *sensor = NULL;
         char name[ROS_NAME];
+        if (control->kind == FROB_MAP && d->map.fresh)
+            frob_console_touch(program, input, i, d->map.x_m, d->map.y_m);
         if (!ros_topic_of(control, name, sizeof name))
             continue;
         for (size_t k = 0; k < ROS_SENSORS_MOST; k++)
@@ -359,6 +455,7 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
         else
             give(sensor, control, input, now_ns);
     }
+    d->map.fresh = false;
     for (size_t k = 0; k < ROS_SENSORS_MOST; k++) {
         if (d->sensors[k].fresh)
             ros_imu_restart(&d->sensors[k].sums);
@@ -372,6 +469,7 @@ static void take(struct ros_device *d)
     case ROS_STARTED:
         d->started = d->message.started;
         snprintf(d->odometry.name, sizeof d->odometry.name, "%s", d->started.odometry);
+        snprintf(d->map.topic.name, sizeof d->map.topic.name, "%s", d->started.click);
         break;
     case ROS_ODOMETRY: take_odometry(d, &d->message.odometry); break;
     case ROS_SCAN: take_scan(d, &d->message.scan); break;
@@ -379,6 +477,7 @@ static void take(struct ros_device *d)
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
     case ROS_TOUCH: take_touch(d, &d->message.touch); break;
     case ROS_BUMPER: take_bumper(d, &d->message.bumper); break;
+    case ROS_CLICK: take_click(d, &d->message.click); break;
     case ROS_BATTERY: d->battery_v = d->message.battery.voltage_v; break;
     case ROS_STATE: take_state(d, &d->message.state); break;
     default:
@@ -496,7 +595,8 @@ static int64_t due_ns(const void *device)
 
 static int64_t sensed_ns(const void *device)
 {
-    return ((const struct ros_device *)device)->sensed_ns;
+    const struct ros_device *d = (const struct ros_device *)device;
+    return ros_device_placed_ns(d, d->sensed_ns);
 }
 
 static void sense(void *device, void *input)

@@ -59,6 +59,16 @@ struct ros_sensor {
     uint32_t number; /* counts the scans */
     struct ros_measurements sums;
     bool is_pressed; /* a bumper */
+    int64_t lost_ns; /* since when the place of the lidar is not known; INT64_MAX: it is known */
+    char why[ROS_REASON]; /* why its messages are ignored */
+};
+
+/* The newest click on the map. */
+struct ros_map {
+    struct ros_topic topic;
+    bool fresh;
+    double x_m, y_m;
+    char why[ROS_REASON];
 };
 
 /* A control of the console whose value other nodes may set. */
@@ -90,6 +100,7 @@ struct ros_device {
         struct ros_state state;
         struct ros_bumper bumper;
         struct ros_battery battery;
+        struct ros_click click;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the message being received */
     size_t have; /* number of its bytes so far */
@@ -99,6 +110,7 @@ struct ros_device {
     double battery_v;  /* NaN: not known yet */
     int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
+    struct ros_map map;
     struct sim_clock sim_clock;
     struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
@@ -118,6 +130,10 @@ extern const struct frob_driver frob_ros_driver;
  * our clock. */
 bool ros_device_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                         int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
+
+/* Returns since when the program can no longer be given readings, because the place of a lidar is not
+ * known; `sensed_ns` if this is later or not so. */
+int64_t ros_device_placed_ns(const struct ros_device *device, int64_t sensed_ns);
 
 /* Reports once that messages no longer arrive, until the next one does. */
 void ros_device_tell_silence(const struct ros_device *device, struct ros_topic *topic,

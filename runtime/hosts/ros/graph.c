@@ -51,6 +51,23 @@ static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_a
     }
 }
 
+/* Reports a publisher with best-effort delivery on a topic whose messages must not be lost. DDS does
+ * not connect it. */
+static void tell_reliability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
+{
+    for (size_t i = 0; i < nodes->size && !topic->told_reliability; i++) {
+        const rcl_topic_endpoint_info_t *other = &nodes->info_array[i];
+        if (other->qos_profile.reliability != RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT)
+            continue;
+        topic->told_reliability = true;
+        fprintf(
+            stderr,
+            "warning: the node %s publishes %s with the reliability `best effort`, so no message "
+            "gets through: let it publish with `reliable`\n",
+            other->node_name, topic->name);
+    }
+}
+
 static void look_at_input(const struct graph *g, struct input *input, const rcl_node_t *node)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();
@@ -62,6 +79,8 @@ static void look_at_input(const struct graph *g, struct input *input, const rcl_
         return;
     }
     tell_type(topic, &nodes, "publishes");
+    if (inputs_is_reliable(input))
+        tell_reliability(topic, &nodes);
     if (nodes.size == 0 && inputs_is_needed(input) && !input->heard && !topic->told_silence &&
         node_now_ns() - g->started_ns > SILENCE_NS) {
         topic->told_silence = true;

@@ -33,10 +33,22 @@ static enum ros_kind kind_of(const struct frob_control *control)
 
 bool inputs_is_needed(const struct input *input)
 {
+    switch (input->kind) {
     /* Robots without a battery topic are common, and most programs do not use it. */
-    if (input->kind == ROS_BATTERY)
-        return false;
-    return input->kind != ROS_TOPIC || input->own.parts.event == NULL;
+    case ROS_BATTERY: return false;
+    /* An operator may start rviz later. */
+    case ROS_CLICK: return false;
+    /* The messages name the frames that are missing. */
+    case ROS_TF:
+    case ROS_TF_STATIC: return false;
+    case ROS_TOPIC: return input->own.parts.event == NULL;
+    default: return true;
+    }
+}
+
+bool inputs_is_reliable(const struct input *input)
+{
+    return input->kind == ROS_CLICK || input->kind == ROS_TF_STATIC;
 }
 
 /* Adds a topic of the program's own. */
@@ -63,13 +75,27 @@ static bool add_own(struct inputs *inputs, const struct frob_program *program, s
     return false;
 }
 
+/* Whether the positions in messages of the program's inputs refer to a frame. */
+static bool has_frames(const struct inputs *inputs)
+{
+    for (size_t i = 0; i < inputs->count; i++)
+        if (inputs->each[i].kind == ROS_SCAN || inputs->each[i].kind == ROS_CLICK)
+            return true;
+    return false;
+}
+
+/* Maximum number of topics that are neither sensors nor the program's own. */
+enum { OTHERS_MOST = 6 };
+
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
                char *why, size_t room)
 {
     const size_t own = program->node != NULL ? program->node->input_count : 0;
     size_t sensors = 0;
     memset(inputs, 0, sizeof *inputs);
-    inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + 3, sizeof *inputs->each);
+    tf_start(&inputs->tf);
+    inputs->each =
+        (struct input *)calloc(own + ROS_SENSORS_MOST + OTHERS_MOST, sizeof *inputs->each);
     inputs->values = (char *)calloc(1, program->input_size + 1);
     inputs->value = (struct ros_topic_message *)calloc(1, ROS_MESSAGE_MOST);
     if (inputs->each == NULL || inputs->values == NULL || inputs->value == NULL) {
@@ -87,6 +113,10 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
         add(inputs, ROS_CLOCK, "/clock");
     for (size_t i = 0; i < program->control_count; i++) {
         char name[ROS_NAME];
+        if (program->console[i].kind == FROB_MAP) {
+            inputs->each[inputs->count].control = (uint32_t)i;
+            add(inputs, ROS_CLICK, "clicked_point");
+        }
         if (!ros_topic_of(&program->console[i], name, sizeof name) ||
             ros_first_user(program, i) < i)
             continue;
@@ -96,6 +126,11 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
         }
         inputs->each[inputs->count].control = (uint32_t)i;
         add(inputs, kind_of(&program->console[i]), name);
+    }
+    inputs->tf.is_read = has_frames(inputs) && tf_type() != NULL;
+    if (inputs->tf.is_read) {
+        add(inputs, ROS_TF, "/tf");
+        add(inputs, ROS_TF_STATIC, "/tf_static");
     }
     return true;
 }
@@ -124,6 +159,18 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
         return sensor_msgs__msg__BatteryState__init(&input->message.battery)
                    ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, BatteryState)
                    : NULL;
+    case ROS_CLICK:
+        input->topic.type = "geometry_msgs/msg/PointStamped";
+        return geometry_msgs__msg__PointStamped__init(&input->message.click)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, PointStamped)
+                   : NULL;
+    case ROS_TF:
+    case ROS_TF_STATIC:
+        input->topic.type = "tf2_msgs/msg/TFMessage";
+        return geometry_msgs__msg__TransformStamped__Sequence__init(
+                   &input->message.transforms.transforms, 0)
+                   ? tf_type()
+                   : NULL;
     case ROS_CLOCK:
         input->topic.type = "rosgraph_msgs/msg/Clock";
         return rosgraph_msgs__msg__Clock__init(&input->message.clock)
@@ -137,13 +184,28 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
     }
 }
 
+/* As in the package tf2_ros. */
+enum { TRANSFORMS_KEPT = 100 };
+
+/* Best-effort delivery matches every publisher. */
+static rmw_qos_profile_t qos_of(const struct input *input)
+{
+    rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
+    if (input->kind == ROS_TF || input->kind == ROS_TF_STATIC)
+        qos.depth = TRANSFORMS_KEPT;
+    if (input->kind == ROS_TF_STATIC)
+        qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+    if (inputs_is_reliable(input))
+        qos.reliability = RMW_QOS_POLICY_RELIABILITY_RELIABLE;
+    return qos;
+}
+
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node)
 {
     rcl_subscription_options_t options = rcl_subscription_get_default_options();
-    /* Best-effort delivery matches every publisher. */
-    options.qos = rmw_qos_profile_sensor_data;
     for (size_t i = 0; i < inputs->count; i++) {
         struct input *input = &inputs->each[i];
+        options.qos = qos_of(input);
         const rosidl_message_type_support_t *type = type_of(input);
         input->subscription = rcl_get_zero_initialized_subscription();
         if (type == NULL || rcl_subscription_init(&input->subscription, node, type, input->name,
@@ -205,6 +267,7 @@ static void send_scan(struct inputs *inputs, const struct input *input, int sock
 {
     const sensor_msgs__msg__LaserScan *m = &input->message.scan;
     struct ros_scan *scan = &inputs->scan;
+    struct frames_pose pose;
     if (m->ranges.size > ROS_RAYS_MOST) {
         fprintf(stderr, "warning: a message on %s is ignored: it has more than %d ranges\n",
                 input->topic.name, ROS_RAYS_MOST);
@@ -213,6 +276,10 @@ static void send_scan(struct inputs *inputs, const struct input *input, int sock
     scan->head = head(ROS_SCAN, offsetof(struct ros_scan, ranges_m) +
                                     m->ranges.size * sizeof *scan->ranges_m);
     scan->origin = origin(input, &m->header);
+    scan->placing =
+        tf_place(&inputs->tf, false, m->header.frame_id.data, scan->origin.arrived_ns, &pose);
+    if (scan->placing.fate == ROS_FOUND)
+        scan->is_tilted = !frames_seat(&pose, &scan->seat);
     scan->first_rad = (double)m->angle_min;
     scan->step_rad = (double)m->angle_increment;
     scan->nearest_m = (double)m->range_min;
@@ -355,6 +422,32 @@ static void send_bumper(const struct input *input, int socket)
     send_message(socket, &bumper.head);
 }
 
+static void send_click(const struct inputs *inputs, const struct input *input, int socket)
+{
+    const geometry_msgs__msg__PointStamped *m = &input->message.click;
+    const double point[3] = { m->point.x, m->point.y, m->point.z };
+    struct frames_pose pose;
+    struct ros_click click;
+    double found[3];
+    memset(&click, 0, sizeof click);
+    click.head = head(ROS_CLICK, sizeof click);
+    click.origin = origin(input, &m->header);
+    click.placing =
+        tf_place(&inputs->tf, true, m->header.frame_id.data, click.origin.arrived_ns, &pose);
+    if (click.placing.fate == ROS_FOUND) {
+        frames_point(&pose, point, found);
+        click.x_m = found[0];
+        click.y_m = found[1];
+    }
+    send_message(socket, &click.head);
+}
+
+static void take_transforms(struct inputs *inputs, const struct input *input)
+{
+    tf_take(&inputs->tf, &input->message.transforms, input->topic.name,
+            input->kind == ROS_TF_STATIC, node_now_ns());
+}
+
 static void send_battery(const struct input *input, int socket)
 {
     struct ros_battery battery;
@@ -375,8 +468,14 @@ void inputs_take(struct inputs *inputs, struct input *input, int socket)
         case ROS_IMU: send_imu(input, socket); break;
         case ROS_BUMPER: send_bumper(input, socket); break;
         case ROS_BATTERY: send_battery(input, socket); break;
+        case ROS_CLICK: send_click(inputs, input, socket); break;
+        case ROS_TF:
+        case ROS_TF_STATIC: take_transforms(inputs, input); break;
         case ROS_CLOCK: send_clock(inputs, input, socket); break;
-        default: send_odometry(&input->message.odometry, socket); break;
+        default:
+            tf_name(&inputs->tf, &input->message.odometry);
+            send_odometry(&input->message.odometry, socket);
+            break;
         }
     }
     rcl_reset_error(); /* there are no more messages */

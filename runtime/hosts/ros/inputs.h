@@ -4,6 +4,7 @@
 
 #include <frob/program.h>
 
+#include <geometry_msgs/msg/point_stamped.h>
 #include <nav_msgs/msg/odometry.h>
 #include <rcl/rcl.h>
 #include <rosgraph_msgs/msg/clock.h>
@@ -15,6 +16,7 @@
 #include "conversion.h"
 #include "messages.h"
 #include "parts.h"
+#include "tf.h"
 #include "topics.h"
 
 /* A topic of the program's own. */
@@ -47,6 +49,8 @@ struct input {
         rosgraph_msgs__msg__Clock clock;
         std_msgs__msg__Bool bumper;
         sensor_msgs__msg__BatteryState battery;
+        geometry_msgs__msg__PointStamped click;
+        struct tf_message transforms;
     } message;
 };
 
@@ -56,7 +60,8 @@ struct inputs {
     struct ros_scan scan;            /* the message that is sent next */
     struct ros_topic_message *value; /* the same for topics of the program's own */
     char *values;                    /* a struct of the program's input, for conversions */
-    int64_t clock_ns;                /* newest time of /clock; accessed atomically */
+    struct tf tf;
+    int64_t clock_ns; /* newest time of /clock; accessed atomically */
 };
 
 /* Determines the inputs of a program. Returns false if that is impossible; then `why` explains it.
@@ -69,6 +74,9 @@ bool inputs_is_needed(const struct input *input);
 
 /* Returns whether the input is a sensor or bumper that the program uses. */
 bool inputs_is_sensor(const struct input *input);
+
+/* Returns whether no message may be lost: a publisher with best-effort delivery does not match. */
+bool inputs_is_reliable(const struct input *input);
 
 /* Subscribes to all topics. Returns NULL, or the name of the topic that failed. */
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node);

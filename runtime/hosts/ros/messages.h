@@ -22,8 +22,11 @@ enum ros_kind {
     ROS_STATES, /* the simulated robot's bumpers and battery; the rest is a struct ros_states */
     ROS_IMAGE,  /* the simulated robot's camera has taken an image; a struct ros_image */
     ROS_STATE,  /* a managed node has changed its state; the rest is a struct ros_state */
-    ROS_NAMED,  /* the name of a topic of the program's own; the rest is a struct ros_named */
-    ROS_TOPIC,  /* a message on such a topic: a struct ros_topic_message, and then the value */
+    ROS_CLICK,  /* a click on a map; a struct ros_click */
+    ROS_TF,     /* only in the node: transforms of /tf, or of /tf_static */
+    ROS_TF_STATIC,
+    ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
+    ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, and then the value */
     /* To the node. */
     ROS_VELOCITY,
     /* An instant of the run, or its columns: a struct ros_text and then the text. */
@@ -50,6 +53,7 @@ struct ros_started {
     char node[ROS_NAME];     /* with its namespace: "/wall_follow" */
     char odometry[ROS_NAME]; /* the names of the topics, after remapping */
     char velocity[ROS_NAME];
+    char click[ROS_NAME]; /* "" if the program has no map */
     uint32_t sensor_count;
     struct {
         uint32_t control; /* as in struct ros_origin */
@@ -79,12 +83,36 @@ struct ros_origin {
     int64_t arrived_ns;
 };
 
+enum { ROS_FRAME = 128 };
+
+/* Whether the frame of a message was found in another frame. */
+enum ros_fate {
+    ROS_FOUND,
+    ROS_NOT_FOUND, /* no transform is known */
+    ROS_NOT_READ   /* the node cannot read transforms: the package tf2_msgs is missing */
+};
+
+struct ros_placing {
+    uint32_t fate;         /* enum ros_fate */
+    char frame[ROS_FRAME]; /* of the message */
+    char in[ROS_FRAME];    /* the robot's frame, or that of its odometry */
+};
+
+/* The place of a lidar on the robot. */
+struct ros_seat {
+    double x_m, y_m, heading_rad; /* positive to the left */
+    bool is_upside_down;          /* its positive angles are to the right */
+};
+
 enum { ROS_RAYS_MOST = 8192 };
 
 /* A sensor_msgs/msg/LaserScan, unchecked. The message ends after `count` ranges. */
 struct ros_scan {
     struct ros_head head;
     struct ros_origin origin;
+    struct ros_placing placing; /* in the robot's frame */
+    struct ros_seat seat;       /* valid for ROS_FOUND */
+    bool is_tilted;             /* the same */
     double first_rad, step_rad, nearest_m, farthest_m;
     uint32_t count;
     float ranges_m[ROS_RAYS_MOST];
@@ -104,6 +132,14 @@ struct ros_bumper {
     struct ros_head head;
     struct ros_origin origin;
     bool is_pressed;
+};
+
+/* A geometry_msgs/msg/PointStamped, unchecked. */
+struct ros_click {
+    struct ros_head head;
+    struct ros_origin origin;
+    struct ros_placing placing; /* in the frame of odometry */
+    double x_m, y_m;            /* in that frame, for ROS_FOUND */
 };
 
 /* The voltage of a sensor_msgs/msg/BatteryState. */

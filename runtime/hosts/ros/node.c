@@ -266,6 +266,8 @@ static bool report(struct node *n)
     for (size_t i = 0; i < n->inputs.count; i++) {
         const struct input *input = &n->inputs.each[i];
         const size_t k = started.sensor_count;
+        if (input->kind == ROS_CLICK)
+            snprintf(started.click, sizeof started.click, "%s", input->topic.name);
         if (!inputs_is_sensor(input))
             continue;
         started.sensors[k].control = input->control;

@@ -148,7 +148,7 @@ static int64_t sensed_ns(const void *device)
         if (is_plain(input) && input->taken_ns < oldest)
             oldest = input->taken_ns;
     }
-    return oldest;
+    return ros_device_placed_ns(&own->base, oldest);
 }
 
 static enum frob_status poll_device(void *device)

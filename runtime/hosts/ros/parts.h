@@ -13,9 +13,10 @@ struct topic {
     const char *type; /* "nav_msgs/msg/Odometry" */
     bool told;        /* whether a node with a different type was reported */
     bool told_silence;
-    bool told_durability; /* whether a node with an incompatible durability was reported */
-    const char *kept;     /* what a late subscriber misses: "old velocities" */
-    const char *cure;     /* for a subscriber of TwistStamped; "" if there is none */
+    bool told_reliability; /* whether a node with an incompatible reliability was reported */
+    bool told_durability;  /* whether a node with an incompatible durability was reported */
+    const char *kept;      /* what a late subscriber misses: "old velocities" */
+    const char *cure;      /* for a subscriber of TwistStamped; "" if there is none */
 };
 
 struct inputs;

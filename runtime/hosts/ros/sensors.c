@@ -21,6 +21,7 @@ static double distance(float range, double nearest_m)
 const char *ros_scan_of(const struct ros_scan *m, const struct ros_seat *seat, double *room,
                         struct frob_scan *scan)
 {
+    const double side = seat->is_upside_down ? -1.0 : 1.0, signed_step = side * m->step_rad;
     const double step = fabs(m->step_rad);
     if (m->count == 0)
         return "it has no ranges";
@@ -31,14 +32,14 @@ const char *ros_scan_of(const struct ros_scan *m, const struct ros_seat *seat, d
     if (!isfinite(m->nearest_m) || !isfinite(m->farthest_m) || m->nearest_m < 0.0 ||
         m->nearest_m >= m->farthest_m)
         return "range_min and range_max are not the limits of a range";
-    /* Devices that rotate clockwise send the rays from left to right. */
+    /* Devices that rotate clockwise, or are upside down, send the rays from left to right. */
     for (uint32_t i = 0; i < m->count; i++)
-        room[i] = distance(m->ranges_m[m->step_rad > 0.0 ? i : m->count - 1 - i], m->nearest_m);
+        room[i] = distance(m->ranges_m[signed_step > 0.0 ? i : m->count - 1 - i], m->nearest_m);
     scan->ranges_m = room;
     scan->count = m->count;
-    scan->first_rad = seat->heading_rad + m->first_rad;
-    if (m->step_rad < 0.0)
-        scan->first_rad += m->step_rad * (m->count - 1);
+    scan->first_rad = seat->heading_rad + side * m->first_rad;
+    if (signed_step < 0.0)
+        scan->first_rad += signed_step * (m->count - 1);
     scan->step_rad = step;
     scan->nearest_m = m->nearest_m;
     scan->farthest_m = m->farthest_m;

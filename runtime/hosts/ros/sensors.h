@@ -12,11 +12,6 @@
 
 #include "messages.h"
 
-/* The position of a lidar on the robot. */
-struct ros_seat {
-    double x_m, y_m, heading_rad; /* positive to the left */
-};
-
 /* Converts a scan; `room` receives its distances and must be large enough for the message's
  * distances. Returns NULL, or the reason why the scan is invalid. */
 const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *seat, double *room,

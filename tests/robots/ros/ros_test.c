@@ -5,6 +5,7 @@
 #include "core/robot.h"
 #include "hal/fake/fake.h"
 #include "hosts/ros/device.h"
+#include "hosts/ros/frames.h"
 #include "hosts/ros/odometry.h"
 #include "hosts/ros/parameters.h"
 #include "hosts/ros/sim_clock.h"
@@ -161,7 +162,7 @@ static struct ros_scan a_scan(void)
 
 static void test_scan(void)
 {
-    const struct ros_seat seat = { 0.1, 0.2, 0.5 };
+    struct ros_seat seat = { 0.1, 0.2, 0.5, false };
     struct ros_scan m = a_scan();
     struct frob_scan scan;
     double room[ROS_RAYS_MOST];
@@ -181,6 +182,13 @@ static void test_scan(void)
     check_near(scan.ranges_m[3], 1.0, 0, "as are its distances");
 
     m = a_scan();
+    seat.is_upside_down = true;
+    ros_scan_of(&m, &seat, room, &scan);
+    check_near(scan.first_rad, -1.0, 1e-12, "a lidar that is upside down scans the other way");
+    check_near(scan.ranges_m[0], 0.25, 0, "its last ray is the rightmost one");
+    check_near(scan.ranges_m[3], 1.0, 0, "and its first ray the leftmost one");
+
+    m = a_scan();
     m.step_rad = 0.0;
     check(ros_scan_of(&m, &seat, room, &scan) != NULL, "a step of 0 is rejected");
     m.step_rad = 3.0;
@@ -194,6 +202,84 @@ static void test_scan(void)
     m = a_scan();
     m.count = 0;
     check(ros_scan_of(&m, &seat, room, &scan) != NULL, "a scan without rays is rejected");
+}
+
+/* ---- Frames */
+
+/* A pose on the floor, or at a height. */
+static struct frames_pose at(double x_m, double y_m, double z_m, double heading_rad)
+{
+    const struct frames_pose pose = { { x_m, y_m, z_m },
+                                      { 0.0, 0.0, sin(heading_rad / 2), cos(heading_rad / 2) } };
+    return pose;
+}
+
+static bool put(struct frames *frames, const char *parent, const char *name,
+                struct frames_pose pose)
+{
+    return frames_put(frames, parent, name, &pose, true, 0) == NULL;
+}
+
+static void test_frames(void)
+{
+    static struct frames f;
+    const double half_pi = acos(0.0), point[3] = { 1.0, 0.0, 0.0 };
+    struct frames_pose pose = at(0.0, 0.0, 0.0, 0.0);
+    double found[3];
+    check(frames_find(&f, "base_link", "base_link", 0, &pose), "a frame is at its own place");
+    check(!frames_find(&f, "base_link", "laser", 0, &pose), "an unknown frame is not found");
+    put(&f, "base_footprint", "base_link", at(0.0, 0.0, 0.1, 0.0));
+    put(&f, "base_link", "mast", at(0.5, 0.0, 0.3, half_pi));
+    check(put(&f, "/mast", "/laser", at(0.25, 0.0, 0.0, half_pi)),
+          "names may begin with a slash, as in ROS 1");
+    check(frames_find(&f, "base_footprint", "laser", 0, &pose), "a frame is found");
+    check_near(pose.at_m[0], 0.5, 1e-12, "ahead");
+    check_near(pose.at_m[1], 0.25, 1e-12, "on the left");
+    check_near(pose.at_m[2], 0.4, 1e-12, "and above");
+    frames_point(&pose, point, found);
+    check_near(found[0], -0.5, 1e-12, "a point is turned and moved");
+    check_near(found[1], 0.25, 1e-12, "in both directions");
+    check(frames_find(&f, "laser", "base_footprint", 0, &pose), "the way back is found too");
+    check_near(pose.at_m[0], 0.5, 1e-12, "with the inverse transform");
+    check_near(pose.at_m[1], 0.25, 1e-12, "in both directions");
+    put(&f, "base_footprint", "wheel", at(-1.0, 0.0, 0.0, 0.0));
+    check(frames_find(&f, "wheel", "laser", 0, &pose), "and the way between two branches");
+    check_near(pose.at_m[0], 1.5, 1e-12, "through the frame that they share");
+
+    check(!put(&f, "base_link", "laser", at(NAN, 0, 0, 0)), "a position of NaN is rejected");
+    pose = at(0, 0, 0, 0);
+    pose.rotation[3] = 0.0;
+    check(!put(&f, "base_link", "laser", pose), "and so is a quaternion of zeros");
+    check(!put(&f, "laser", "laser", at(0, 0, 0, 0)), "and a frame in itself");
+    put(&f, "b", "a", at(0, 0, 0, 0));
+    put(&f, "a", "b", at(0, 0, 0, 0));
+    check(!frames_find(&f, "base_link", "a", 0, &pose), "frames in a circle are not found");
+
+    pose = at(2, 0, 0, 0);
+    frames_put(&f, "odom", "base_footprint", &pose, false, 0);
+    check(frames_find(&f, "odom", "base_link", S, &pose), "a moving frame is found");
+    check(!frames_find(&f, "odom", "base_link", 3 * S, &pose), "but only for two seconds");
+    check(frames_find(&f, "base_link", "laser", 3 * S, &pose), "fixed ones remain");
+}
+
+static void test_seat(void)
+{
+    struct frames_pose pose = at(0.1, -0.2, 0.5, 2.0);
+    struct ros_seat seat;
+    check(frames_seat(&pose, &seat) && !seat.is_upside_down, "a lidar is level");
+    check_near(seat.x_m, 0.1, 0, "ahead");
+    check_near(seat.y_m, -0.2, 0, "on the right");
+    check_near(seat.heading_rad, 2.0, 1e-12, "its direction");
+    /* Half a turn about an axis at 1 rad. */
+    pose.rotation[0] = cos(1.0);
+    pose.rotation[1] = sin(1.0);
+    pose.rotation[2] = pose.rotation[3] = 0.0;
+    check(frames_seat(&pose, &seat) && seat.is_upside_down, "a lidar may be upside down");
+    check_near(seat.heading_rad, 2.0, 1e-12, "it looks into a direction too");
+    pose.rotation[0] = sin(0.15);
+    pose.rotation[1] = 0.0;
+    pose.rotation[3] = cos(0.15);
+    check(!frames_seat(&pose, &seat), "a tilted lidar is rejected");
 }
 
 static void test_imu(void)
@@ -470,6 +556,8 @@ int main(void)
     test_stamps();
     test_odometry();
     test_scan();
+    test_frames();
+    test_seat();
     test_imu();
     test_parameters();
     test_sim_clock();

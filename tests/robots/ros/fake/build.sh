@@ -27,6 +27,7 @@ header rosidl_typesupport_introspection_c rosidl_typesupport_introspection_c/mes
 header rosidl_typesupport_introspection_c rosidl_typesupport_introspection_c/field_types.h
 header geometry_msgs geometry_msgs/msg/twist.h
 header geometry_msgs geometry_msgs/msg/twist_stamped.h
+header geometry_msgs geometry_msgs/msg/point_stamped.h
 header geometry_msgs geometry_msgs/msg/transform_stamped.h
 for message in floating_point_range integer_range parameter parameter_descriptor parameter_event \
     parameter_value set_parameters_result; do

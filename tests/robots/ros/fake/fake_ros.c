@@ -207,6 +207,7 @@ static void scan(sensor_msgs__msg__LaserScan *m)
             ranges[i] = NAN;
     }
     memset(m, 0, sizeof *m);
+    m->header.frame_id.data = has("frame") ? "/laser" : NULL;
     m->angle_min = (float)-pi;
     m->angle_increment = has("no_angle") ? 0.0f : (float)(pi / 180.0);
     m->range_min = 0.1f;
@@ -222,6 +223,44 @@ static void imu(sensor_msgs__msg__Imu *m)
     m->linear_acceleration.z = 9.81;
     m->orientation.z = sin(0.25);
     m->orientation.w = cos(0.25);
+}
+
+/* The lidar's frame: with the fault "frame" it is `laser`, whose transforms a node publishes after the
+ * fault "frames", together with that from `map` to `odom`. It looks back, and it is upside down
+ * with the fault "upside_down", tilted with the fault "tilt". */
+static bool transforms(geometry_msgs__msg__TransformStamped__Sequence *sequence, bool is_fixed)
+{
+    static geometry_msgs__msg__TransformStamped t;
+    memset(&t, 0, sizeof t);
+    t.header.frame_id.data = is_fixed ? "base_link" : "map";
+    t.child_frame_id.data = is_fixed ? "laser" : "odom";
+    t.transform.translation.x = is_fixed ? 0.125 : 10.0;
+    if (is_fixed && has("upside_down"))
+        t.transform.rotation.y = 1.0;
+    else if (is_fixed && has("tilt"))
+        t.transform.rotation.x = t.transform.rotation.w = sqrt(0.5);
+    else if (is_fixed)
+        t.transform.rotation.z = 1.0;
+    else
+        t.transform.rotation.w = 1.0;
+    if (has("bad_frames"))
+        t.transform.rotation.z = NAN;
+    sequence->data = &t;
+    sequence->size = 1;
+    return has("frames");
+}
+
+/* The operator clicks on the map once, after the fault "click". */
+static bool click(geometry_msgs__msg__PointStamped *m)
+{
+    static bool done = false;
+    const bool clicks = has("click") && !done;
+    memset(m, 0, sizeof *m);
+    m->header.frame_id.data = has("map") ? "map" : "odom";
+    m->point.x = has("map") ? 12 : 2;
+    m->point.y = has("nan_click") ? NAN : 1;
+    done = done || has("click");
+    return clicks;
 }
 
 /* A camera that sees only red. Its rows have three bytes more than they need. */
@@ -276,7 +315,14 @@ static bool word(std_msgs__msg__String *m)
 static int64_t *next_of(const rcl_subscription_t *subscription)
 {
     static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, bumper_ns = 0,
-                   battery_ns = 0, image_ns = 0, word_ns = 0;
+                   battery_ns = 0, image_ns = 0, fixed_ns = 0, moving_ns = 0, click_ns = 0,
+                   word_ns = 0;
+    if (strcmp(subscription->topic, "/tf") == 0)
+        return &moving_ns;
+    if (strcmp(subscription->topic, "/tf_static") == 0)
+        return &fixed_ns;
+    if (subscription->type == &fake_geometry_msgs_PointStamped)
+        return &click_ns;
     if (subscription->type == &fake_sensor_msgs_Image ||
         subscription->type == &fake_sensor_msgs_CompressedImage)
         return &image_ns;
@@ -313,6 +359,11 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
         return enable((std_msgs__msg__Bool *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_geometry_msgs_Twist)
         return velocity((geometry_msgs__msg__Twist *)into) ? RCL_RET_OK : RCL_RET_ERROR;
+    if (strncmp(subscription->topic, "/tf", 3) == 0)
+        return transforms(into, strcmp(subscription->topic, "/tf_static") == 0) ? RCL_RET_OK
+                                                                                : RCL_RET_ERROR;
+    if (subscription->type == &fake_geometry_msgs_PointStamped)
+        return click((geometry_msgs__msg__PointStamped *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_sensor_msgs_CompressedImage)
         return RCL_RET_ERROR;
     if (subscription->type == &fake_std_msgs_String)
@@ -384,6 +435,14 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
         return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "image") != NULL)
         return one(array, "sensor_msgs/msg/Image");
+    if (strncmp(topic, "/tf", 3) == 0)
+        return one(array, "tf2_msgs/msg/TFMessage");
+    if (strstr(topic, "clicked_point") != NULL) {
+        one(array, "geometry_msgs/msg/PointStamped");
+        if (has("lossy"))
+            array->info_array[0].qos_profile.reliability = RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT;
+        return RCL_RET_OK;
+    }
     if (strstr(topic, "bump") != NULL)
         return one(array, "std_msgs/msg/Bool");
     if (strstr(topic, "battery") != NULL)
@@ -805,6 +864,12 @@ bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
     return true;
 }
 
+bool geometry_msgs__msg__PointStamped__init(geometry_msgs__msg__PointStamped *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
 bool std_msgs__msg__String__init(std_msgs__msg__String *m)
 {
     memset(m, 0, sizeof *m);
@@ -933,6 +998,7 @@ const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/
 #define OPAQUE(variable, name) const rosidl_message_type_support_t variable = { name, NULL, NULL };
 
 OPAQUE(fake_geometry_msgs_TwistStamped, "geometry_msgs/msg/TwistStamped")
+OPAQUE(fake_geometry_msgs_PointStamped, "geometry_msgs/msg/PointStamped")
 OPAQUE(fake_nav_msgs_Odometry, "nav_msgs/msg/Odometry")
 OPAQUE(fake_sensor_msgs_Image, "sensor_msgs/msg/Image")
 OPAQUE(fake_sensor_msgs_CompressedImage, "sensor_msgs/msg/CompressedImage")

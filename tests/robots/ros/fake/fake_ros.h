@@ -107,9 +107,14 @@ typedef struct {
     int unused;
 } rcl_guard_condition_options_t;
 enum { RMW_QOS_POLICY_DURABILITY_VOLATILE, RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL };
+enum {
+    RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT,
+    RMW_QOS_POLICY_RELIABILITY_RELIABLE,
+    RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT
+};
 typedef struct {
     size_t depth;
-    int durability;
+    int durability, reliability;
 } rmw_qos_profile_t;
 typedef struct {
     rmw_qos_profile_t qos;
@@ -133,7 +138,7 @@ typedef struct {
 
 typedef struct {
     size_t count, service_count;
-    const rcl_subscription_t *subscriptions[8];
+    const rcl_subscription_t *subscriptions[32];
     const rcl_service_t *services[11];
     const rcl_guard_condition_t *guard_conditions[1];
 } rcl_wait_set_t;
@@ -154,9 +159,11 @@ typedef struct {
     char **data;
 } rcutils_string_array_t;
 
-static const rmw_qos_profile_t rmw_qos_profile_sensor_data = { 5, 0 };
-static const rmw_qos_profile_t rmw_qos_profile_parameters = { 1000, 0 };
-static const rmw_qos_profile_t rmw_qos_profile_parameter_events = { 1000, 0 };
+static const rmw_qos_profile_t rmw_qos_profile_sensor_data = {
+    5, 0, RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT
+};
+static const rmw_qos_profile_t rmw_qos_profile_parameters = { 1000, 0, 0 };
+static const rmw_qos_profile_t rmw_qos_profile_parameter_events = { 1000, 0, 0 };
 
 rcl_allocator_t rcl_get_default_allocator(void);
 rcutils_allocator_t rcutils_get_default_allocator(void);
@@ -326,6 +333,11 @@ typedef struct {
     geometry_msgs__msg__Transform transform;
 } geometry_msgs__msg__TransformStamped;
 typedef struct {
+    std_msgs__msg__Header header;
+    geometry_msgs__msg__Point point;
+} geometry_msgs__msg__PointStamped;
+bool geometry_msgs__msg__PointStamped__init(geometry_msgs__msg__PointStamped *message);
+typedef struct {
     geometry_msgs__msg__TransformStamped *data;
     size_t size;
 } geometry_msgs__msg__TransformStamped__Sequence;
@@ -490,6 +502,7 @@ bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *me
 bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *message);
 
 extern const rosidl_message_type_support_t fake_geometry_msgs_Twist;
+extern const rosidl_message_type_support_t fake_geometry_msgs_PointStamped;
 extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
 extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;

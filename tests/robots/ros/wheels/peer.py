@@ -26,6 +26,7 @@ class Base:
         self.silent = False  # publishes nothing
         self.nan = False  # publishes a position that is not a number
         self.shift = 0.0  # seconds, added to timestamps
+        self.frame = "base_link"  # of the lidar
         self.wall = None  # m, the place of a wall ahead, which the lidar sees
         self.simulated = None  # speed of the simulator's clock, relative to ours
         self.restarted = 0.0  # seconds by which the simulator's clock was set back
@@ -148,7 +149,7 @@ class Base:
             return
         message = LaserScan()
         message.header.stamp = stamp
-        message.header.frame_id = "base_link"
+        message.header.frame_id = self.frame
         message.angle_min = -math.pi
         message.angle_increment = math.pi / 180
         message.angle_max = message.angle_min + 359 * message.angle_increment

@@ -1,0 +1,55 @@
+/* frames.h -- the frames of reference of a robot in ROS 2: a tree of transforms, as /tf_static and
+ * /tf publish it.
+ *
+ * Transforms of /tf_static are valid for ever. The newest one of /tf is valid for some seconds; it is
+ * used as it is, without interpolation. */
+#ifndef FROB_HOST_ROS_FRAMES_H
+#define FROB_HOST_ROS_FRAMES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "messages.h"
+
+enum { FRAMES_MOST = 256 };
+
+/* The pose of a frame in another one. */
+struct frames_pose {
+    double at_m[3];
+    double rotation[4]; /* quaternion: x, y, z, w */
+};
+
+struct frame {
+    char name[ROS_FRAME], parent[ROS_FRAME];
+    bool is_fixed;
+    int64_t arrived_ns;
+    struct frames_pose pose; /* in the parent */
+};
+
+struct frames {
+    struct frame each[FRAMES_MOST];
+    size_t count;
+};
+
+/* Sets the pose of a frame in its parent. Returns NULL, or the reason why the transform is
+ * ignored. */
+const char *frames_put(struct frames *frames, const char *parent, const char *name,
+                       const struct frames_pose *pose, bool is_fixed, int64_t now_ns);
+
+/* Finds the pose of a frame in the frame `in`. Returns false if the transforms do not connect
+ * them. */
+bool frames_find(const struct frames *frames, const char *in, const char *name, int64_t now_ns,
+                 struct frames_pose *pose);
+
+/* Converts a point in a frame with this pose. */
+void frames_point(const struct frames_pose *pose, const double point[3], double result[3]);
+
+/* Returns the name without the slash at its beginning, which old nodes write. */
+const char *frames_name(const char *name);
+
+/* Converts the pose of a lidar in the robot's frame. Returns false if the lidar is tilted, so that
+ * its scans are not parallel to the floor. */
+bool frames_seat(const struct frames_pose *pose, struct ros_seat *seat);
+
+#endif
