@@ -91,6 +91,17 @@ let compile =
   command "compile" ~doc:"translate a program to C, into NAME.c and NAME.h"
     Term.(const run $ not_judging general $ entry $ batch $ standalone $ folder $ file)
 
+let markers =
+  let doc =
+    "With $(b,--ros2): include the drawing of the program, which the node publishes as markers."
+  in
+  Arg.(value & flag & info [ "markers" ] ~doc)
+
+let drawn general shows = if shows then Tools.Real_robot.with_markers general else general
+
+let refuse_markers () =
+  Reporting.wrong_use "--markers only works with --ros2: add it, or remove --markers"
+
 let build =
   let output =
     let doc = "Output file. The default is the program's name." in
@@ -122,16 +133,18 @@ let build =
   command "build"
     ~doc:"build the executable that $(b,run --device) or $(b,run --ros2) would start"
     Term.(
-      const (fun general entry sources target shared ros2 output file ->
-          if ros2 && (shared || target <> "host") then
+      const (fun general entry sources target shared ros2 markers output file ->
+          if markers && not ros2 then refuse_markers ()
+          else if ros2 && (shared || target <> "host") then
             Reporting.wrong_use
               "--ros2 builds an executable for this machine: remove --shared and --target"
-          else if ros2 then Tools.Real_robot.build_node general ~entry ~sources ~output file
+          else if ros2 then
+            Tools.Real_robot.build_node (drawn general markers) ~entry ~sources ~output file
           else if shared && target <> "host" then
             Reporting.wrong_use "--shared only works for this machine: remove --target"
           else if shared then Tools.Real_robot.library general ~entry ~sources ~output file
           else Tools.Real_robot.build general ~entry ~sources ~target ~output file)
-      $ not_judging general $ entry $ sources $ target $ shared $ ros2 $ output $ file)
+      $ not_judging general $ entry $ sources $ target $ shared $ ros2 $ markers $ output $ file)
 
 let export =
   let folder =
@@ -151,13 +164,15 @@ let export =
   in
   command "export" ~doc:"export a robot program as a library or package for other build tools"
     Term.(
-      const (fun general entry sources folder package file ->
+      const (fun general entry sources folder package markers file ->
           match (folder, package) with
+          | Some _, None when markers -> refuse_markers ()
           | Some folder, None -> Tools.Export.platformio general ~entry ~sources ~folder file
-          | None, Some folder -> Tools.Ros_package.export general ~entry ~sources ~folder file
+          | None, Some folder ->
+              Tools.Ros_package.export (drawn general markers) ~entry ~sources ~folder file
           | None, None | Some _, Some _ ->
               Reporting.wrong_use "say what to export: use either --platformio DIR or --ros2 DIR")
-      $ general $ entry $ sources $ folder $ package $ file)
+      $ general $ entry $ sources $ folder $ package $ markers $ file)
 
 let report =
   let states =

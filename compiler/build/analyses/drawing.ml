@@ -2,7 +2,8 @@ open Basis
 open Basis.Let_syntax.Option
 
 let probe = "draw"
-let is_shown r = List.exists (fun p -> List.mem p [ probe; "all" ]) (Request.probes r)
+let if_any = "the drawing, if there is one"
+let is_shown r = List.exists (fun p -> List.mem p [ probe; if_any; "all" ]) (Request.probes r)
 
 let row (program : Flow.Ir.program) =
   match program.marks with
@@ -10,6 +11,7 @@ let row (program : Flow.Ir.program) =
   | n -> Printf.sprintf "%s :: drawings, at most %d marks at a time\n" probe n
 
 let others (program : Flow.Ir.program) names =
+  let names = List.filter (fun name -> name <> if_any) names in
   if program.marks = 0 then names else List.filter (fun name -> name <> probe) names
 
 let without_bound sink (written : Typing.Ir.definition) =

@@ -6,6 +6,9 @@ open Basis
 val probe : string
 (** The name of the drawing among the probes. *)
 
+val if_any : string
+(** A probe for hosts: the drawing of a program that draws; nothing for others. *)
+
 val is_shown : Request.t -> bool
 (** Whether the request includes the drawing, by name or with all probes. *)
 

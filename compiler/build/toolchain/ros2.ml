@@ -19,6 +19,8 @@ let needed =
     ( "diagnostic_msgs",
       [ "diagnostic_msgs__rosidl_typesupport_c"; "diagnostic_msgs__rosidl_generator_c" ] );
     ("std_msgs", [ "std_msgs__rosidl_typesupport_c"; "std_msgs__rosidl_generator_c" ]);
+    ( "visualization_msgs",
+      [ "visualization_msgs__rosidl_typesupport_c"; "visualization_msgs__rosidl_generator_c" ] );
     ( "lifecycle_msgs",
       [ "lifecycle_msgs__rosidl_typesupport_c"; "lifecycle_msgs__rosidl_generator_c" ] );
     ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);

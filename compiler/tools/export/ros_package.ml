@@ -22,6 +22,7 @@ let dependencies =
     "rosidl_typesupport_introspection_c";
     "sensor_msgs";
     "std_msgs";
+    "visualization_msgs";
   ]
 
 let is_of_messages package =

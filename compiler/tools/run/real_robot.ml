@@ -103,6 +103,10 @@ let as_node (general : Common_options.t) =
         (Printf.sprintf "--ros2 is for the robot `ros`, not for `%s`: remove --robot"
            (Basis.Printable.name other))
 
+(* A node publishes the program's drawing as markers. *)
+let with_markers (general : Common_options.t) =
+  { general with probes = general.probes @ [ Drawing.if_any ] }
+
 let node general ~entry ~sources file continue =
   let* ros2 = find_ros2 () in
   Built.built general Executable ~entry ~sources ~linked:(Target.ros2 ros2) file (fun _ program ->
@@ -113,7 +117,7 @@ let node general ~entry ~sources file continue =
 let executable_for way general ~entry ~sources file continue =
   match way with
   | Device _ -> executable general this_machine ~entry ~sources file continue
-  | Ros2 _ -> node general ~entry ~sources file continue
+  | Ros2 _ -> node (with_markers general) ~entry ~sources file continue
 
 (* The arguments that tell the host how to reach its robot, and those that must come last. *)
 let leading = function

@@ -39,6 +39,9 @@ val build :
   int
 (** Builds that program for a {!Target}. [sources] are the user's own C files. *)
 
+val with_markers : Common_options.t -> Common_options.t
+(** Adds the drawing to a program that draws, so that its ROS 2 node publishes markers. *)
+
 val build_node :
   Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int
 (** Builds the program as a ROS 2 node, for this machine. *)

@@ -56,6 +56,10 @@ struct line_opening {
     void (*judge)(const struct line *line, size_t claim, bool fails, bool is_void,
                   const char *fate);
 
+    /* Shows the output of an instant to viewers. Drops it if the line is busy; never waits. NULL: the
+     * line has no viewers. */
+    void (*show)(const struct line *line, const void *output);
+
     /* Waits until the process at the other end has ended. The port is closed. */
     void (*close)(struct line *line);
 };

@@ -76,6 +76,8 @@ static void answered(struct run *s)
     if (!s->record_ended && !record_row(&s->record, s->instant_ns, s->input, s->output))
         run_end(s, FAULT, "the recording could not be written");
     instants_put(&s->instants, &s->line, s->instant_ns, s->input, s->output);
+    if (s->line.opening != NULL && s->line.opening->show != NULL && line_is_open(&s->line))
+        s->line.opening->show(&s->line, s->output);
     publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
     publish_claims(s);

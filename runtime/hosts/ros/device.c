@@ -35,6 +35,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "fastest", 1.0, 0.01, 10.0, "maximum speed that is published, m/s" },
     { "fastest_turn", 3.0, 0.01, 20.0, "maximum turn rate that is published, rad/s" },
     { "stamped", 0.0, 0.0, 1.0, "1: publish TwistStamped instead of Twist" },
+    { "markers", 1.0, 0.0, 1.0, "0: do not publish the program's drawing on ~/markers" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_ros_output, forward),
@@ -67,7 +68,8 @@ static void start(void *device, const double *values, const struct frob_serial *
     d->settings = values;
     d->serial = *serial;
     d->clock = *clock;
-    d->sensed_ns = d->odometry.received_ns = d->map.topic.received_ns = INT64_MIN;
+    d->sensed_ns = d->odometry.received_ns = INT64_MIN;
+    operated_start(&d->operated);
 }
 
 /* ---- Messages from the node */
@@ -181,10 +183,8 @@ static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
     return NULL;
 }
 
-/* Explains that the frame of a message is not known. `effect`: what happens therefore. `how`: how to do
- * without the transform. */
-static void explain_placing(const struct ros_placing *placing, const char *effect, const char *how,
-                            char *why, size_t room)
+void ros_device_explain(const struct ros_placing *placing, const char *effect, const char *how,
+                        char *why, size_t room)
 {
     if (placing->fate == ROS_NOT_READ)
         snprintf(why, room,
@@ -211,16 +211,16 @@ static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor
     static const char stands[] = ", and the robot stands",
                       how[] = "set the place of the lidar with `--set lidar_x=...`, `lidar_y` and "
                               "`lidar_heading`";
-    const double *settings = d->settings;
-    seat->x_m = or_zero(settings[ROS_LIDAR_X]);
-    seat->y_m = or_zero(settings[ROS_LIDAR_Y]);
-    seat->heading_rad = or_zero(settings[ROS_LIDAR_HEADING]);
+    const double *chosen = d->settings;
+    seat->x_m = or_zero(chosen[ROS_LIDAR_X]);
+    seat->y_m = or_zero(chosen[ROS_LIDAR_Y]);
+    seat->heading_rad = or_zero(chosen[ROS_LIDAR_HEADING]);
     seat->is_upside_down = false;
-    if (!isnan(settings[ROS_LIDAR_X]) || !isnan(settings[ROS_LIDAR_Y]) ||
-        !isnan(settings[ROS_LIDAR_HEADING]))
+    if (!isnan(chosen[ROS_LIDAR_X]) || !isnan(chosen[ROS_LIDAR_Y]) ||
+        !isnan(chosen[ROS_LIDAR_HEADING]))
         return NULL;
     if (message->placing.fate != ROS_FOUND)
-        explain_placing(&message->placing, stands, how, sensor->why, sizeof sensor->why);
+        ros_device_explain(&message->placing, stands, how, sensor->why, sizeof sensor->why);
     else if (message->is_tilted)
         snprintf(
             sensor->why, sizeof sensor->why,
@@ -284,26 +284,6 @@ static void take_bumper(struct ros_device *d, const struct ros_bumper *message)
     struct ros_sensor *sensor = sensor_of(d, ROS_BUMPER, &message->origin);
     if (sensor != NULL)
         sensor->is_pressed = message->is_pressed;
-}
-
-static void take_click(struct ros_device *d, const struct ros_click *message)
-{
-    struct ros_map *map = &d->map;
-    const char *bad = NULL;
-    int64_t taken_ns;
-    if (message->placing.fate != ROS_FOUND) {
-        explain_placing(&message->placing, "", "choose another fixed frame in rviz", map->why,
-                        sizeof map->why);
-        bad = map->why;
-    } else if (!isfinite(message->x_m) || !isfinite(message->y_m)) {
-        bad = "its position is not a number";
-    }
-    if (!ros_device_accepts(d, &map->topic, bad, message->origin.stamp_ns,
-                            message->origin.arrived_ns, &taken_ns))
-        return;
-    map->x_m = message->x_m;
-    map->y_m = message->y_m;
-    map->fresh = true;
 }
 
 /* Sets the event of one control. A control may share its sensor with others. */
@@ -442,8 +422,6 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
         const struct frob_control *control = &program->console[i];
         struct ros_sensor *sensor = NULL;
         char name[ROS_NAME];
-        if (control->kind == FROB_MAP && d->map.fresh)
-            frob_console_touch(program, input, i, d->map.x_m, d->map.y_m);
         if (!ros_topic_of(control, name, sizeof name))
             continue;
         for (size_t k = 0; k < ROS_SENSORS_MOST; k++)
@@ -455,7 +433,7 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
         else
             give(sensor, control, input, now_ns);
     }
-    d->map.fresh = false;
+    operated_give(&d->operated, input, now_ns);
     for (size_t k = 0; k < ROS_SENSORS_MOST; k++) {
         if (d->sensors[k].fresh)
             ros_imu_restart(&d->sensors[k].sums);
@@ -469,7 +447,7 @@ static void take(struct ros_device *d)
     case ROS_STARTED:
         d->started = d->message.started;
         snprintf(d->odometry.name, sizeof d->odometry.name, "%s", d->started.odometry);
-        snprintf(d->map.topic.name, sizeof d->map.topic.name, "%s", d->started.click);
+        operated_name(&d->operated, &d->started);
         break;
     case ROS_ODOMETRY: take_odometry(d, &d->message.odometry); break;
     case ROS_SCAN: take_scan(d, &d->message.scan); break;
@@ -477,7 +455,9 @@ static void take(struct ros_device *d)
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
     case ROS_TOUCH: take_touch(d, &d->message.touch); break;
     case ROS_BUMPER: take_bumper(d, &d->message.bumper); break;
-    case ROS_CLICK: take_click(d, &d->message.click); break;
+    case ROS_JOY: operated_take_joy(d, &d->message.joy); break;
+    case ROS_PRESS: operated_take_press(d, &d->message.press); break;
+    case ROS_CLICK: operated_take_click(d, &d->message.click); break;
     case ROS_BATTERY: d->battery_v = d->message.battery.voltage_v; break;
     case ROS_STATE: take_state(d, &d->message.state); break;
     default:

@@ -9,6 +9,7 @@
 #include "drivers/driver.h"
 #include "messages.h"
 #include "odometry.h"
+#include "operated.h"
 #include "sensors.h"
 #include "sim_clock.h"
 #include "stamps.h"
@@ -28,22 +29,8 @@ enum ros_setting {
     ROS_FASTEST = ROS_OWN_SETTINGS,
     ROS_FASTEST_TURN,
     ROS_STAMPED,
+    ROS_MARKERS,
     ROS_SETTINGS
-};
-
-enum { ROS_VERDICTS = STAMPS_RESET + 1 };
-
-/* Maximum number of controls that are parameters of the node. */
-enum { ROS_CONTROLS_MOST = 64 };
-
-/* The state of one topic: whether messages arrive, and which faults were reported. */
-struct ros_topic {
-    char name[ROS_NAME]; /* name of the topic; "" until it is known */
-    struct stamps stamps;
-    int64_t received_ns; /* when the last message arrived, good or not; INT64_MIN: never */
-    bool told_silence;
-    bool told[ROS_VERDICTS]; /* timestamp faults that were reported */
-    const char *told_bad;    /* the last reported reason for rejecting a message */
 };
 
 /* A lidar, inertial measurement unit or bumper. */
@@ -61,14 +48,6 @@ struct ros_sensor {
     bool is_pressed; /* a bumper */
     int64_t lost_ns; /* since when the place of the lidar is not known; INT64_MAX: it is known */
     char why[ROS_REASON]; /* why its messages are ignored */
-};
-
-/* The newest click on the map. */
-struct ros_map {
-    struct ros_topic topic;
-    bool fresh;
-    double x_m, y_m;
-    char why[ROS_REASON];
 };
 
 /* A control of the console whose value other nodes may set. */
@@ -101,6 +80,8 @@ struct ros_device {
         struct ros_bumper bumper;
         struct ros_battery battery;
         struct ros_click click;
+        struct ros_joy joy;
+        struct ros_press press;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the message being received */
     size_t have; /* number of its bytes so far */
@@ -110,7 +91,7 @@ struct ros_device {
     double battery_v;  /* NaN: not known yet */
     int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
-    struct ros_map map;
+    struct operated operated;
     struct sim_clock sim_clock;
     struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
@@ -130,6 +111,11 @@ extern const struct frob_driver frob_ros_driver;
  * our clock. */
 bool ros_device_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                         int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
+
+/* Explains that the frame of a message is not known. `effect`: what happens therefore. `how`: how to do
+ * without the transform. */
+void ros_device_explain(const struct ros_placing *placing, const char *effect, const char *how,
+                        char *why, size_t room);
 
 /* Returns since when the program can no longer be given readings, because the place of a lidar is not
  * known; `sensed_ns` if this is later or not so. */

@@ -8,6 +8,7 @@
 #include <rcl/error_handling.h>
 #include <rmw/qos_profiles.h>
 
+#include "operated.h"
 #include "sensors.h"
 
 static void add(struct inputs *inputs, enum ros_kind kind, const char *name)
@@ -36,8 +37,9 @@ bool inputs_is_needed(const struct input *input)
     switch (input->kind) {
     /* Robots without a battery topic are common, and most programs do not use it. */
     case ROS_BATTERY: return false;
-    /* An operator may start rviz later. */
-    case ROS_CLICK: return false;
+    /* An operator may start rviz later, or press no button. */
+    case ROS_CLICK:
+    case ROS_PRESS: return false;
     /* The messages name the frames that are missing. */
     case ROS_TF:
     case ROS_TF_STATIC: return false;
@@ -48,7 +50,7 @@ bool inputs_is_needed(const struct input *input)
 
 bool inputs_is_reliable(const struct input *input)
 {
-    return input->kind == ROS_CLICK || input->kind == ROS_TF_STATIC;
+    return input->kind == ROS_CLICK || input->kind == ROS_PRESS || input->kind == ROS_TF_STATIC;
 }
 
 /* Adds a topic of the program's own. */
@@ -87,15 +89,42 @@ static bool has_frames(const struct inputs *inputs)
 /* Maximum number of topics that are neither sensors nor the program's own. */
 enum { OTHERS_MOST = 6 };
 
+/* Adds the topics of the console's buttons and its map. Returns false if two buttons have the same
+ * topic. */
+static bool add_operated(struct inputs *inputs, const struct frob_program *program, char *why,
+                         size_t room)
+{
+    for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {
+        const struct frob_control *control = &program->console[i];
+        char name[ROS_NAME] = "clicked_point";
+        if (control->kind != FROB_MAP && control->kind != FROB_BUTTON)
+            continue;
+        if (control->kind == FROB_BUTTON)
+            operated_topic(control, name, sizeof name);
+        for (size_t k = 0; k < inputs->count; k++)
+            if (inputs->each[k].kind == ROS_PRESS && strcmp(inputs->each[k].name, name) == 0) {
+                snprintf(
+                    why, room,
+                    "the buttons `%s` and `%s` of the program have the same topic, %s: rename one "
+                    "of them",
+                    program->console[inputs->each[k].control].label, control->label, name);
+                return false;
+            }
+        inputs->each[inputs->count].control = (uint32_t)i;
+        add(inputs, control->kind == FROB_MAP ? ROS_CLICK : ROS_PRESS, name);
+    }
+    return true;
+}
+
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
-               char *why, size_t room)
+               bool has_joystick, char *why, size_t room)
 {
     const size_t own = program->node != NULL ? program->node->input_count : 0;
     size_t sensors = 0;
     memset(inputs, 0, sizeof *inputs);
     tf_start(&inputs->tf);
-    inputs->each =
-        (struct input *)calloc(own + ROS_SENSORS_MOST + OTHERS_MOST, sizeof *inputs->each);
+    inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + ROS_CONTROLS_MOST + OTHERS_MOST,
+                                          sizeof *inputs->each);
     inputs->values = (char *)calloc(1, program->input_size + 1);
     inputs->value = (struct ros_topic_message *)calloc(1, ROS_MESSAGE_MOST);
     if (inputs->each == NULL || inputs->values == NULL || inputs->value == NULL) {
@@ -113,10 +142,6 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
         add(inputs, ROS_CLOCK, "/clock");
     for (size_t i = 0; i < program->control_count; i++) {
         char name[ROS_NAME];
-        if (program->console[i].kind == FROB_MAP) {
-            inputs->each[inputs->count].control = (uint32_t)i;
-            add(inputs, ROS_CLICK, "clicked_point");
-        }
         if (!ros_topic_of(&program->console[i], name, sizeof name) ||
             ros_first_user(program, i) < i)
             continue;
@@ -127,6 +152,10 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
         inputs->each[inputs->count].control = (uint32_t)i;
         add(inputs, kind_of(&program->console[i]), name);
     }
+    if (!add_operated(inputs, program, why, room))
+        return false;
+    if (has_joystick)
+        add(inputs, ROS_JOY, "joy");
     inputs->tf.is_read = has_frames(inputs) && tf_type() != NULL;
     if (inputs->tf.is_read) {
         add(inputs, ROS_TF, "/tf");
@@ -158,6 +187,16 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
         input->topic.type = "sensor_msgs/msg/BatteryState";
         return sensor_msgs__msg__BatteryState__init(&input->message.battery)
                    ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, BatteryState)
+                   : NULL;
+    case ROS_JOY:
+        input->topic.type = "sensor_msgs/msg/Joy";
+        return sensor_msgs__msg__Joy__init(&input->message.joy)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, Joy)
+                   : NULL;
+    case ROS_PRESS:
+        input->topic.type = "std_msgs/msg/Empty";
+        return std_msgs__msg__Empty__init(&input->message.press)
+                   ? ROSIDL_GET_MSG_TYPE_SUPPORT(std_msgs, msg, Empty)
                    : NULL;
     case ROS_CLICK:
         input->topic.type = "geometry_msgs/msg/PointStamped";
@@ -422,6 +461,26 @@ static void send_bumper(const struct input *input, int socket)
     send_message(socket, &bumper.head);
 }
 
+static void send_joy(const struct input *input, int socket)
+{
+    const sensor_msgs__msg__Joy *m = &input->message.joy;
+    struct ros_joy joy;
+    memset(&joy, 0, sizeof joy);
+    joy.head = head(ROS_JOY, sizeof joy);
+    joy.origin = origin(input, &m->header);
+    for (size_t i = 0; i < m->axes.size && i < ROS_JOY_MOST; i++)
+        joy.axes[joy.axis_count++] = m->axes.data[i];
+    for (size_t i = 0; i < m->buttons.size && i < ROS_JOY_MOST; i++)
+        joy.is_down[joy.button_count++] = m->buttons.data[i] != 0;
+    send_message(socket, &joy.head);
+}
+
+static void send_press(const struct input *input, int socket)
+{
+    const struct ros_press press = { head(ROS_PRESS, sizeof press), input->control };
+    send_message(socket, &press.head);
+}
+
 static void send_click(const struct inputs *inputs, const struct input *input, int socket)
 {
     const geometry_msgs__msg__PointStamped *m = &input->message.click;
@@ -468,6 +527,8 @@ void inputs_take(struct inputs *inputs, struct input *input, int socket)
         case ROS_IMU: send_imu(input, socket); break;
         case ROS_BUMPER: send_bumper(input, socket); break;
         case ROS_BATTERY: send_battery(input, socket); break;
+        case ROS_JOY: send_joy(input, socket); break;
+        case ROS_PRESS: send_press(input, socket); break;
         case ROS_CLICK: send_click(inputs, input, socket); break;
         case ROS_TF:
         case ROS_TF_STATIC: take_transforms(inputs, input); break;

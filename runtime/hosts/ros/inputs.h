@@ -10,8 +10,10 @@
 #include <rosgraph_msgs/msg/clock.h>
 #include <sensor_msgs/msg/battery_state.h>
 #include <sensor_msgs/msg/imu.h>
+#include <sensor_msgs/msg/joy.h>
 #include <sensor_msgs/msg/laser_scan.h>
 #include <std_msgs/msg/bool.h>
+#include <std_msgs/msg/empty.h>
 
 #include "conversion.h"
 #include "messages.h"
@@ -50,6 +52,8 @@ struct input {
         std_msgs__msg__Bool bumper;
         sensor_msgs__msg__BatteryState battery;
         geometry_msgs__msg__PointStamped click;
+        sensor_msgs__msg__Joy joy;
+        std_msgs__msg__Empty press;
         struct tf_message transforms;
     } message;
 };
@@ -67,7 +71,7 @@ struct inputs {
 /* Determines the inputs of a program. Returns false if that is impossible; then `why` explains it.
  */
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
-               char *why, size_t room);
+               bool has_joystick, char *why, size_t room);
 
 /* Returns whether the program cannot run before a message arrives. */
 bool inputs_is_needed(const struct input *input);

@@ -6,7 +6,10 @@
 
 #include "camera.h"
 #include "device.h"
+#include "drawing.h"
+#include "joy.h"
 #include "opening.h"
+#include "operated.h"
 #include "overrides.h"
 #include "own.h"
 
@@ -25,10 +28,14 @@ int main(int argc, char **argv)
     overrides = overrides_of(argc, argv, &frob_program);
     if (overrides.argv == NULL)
         return WRONG_USE;
+    overrides.argc = joy_settings(overrides.argc, overrides.argv, &frob_program);
+    if (overrides.argc < 0)
+        return WRONG_USE;
+    operated_of(&frob_program);
     sources = camera_sources_of(overrides.argc, overrides.argv, &frob_program);
     if (sources.argv == NULL)
         return WRONG_USE;
-    return host_run(sources.argc, sources.argv, &frob_program,
+    return host_run(sources.argc, sources.argv, drawing_hide(&frob_program),
                     frob_program.node != NULL ? ros_own_driver(&frob_program) : &frob_ros_driver,
                     &ros_opening);
 }

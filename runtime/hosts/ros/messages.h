@@ -22,8 +22,10 @@ enum ros_kind {
     ROS_STATES, /* the simulated robot's bumpers and battery; the rest is a struct ros_states */
     ROS_IMAGE,  /* the simulated robot's camera has taken an image; a struct ros_image */
     ROS_STATE,  /* a managed node has changed its state; the rest is a struct ros_state */
-    ROS_CLICK,  /* a click on a map; a struct ros_click */
-    ROS_TF,     /* only in the node: transforms of /tf, or of /tf_static */
+    ROS_JOY,
+    ROS_PRESS, /* a button of the console was pressed; a struct ros_press */
+    ROS_CLICK, /* a click on a map; a struct ros_click */
+    ROS_TF,    /* only in the node: transforms of /tf, or of /tf_static */
     ROS_TF_STATIC,
     ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
     ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, and then the value */
@@ -33,6 +35,7 @@ enum ros_kind {
     ROS_TEXT,
     ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, and then the output */
     ROS_REST,   /* publish zeros on those that are commands */
+    ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, and then its bytes */
     ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
     /* In both directions: a control of the console has a new value; a struct ros_touch. */
     ROS_TOUCH
@@ -53,6 +56,7 @@ struct ros_started {
     char node[ROS_NAME];     /* with its namespace: "/wall_follow" */
     char odometry[ROS_NAME]; /* the names of the topics, after remapping */
     char velocity[ROS_NAME];
+    char joy[ROS_NAME];   /* "" if the program reads no joystick */
     char click[ROS_NAME]; /* "" if the program has no map */
     uint32_t sensor_count;
     struct {
@@ -142,6 +146,26 @@ struct ros_click {
     double x_m, y_m;            /* in that frame, for ROS_FOUND */
 };
 
+/* Maximum number of controls that other nodes operate. */
+enum { ROS_CONTROLS_MOST = 64 };
+
+enum { ROS_JOY_MOST = 64 };
+
+/* A sensor_msgs/msg/Joy, unchecked, without axes and buttons behind the first 64. */
+struct ros_joy {
+    struct ros_head head;
+    struct ros_origin origin;
+    uint32_t axis_count, button_count;
+    float axes[ROS_JOY_MOST];
+    bool is_down[ROS_JOY_MOST];
+};
+
+/* A std_msgs/msg/Empty. */
+struct ros_press {
+    struct ros_head head;
+    uint32_t control; /* index in the program's console */
+};
+
 /* The voltage of a sensor_msgs/msg/BatteryState. */
 struct ros_battery {
     struct ros_head head;
@@ -205,6 +229,11 @@ struct ros_topic_message {
 struct ros_output {
     struct ros_head head;
     bool rests; /* publish zeros as commands */
+};
+
+/* The bytes of the drawing's span (topics.h) in the program's output follow. */
+struct ros_marks {
+    struct ros_head head;
 };
 
 /* Maximum size of a value in these messages: it must be much less than the socket's buffer. */

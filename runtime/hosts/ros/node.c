@@ -19,6 +19,7 @@
 #include "inputs.h"
 #include "lifecycle.h"
 #include "diagnostics.h"
+#include "markers.h"
 #include "messages.h"
 #include "outputs.h"
 #include "overrides.h"
@@ -45,6 +46,7 @@ struct node {
     rcl_publisher_t columns, instants;
     std_msgs__msg__String text;
     struct diagnostics diagnostics;
+    struct markers markers;
     struct lifecycle lifecycle;
     rcl_guard_condition_t over; /* triggered when the supervisor has exited */
     bool is_over;               /* accessed atomically */
@@ -123,7 +125,8 @@ static bool subscribe(struct node *n)
 {
     const char *failed;
     char why[ROS_REASON];
-    if (!inputs_of(&n->inputs, n->options->program, n->options->use_sim_time, why, sizeof why)) {
+    if (!inputs_of(&n->inputs, n->options->program, n->options->use_sim_time,
+                   n->options->has_joystick, why, sizeof why)) {
         refuse_because(n, "cannot subscribe", why);
         return false;
     }
@@ -206,6 +209,14 @@ static bool diagnose(struct node *n)
     return false;
 }
 
+static bool mark(struct node *n)
+{
+    if (markers_start(&n->markers, n->options->program, &n->node))
+        return true;
+    refuse(n, "cannot publish ~/markers");
+    return false;
+}
+
 static void rest(void *of)
 {
     outputs_rest(&((struct node *)of)->outputs);
@@ -266,6 +277,8 @@ static bool report(struct node *n)
     for (size_t i = 0; i < n->inputs.count; i++) {
         const struct input *input = &n->inputs.each[i];
         const size_t k = started.sensor_count;
+        if (input->kind == ROS_JOY)
+            snprintf(started.joy, sizeof started.joy, "%s", input->topic.name);
         if (input->kind == ROS_CLICK)
             snprintf(started.click, sizeof started.click, "%s", input->topic.name);
         if (!inputs_is_sensor(input))
@@ -326,6 +339,7 @@ static void *publish_all(void *of)
             struct ros_touch touch;
             struct ros_text text;
             struct ros_claim claim;
+            struct ros_marks marks;
             char bytes[ROS_MESSAGE_MOST];
         } message;
         ssize_t got = recv(n->options->socket, &message, sizeof message, 0);
@@ -343,6 +357,8 @@ static void *publish_all(void *of)
             publish_text(n, &message.text);
         else if (message.head.kind == ROS_CLAIM)
             diagnostics_take(&n->diagnostics, &message.claim);
+        else if (message.head.kind == ROS_MARKS)
+            markers_take(&n->markers, &message.marks, &n->inputs.tf);
         else if (message.head.kind == ROS_TOUCH)
             services_note(&n->services, message.touch.control, message.touch.value);
     }
@@ -429,6 +445,7 @@ static void leave(struct node *n)
     ok = outputs_end(&n->outputs, &n->node) && ok;
     ok = rcl_publisher_fini(&n->columns, &n->node) == RCL_RET_OK && ok;
     ok = rcl_publisher_fini(&n->instants, &n->node) == RCL_RET_OK && ok;
+    ok = markers_end(&n->markers, &n->node) && ok;
     ok = diagnostics_end(&n->diagnostics, &n->node) && ok;
     ok = services_end(&n->services, &n->node) && ok;
     ok = lifecycle_end(&n->lifecycle, &n->node) && ok;
@@ -448,7 +465,7 @@ int node_run(const struct node_options *options)
     n->options = options;
     leave_session();
     if (!join(n) || !subscribe(n) || !serve(n) || !advertise(n) || !advertise_instants(n) ||
-        !diagnose(n) || !manage(n) || !report(n))
+        !diagnose(n) || !mark(n) || !manage(n) || !report(n))
         return FAULT;
     if (pthread_create(&publisher, NULL, publish_all, n) != 0) {
         fprintf(stderr, "error: cannot start a thread\n");

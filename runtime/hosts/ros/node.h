@@ -20,6 +20,7 @@ struct node_options {
     int socket;                         /* leads to the supervisor */
     bool stamped;                       /* publish TwistStamped */
     bool use_sim_time;
+    bool has_joystick;  /* it operates the program's console */
     bool is_managed;    /* other nodes configure and activate it */
     const void *params; /* the program's parameter struct */
     int argc;           /* the arguments for rcl, which begin with the name of the program */

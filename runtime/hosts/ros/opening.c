@@ -17,18 +17,25 @@
 #include "hosts/common/params.h"
 
 #include "bumpers.h"
+#include "drawing.h"
 #include "device.h"
+#include "joy.h"
 #include "messages.h"
+#include "hal/posix/clock.h"
 #include "node.h"
+#include "topics.h"
 
 /* Maximum time for the node to join the ROS 2 system, and to end. */
 enum { START_MS = 20000, END_MS = 1000 };
+
+/* Minimum time between two drawings. */
+#define SHOW_NS INT64_C(50000000)
 
 /* ---- The supervisor's side */
 
 /* The options of the node's process, between the socket and the arguments for ROS. */
 static const char stamped_option[] = "stamped", sim_time_option[] = "sim_time",
-                  lifecycle_option[] = "lifecycle";
+                  lifecycle_option[] = "lifecycle", joy_option[] = "joy";
 
 /* Returns the text NAME=VALUE of a parameter. */
 static char *setting_of(const struct frob_param *param, const void *values)
@@ -50,7 +57,7 @@ static void become_node(const struct line *line, const double *settings, int own
 {
     const struct frob_program *program = line->params->program;
     char number[16];
-    char **argv = (char **)calloc(line->argument_count + program->param_count + 9, sizeof *argv);
+    char **argv = (char **)calloc(line->argument_count + program->param_count + 10, sizeof *argv);
     size_t count = 0;
     const int fd = dup(own); /* without close-on-exec */
     if (argv == NULL || fd < 0)
@@ -65,6 +72,8 @@ static void become_node(const struct line *line, const double *settings, int own
         argv[count++] = (char *)(uintptr_t)sim_time_option;
     if (settings[ROS_LIFECYCLE] > 0.0)
         argv[count++] = (char *)(uintptr_t)lifecycle_option;
+    if (joy_is_used())
+        argv[count++] = (char *)(uintptr_t)joy_option;
     for (size_t i = 0; i < program->param_count; i++)
         argv[count++] = setting_of(&program->params[i], line->params->values);
     argv[count++] = (char *)(uintptr_t)"--";
@@ -186,6 +195,46 @@ static void publish_text(const struct line *line, int64_t number, const char *te
     }
 }
 
+/* Sends the program's drawing, at most twenty times a second. */
+static void show(const struct line *line, const void *output)
+{
+    static const struct frob_value *drawing;
+    static bool is_known, told;
+    static int64_t shown_ns;
+    const int64_t now = frob_now_ns(&frob_posix_clock);
+    struct topic_span span;
+    struct ros_marks head;
+    struct iovec parts[2];
+    struct msghdr message;
+    int waiting = 0;
+    if (!is_known)
+        drawing = drawing_of(line->params->program);
+    is_known = true;
+    if (drawing == NULL || line->settings[ROS_MARKERS] <= 0.0 || now - shown_ns < SHOW_NS)
+        return;
+    span = topic_span_of(drawing);
+    shown_ns = now;
+    if (span.end - span.first > ROS_VALUE_MOST) {
+        if (!told)
+            fprintf(stderr, "warning: the program draws too many marks to publish them\n");
+        told = true;
+        return;
+    }
+    memset(&head, 0, sizeof head);
+    head.head.size = (uint32_t)(sizeof head + span.end - span.first);
+    head.head.kind = ROS_MARKS;
+    parts[0].iov_base = &head;
+    parts[0].iov_len = sizeof head;
+    parts[1].iov_base = (char *)(uintptr_t)output + span.first;
+    parts[1].iov_len = span.end - span.first;
+    memset(&message, 0, sizeof message);
+    message.msg_iov = parts;
+    message.msg_iovlen = 2;
+    /* If the line is busy or lost, the next drawing replaces this one. */
+    if (ioctl(line->port.fd, SIOCOUTQ, &waiting) == 0 && waiting <= WAITING_MOST)
+        waiting = (int)sendmsg(line->port.fd, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
 static void judge(const struct line *line, size_t claim, bool fails, bool is_void, const char *fate)
 {
     struct ros_claim message;
@@ -214,6 +263,7 @@ const struct line_opening ros_opening = {
     .orders = ros_device_orders,
     .publish = publish_text,
     .judge = judge,
+    .show = show,
     .publish_room = text_room,
 };
 
@@ -237,6 +287,8 @@ bool ros_is_node(int argc, char **argv, const struct frob_program *program, int 
         options.use_sim_time = true;
     for (; i < argc && strcmp(argv[i], lifecycle_option) == 0; i++)
         options.is_managed = true;
+    for (; i < argc && strcmp(argv[i], joy_option) == 0; i++)
+        options.has_joystick = true;
     settings = (const char *const *)argv + i;
     for (; i < argc && strcmp(argv[i], "--") != 0; i++)
         count++;

@@ -25,7 +25,9 @@ const rosidl_message_type_support_t *tf_type(void)
 /* Copies the name of a frame. If the message has none, keeps the present one. */
 static void copy_name(char name[ROS_FRAME], const rosidl_runtime_c__String *from)
 {
-    if (from->data != NULL && from->data[0] != '\0' && strlen(from->data) < ROS_FRAME)
+    /* Another thread reads the name (markers.h), so it is only written when it changes. */
+    if (from->data != NULL && from->data[0] != '\0' && strlen(from->data) < ROS_FRAME &&
+        strcmp(name, frames_name(from->data)) != 0)
         snprintf(name, ROS_FRAME, "%s", frames_name(from->data));
 }
 

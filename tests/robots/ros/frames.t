@@ -31,9 +31,8 @@ A lidar may be at an unknown place, or tilted. Then the robot stands.
   stale readings: 1
   $ faults="frame=0 frames=0 tilt=0"; unplaced --for 1s
   warning: a message on /scan is ignored: its frame `laser` is tilted, so its rays are not parallel to the floor, and the robot stands: correct the transform, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
-  $ faults="frame=0 frames=0 bad_frames=0"; unplaced --for 1s
+  $ faults="frame=0 frames=0 bad_frames=0"; unplaced --for 1s | grep transform.from
   warning: the transform from `map` to `odom` on /tf is ignored: a rotation is not a quaternion of length 1
-  warning: a message on /scan is ignored: no transform between its frame `laser` and `base_link` is known, and the robot stands: start the node that publishes it on /tf_static or /tf, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
 
 The settings of the driver override the transforms.
 

@@ -268,7 +268,7 @@ Mistakes on the command line:
   error: there is no ROS 2 in this shell: install it, and source its setup script, as in `source …`, which sets AMENT_PREFIX_PATH
   $ rm prefix/share/ament_index/resource_index/packages/*_msgs
   $ ROS_DISTRO=jazzy frobc run --ros2 drive.frob
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs, diagnostic_msgs, std_msgs, lifecycle_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-diagnostic-msgs ros-jazzy-std-msgs ros-jazzy-lifecycle-msgs ros-jazzy-rosgraph-msgs`
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) lacks the packages geometry_msgs, nav_msgs, sensor_msgs, diagnostic_msgs, std_msgs, visualization_msgs, lifecycle_msgs and rosgraph_msgs: install them, as in `sudo apt install ros-jazzy-geometry-msgs ros-jazzy-nav-msgs ros-jazzy-sensor-msgs ros-jazzy-diagnostic-msgs ros-jazzy-std-msgs ros-jazzy-visualization-msgs ros-jazzy-lifecycle-msgs ros-jazzy-rosgraph-msgs`
   [2]
   $ rm prefix/share/ament_index/resource_index/packages/rcl
   $ sh fake/build.sh fake "$PWD/prefix"

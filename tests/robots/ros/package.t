@@ -54,6 +54,7 @@
     <depend>rosidl_typesupport_introspection_c</depend>
     <depend>sensor_msgs</depend>
     <depend>std_msgs</depend>
+    <depend>visualization_msgs</depend>
     <exec_depend>ros2launch</exec_depend>
   
     <export>

@@ -6,7 +6,9 @@
 #include "hal/fake/fake.h"
 #include "hosts/ros/device.h"
 #include "hosts/ros/frames.h"
+#include "hosts/ros/joy.h"
 #include "hosts/ros/odometry.h"
+#include "hosts/ros/operated.h"
 #include "hosts/ros/parameters.h"
 #include "hosts/ros/sim_clock.h"
 #include "hosts/ros/stamps.h"
@@ -397,6 +399,97 @@ static void test_parameters(void)
     free(p.each);
 }
 
+/* ---- The joystick */
+
+/* The input of a program with a hold, a knob and a button. */
+struct held {
+    bool is_held, is_pressed;
+    double pace;
+};
+
+static const struct frob_program *held_program(void)
+{
+    static const struct frob_value held = { .kind = FROB_BOOL, .offset = 0 };
+    static const struct frob_value pace = { .kind = FROB_FLOAT,
+                                            .offset = offsetof(struct held, pace) };
+    static const struct frob_value pressed = { .kind = FROB_SUM,
+                                               .offset = offsetof(struct held, is_pressed) };
+    static const struct frob_control controls[] = {
+        { .kind = FROB_HOLD, .label = "drive slowly", .value = &held },
+        { .kind = FROB_KNOB, .label = "pace", .most = 1, .first = 0.25, .value = &pace },
+        { .kind = FROB_BUTTON, .label = "2nd go!", .value = &pressed },
+    };
+    static const struct frob_program program = { .console = controls, .control_count = 3 };
+    return &program;
+}
+
+static int settings_of(const char *setting)
+{
+    char text[64], *argv[] = { text, text, text, NULL };
+    static char name[] = "held", set[] = "--set";
+    argv[0] = name;
+    argv[1] = set;
+    snprintf(text, sizeof text, "%s", setting);
+    return joy_settings(3, argv, held_program());
+}
+
+static void joystick(struct joy *joy, float axis, bool is_down, struct held *input, int64_t now_ns)
+{
+    char why[ROS_REASON];
+    struct ros_joy m;
+    memset(&m, 0, sizeof m);
+    m.axis_count = m.button_count = 2;
+    m.axes[1] = axis;
+    m.is_down[0] = is_down;
+    check(joy_check(&m, held_program(), why, sizeof why) == NULL, "a message counts");
+    joy_take(joy, &m, held_program(), now_ns);
+    input->is_pressed = false;
+    joy_give(joy, held_program(), input, now_ns);
+}
+
+static void test_joy(void)
+{
+    struct joy joy;
+    struct ros_joy small;
+    struct held input = { false, false, 0.25 };
+    char name[40], why[ROS_REASON];
+    memset(&joy, 0, sizeof joy);
+    check(settings_of("late=1") == 3 && !joy_is_used(), "other settings remain");
+    check(settings_of("joy.drive slowly=0") == 1 && joy_is_used(), "a button operates a hold");
+    check(settings_of("joy.pace=1") == 1 && settings_of("joy.2nd go!=0") == 1,
+          "an axis a knob, and a button a button");
+    joystick(&joy, 0.0f, true, &input, 0);
+    check(input.is_held && !input.is_pressed,
+          "a button that is down at first is held, but was not pressed now");
+    check_near(input.pace, 0.25, 0, "an axis at rest is the initial value of the knob");
+    joystick(&joy, 1.0f, false, &input, 20 * MS);
+    check(!input.is_held, "the button is released");
+    check_near(input.pace, 1.0, 0, "the end of the axis is the maximum");
+    joystick(&joy, -0.5f, true, &input, 40 * MS);
+    check(input.is_held && input.is_pressed, "the button is pressed");
+    check_near(input.pace, 0.125, 1e-12, "half of the way to the minimum");
+    input.is_pressed = false;
+    input.is_held = false;
+    joy_give(&joy, held_program(), &input, 400 * MS);
+    check(!input.is_pressed, "a press is an event");
+    check(!input.is_held, "the page has released the hold, and the joystick has not changed");
+    joystick(&joy, -0.5f, false, &input, 420 * MS);
+    joystick(&joy, -0.5f, true, &input, 440 * MS);
+    joy_give(&joy, held_program(), &input, 1000 * MS);
+    check(!input.is_held, "a silent joystick holds nothing");
+    check_near(input.pace, 0.25, 0, "and its axes are at rest");
+
+    memset(&small, 0, sizeof small);
+    small.button_count = 1;
+    small.axis_count = 1;
+    check(joy_check(&small, held_program(), why, sizeof why) != NULL, "too few axes are reported");
+    small.axis_count = 2;
+    small.axes[1] = NAN;
+    check(joy_check(&small, held_program(), why, sizeof why) != NULL, "and so is NaN");
+    operated_topic(&held_program()->console[2], name, sizeof name);
+    check(strcmp(name, "~/buttons/_2nd_go_") == 0, "the topic of a button");
+}
+
 /* ---- The time of a simulator */
 
 static void test_sim_clock(void)
@@ -560,6 +653,7 @@ int main(void)
     test_seat();
     test_imu();
     test_parameters();
+    test_joy();
     test_sim_clock();
     test_driver();
     test_driver_in_simulation();

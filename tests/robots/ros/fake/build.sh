@@ -41,9 +41,14 @@ header rosgraph_msgs rosgraph_msgs/msg/clock.h
 header rosidl_runtime_c rosidl_runtime_c/primitives_sequence_functions.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_array.h
 header diagnostic_msgs diagnostic_msgs/msg/diagnostic_status.h
+header geometry_msgs geometry_msgs/msg/point.h
+header visualization_msgs visualization_msgs/msg/marker.h
+header visualization_msgs visualization_msgs/msg/marker_array.h
 header std_msgs std_msgs/msg/string.h
 header std_msgs std_msgs/msg/header.h
 header std_msgs std_msgs/msg/bool.h
+header std_msgs std_msgs/msg/empty.h
+header sensor_msgs sensor_msgs/msg/joy.h
 header sensor_msgs sensor_msgs/msg/battery_state.h
 header sensor_msgs sensor_msgs/msg/image.h
 header sensor_msgs sensor_msgs/msg/compressed_image.h
@@ -59,6 +64,7 @@ for library in rcl_lifecycle lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs
     rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
     rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c \
     diagnostic_msgs__rosidl_typesupport_c diagnostic_msgs__rosidl_generator_c \
+    visualization_msgs__rosidl_typesupport_c visualization_msgs__rosidl_generator_c \
     std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
@@ -78,6 +84,6 @@ echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msg
 { static const char *const type = "tf2_msgs/msg/TFMessage"; return &type; }' |
     gcc -shared -fPIC -x c - -o "$prefix/lib/libtf2_msgs__rosidl_typesupport_c.so"
 for package in rcl rosidl_typesupport_introspection_c rcl_lifecycle lifecycle_msgs rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
-    rcl_interfaces std_msgs diagnostic_msgs; do
+    rcl_interfaces std_msgs diagnostic_msgs visualization_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"
 done

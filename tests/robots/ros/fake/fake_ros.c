@@ -92,6 +92,31 @@ static void write_diagnostics(const diagnostic_msgs__msg__DiagnosticArray *m)
     }
 }
 
+/* Writes the markers of the first message into the log, and those that are removed. */
+static void write_markers(const visualization_msgs__msg__MarkerArray *m)
+{
+    static bool wrote = false;
+    for (size_t i = 0; i < m->markers.size; i++) {
+        const visualization_msgs__msg__Marker *marker = &m->markers.data[i];
+        const geometry_msgs__msg__Point *points = marker->points.data;
+        const bool is_text = marker->type == visualization_msgs__msg__Marker__TEXT_VIEW_FACING;
+        char line[300];
+        if (marker->action == visualization_msgs__msg__Marker__DELETE)
+            snprintf(line, sizeof line, "marker %d: removed", (int)marker->id);
+        else if (is_text)
+            snprintf(line, sizeof line, "marker %d: in %s, `%s` at %g %g", (int)marker->id,
+                     marker->header.frame_id.data, marker->text.data, marker->pose.position.x,
+                     marker->pose.position.y);
+        else
+            snprintf(line, sizeof line, "marker %d: in %s, type %d, %zu points, %g %g to %g %g",
+                     (int)marker->id, marker->header.frame_id.data, (int)marker->type,
+                     marker->points.size, points[0].x, points[0].y, points[1].x, points[1].y);
+        if (!wrote || marker->action == visualization_msgs__msg__Marker__DELETE)
+            write_log(line);
+    }
+    wrote = true;
+}
+
 /* Appends a text on ~/TOPIC to the file FAKE_ROS_BAG.TOPIC, with a zero byte at its end. */
 static void write_bag(const char *topic, const char *text)
 {
@@ -138,6 +163,10 @@ rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, voi
     }
     if (strncmp(publisher->topic, "/tf", 3) == 0) {
         write_transforms(publisher->topic, message);
+        return RCL_RET_OK;
+    }
+    if (strcmp(publisher->topic, "~/markers") == 0) {
+        write_markers((const visualization_msgs__msg__MarkerArray *)message);
         return RCL_RET_OK;
     }
     if (publisher->topic[0] == '~') {
@@ -263,6 +292,31 @@ static bool click(geometry_msgs__msg__PointStamped *m)
     return clicks;
 }
 
+/* The operator presses the button of a topic once, after the fault "press". */
+static bool press(void)
+{
+    static bool done = false;
+    const bool presses = has("press") && !done;
+    done = done || has("press");
+    return presses;
+}
+
+/* A joystick. Its first axis moves to 0.5 and its button 1 goes down after the fault "joy", until the
+ * fault "joy_up". It is silent after the fault "joy_silent". */
+static bool joy(sensor_msgs__msg__Joy *m)
+{
+    static float axes[2];
+    static int32_t buttons[2];
+    const bool down = has("joy") && !has("joy_up");
+    axes[0] = has("joy_nan") ? NAN : down ? 0.5f : 0.0f;
+    buttons[1] = down;
+    memset(m, 0, sizeof *m);
+    m->axes.data = axes;
+    m->buttons.data = buttons;
+    m->axes.size = m->buttons.size = has("joy_small") ? 1 : 2;
+    return !has("joy_silent");
+}
+
 /* A camera that sees only red. Its rows have three bytes more than they need. */
 static void image(sensor_msgs__msg__Image *m)
 {
@@ -316,13 +370,17 @@ static int64_t *next_of(const rcl_subscription_t *subscription)
 {
     static int64_t scan_ns = 0, imu_ns = 0, clock_ns = 0, velocity_ns = 0, bumper_ns = 0,
                    battery_ns = 0, image_ns = 0, fixed_ns = 0, moving_ns = 0, click_ns = 0,
-                   word_ns = 0;
+                   word_ns = 0, press_ns = 0, joy_ns = 0;
     if (strcmp(subscription->topic, "/tf") == 0)
         return &moving_ns;
     if (strcmp(subscription->topic, "/tf_static") == 0)
         return &fixed_ns;
     if (subscription->type == &fake_geometry_msgs_PointStamped)
         return &click_ns;
+    if (subscription->type == &fake_std_msgs_Empty)
+        return &press_ns;
+    if (subscription->type == &fake_sensor_msgs_Joy)
+        return &joy_ns;
     if (subscription->type == &fake_sensor_msgs_Image ||
         subscription->type == &fake_sensor_msgs_CompressedImage)
         return &image_ns;
@@ -362,6 +420,10 @@ rcl_ret_t rcl_take(const rcl_subscription_t *subscription, void *into, void *inf
     if (strncmp(subscription->topic, "/tf", 3) == 0)
         return transforms(into, strcmp(subscription->topic, "/tf_static") == 0) ? RCL_RET_OK
                                                                                 : RCL_RET_ERROR;
+    if (subscription->type == &fake_std_msgs_Empty)
+        return press() ? RCL_RET_OK : RCL_RET_ERROR;
+    if (subscription->type == &fake_sensor_msgs_Joy)
+        return joy((sensor_msgs__msg__Joy *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_geometry_msgs_PointStamped)
         return click((geometry_msgs__msg__PointStamped *)into) ? RCL_RET_OK : RCL_RET_ERROR;
     if (subscription->type == &fake_sensor_msgs_CompressedImage)
@@ -435,6 +497,10 @@ rcl_ret_t rcl_get_publishers_info_by_topic(const rcl_node_t *node, rcutils_alloc
         return one(array, "rosgraph_msgs/msg/Clock");
     if (strstr(topic, "image") != NULL)
         return one(array, "sensor_msgs/msg/Image");
+    if (strstr(topic, "/buttons/") != NULL)
+        return one(array, "std_msgs/msg/Empty");
+    if (strcmp(topic, "/joy") == 0)
+        return one(array, "sensor_msgs/msg/Joy");
     if (strncmp(topic, "/tf", 3) == 0)
         return one(array, "tf2_msgs/msg/TFMessage");
     if (strstr(topic, "clicked_point") != NULL) {
@@ -571,6 +637,13 @@ rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
         robot.stamped = true;
     snprintf(publisher->topic, sizeof publisher->topic, "%s%s",
              topic[0] == '/' || topic[0] == '~' ? "" : "/", name_of(topic));
+    return RCL_RET_OK;
+}
+
+rcl_ret_t rcl_publisher_get_subscription_count(const rcl_publisher_t *publisher, size_t *count)
+{
+    (void)publisher;
+    *count = 1;
     return RCL_RET_OK;
 }
 
@@ -770,6 +843,8 @@ SEQUENCE_INIT(rcl_interfaces__msg__SetParametersResult)
 SEQUENCE_INIT(rcl_interfaces__msg__FloatingPointRange)
 SEQUENCE_INIT(rcl_interfaces__msg__IntegerRange)
 SEQUENCE_INIT(rcl_interfaces__msg__ParameterDescriptor)
+SEQUENCE_INIT(geometry_msgs__msg__Point)
+SEQUENCE_INIT(visualization_msgs__msg__Marker)
 SEQUENCE_INIT(diagnostic_msgs__msg__DiagnosticStatus)
 SEQUENCE_INIT(geometry_msgs__msg__TransformStamped)
 
@@ -865,6 +940,24 @@ bool geometry_msgs__msg__TwistStamped__init(geometry_msgs__msg__TwistStamped *m)
 }
 
 bool geometry_msgs__msg__PointStamped__init(geometry_msgs__msg__PointStamped *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool visualization_msgs__msg__MarkerArray__init(visualization_msgs__msg__MarkerArray *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool std_msgs__msg__Empty__init(std_msgs__msg__Empty *m)
+{
+    memset(m, 0, sizeof *m);
+    return true;
+}
+
+bool sensor_msgs__msg__Joy__init(sensor_msgs__msg__Joy *m)
 {
     memset(m, 0, sizeof *m);
     return true;
@@ -999,6 +1092,9 @@ const rosidl_message_type_support_t fake_geometry_msgs_Twist = { "geometry_msgs/
 
 OPAQUE(fake_geometry_msgs_TwistStamped, "geometry_msgs/msg/TwistStamped")
 OPAQUE(fake_geometry_msgs_PointStamped, "geometry_msgs/msg/PointStamped")
+OPAQUE(fake_sensor_msgs_Joy, "sensor_msgs/msg/Joy")
+OPAQUE(fake_std_msgs_Empty, "std_msgs/msg/Empty")
+OPAQUE(fake_visualization_msgs_MarkerArray, "visualization_msgs/msg/MarkerArray")
 OPAQUE(fake_nav_msgs_Odometry, "nav_msgs/msg/Odometry")
 OPAQUE(fake_sensor_msgs_Image, "sensor_msgs/msg/Image")
 OPAQUE(fake_sensor_msgs_CompressedImage, "sensor_msgs/msg/CompressedImage")

@@ -207,6 +207,7 @@ rcl_ret_t rcl_publisher_init(rcl_publisher_t *publisher, const rcl_node_t *node,
 rcl_ret_t rcl_publisher_fini(rcl_publisher_t *publisher, rcl_node_t *node);
 const char *rcl_publisher_get_topic_name(const rcl_publisher_t *publisher);
 rcl_ret_t rcl_publish(const rcl_publisher_t *publisher, const void *message, void *allocation);
+rcl_ret_t rcl_publisher_get_subscription_count(const rcl_publisher_t *publisher, size_t *count);
 rcl_ret_t rcl_publisher_wait_for_all_acked(const rcl_publisher_t *publisher, int64_t timeout_ns);
 
 rcl_service_t rcl_get_zero_initialized_service(void);
@@ -380,6 +381,48 @@ typedef struct {
     } type##__Sequence; \
     bool type##__Sequence__init(type##__Sequence *sequence, size_t size)
 
+SEQUENCE(geometry_msgs__msg__Point);
+typedef struct {
+    float r, g, b, a;
+} std_msgs__msg__ColorRGBA;
+enum {
+    visualization_msgs__msg__Marker__ADD,
+    visualization_msgs__msg__Marker__DELETE = 2,
+    visualization_msgs__msg__Marker__ARROW = 0,
+    visualization_msgs__msg__Marker__LINE_STRIP = 4,
+    visualization_msgs__msg__Marker__LINE_LIST = 5,
+    visualization_msgs__msg__Marker__TEXT_VIEW_FACING = 9
+};
+typedef struct {
+    std_msgs__msg__Header header;
+    rosidl_runtime_c__String ns;
+    int32_t id, type, action;
+    geometry_msgs__msg__Pose pose;
+    geometry_msgs__msg__Vector3 scale;
+    std_msgs__msg__ColorRGBA color;
+    bool frame_locked;
+    geometry_msgs__msg__Point__Sequence points;
+    rosidl_runtime_c__String text;
+} visualization_msgs__msg__Marker;
+SEQUENCE(visualization_msgs__msg__Marker);
+typedef struct {
+    visualization_msgs__msg__Marker__Sequence markers;
+} visualization_msgs__msg__MarkerArray;
+bool visualization_msgs__msg__MarkerArray__init(visualization_msgs__msg__MarkerArray *message);
+
+typedef struct {
+    uint8_t structure_needs_at_least_one_member;
+} std_msgs__msg__Empty;
+bool std_msgs__msg__Empty__init(std_msgs__msg__Empty *message);
+typedef int32_t rosidl_runtime_c__int32;
+SEQUENCE(rosidl_runtime_c__int32);
+typedef struct {
+    std_msgs__msg__Header header;
+    rosidl_runtime_c__float__Sequence axes;
+    rosidl_runtime_c__int32__Sequence buttons;
+} sensor_msgs__msg__Joy;
+bool sensor_msgs__msg__Joy__init(sensor_msgs__msg__Joy *message);
+
 typedef uint8_t rosidl_runtime_c__uint8;
 SEQUENCE(rosidl_runtime_c__uint8);
 void rosidl_runtime_c__uint8__Sequence__fini(rosidl_runtime_c__uint8__Sequence *sequence);
@@ -503,6 +546,9 @@ bool nav_msgs__msg__Odometry__init(nav_msgs__msg__Odometry *message);
 
 extern const rosidl_message_type_support_t fake_geometry_msgs_Twist;
 extern const rosidl_message_type_support_t fake_geometry_msgs_PointStamped;
+extern const rosidl_message_type_support_t fake_sensor_msgs_Joy;
+extern const rosidl_message_type_support_t fake_visualization_msgs_MarkerArray;
+extern const rosidl_message_type_support_t fake_std_msgs_Empty;
 extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
 extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;

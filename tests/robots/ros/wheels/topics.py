@@ -547,7 +547,7 @@ main :: Program All All
 main = node 20[Hz] identity
 """
 
-# Every type of messages in the library, except those of visualization_msgs, which the wheels lack.
+# Every type of messages in the library, except those of visualization_msgs.
 TYPES = [
     *["Vec3[m]", "Quaternion", "Pose3", "PointStamped", "PoseStamped", "PoseArray 2"],
     *["PoseWithCovarianceStamped", "Twist", "TwistStamped", "TwistWithCovarianceStamped", "Accel"],

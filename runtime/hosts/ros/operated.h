@@ -1,0 +1,46 @@
+/* operated.h -- what other nodes do with the program's console: presses of its buttons, clicks on its
+ * map, and a joystick.
+ *
+ * If the program does not run, this is ignored: when it continues, it may be long ago. */
+#ifndef FROB_HOST_ROS_OPERATED_H
+#define FROB_HOST_ROS_OPERATED_H
+
+#include <frob/program.h>
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "joy.h"
+#include "messages.h"
+#include "topic_state.h"
+
+struct ros_device;
+
+struct operated {
+    struct ros_topic joystick, map;
+    struct joy joy;
+    bool is_pressed[ROS_CONTROLS_MOST]; /* a button, and the program has not read it */
+    bool is_clicked;                    /* the map, and the program has not read it */
+    double x_m, y_m;
+    char why[ROS_REASON];     /* why messages of the joystick are ignored */
+    char why_not[ROS_REASON]; /* the same for clicks */
+};
+
+/* Sets the program whose console it is. */
+void operated_of(const struct frob_program *program);
+
+void operated_start(struct operated *operated);
+void operated_name(struct operated *operated, const struct ros_started *names);
+
+void operated_take_joy(struct ros_device *device, const struct ros_joy *message);
+void operated_take_press(struct ros_device *device, const struct ros_press *press);
+void operated_take_click(struct ros_device *device, const struct ros_click *message);
+
+/* Operates the controls for an instant. */
+void operated_give(struct operated *operated, void *input, int64_t now_ns);
+
+/* Writes the name of the topic of a button, such as `~/buttons/go`: letters and digits of its label,
+ * and underscores for other characters. */
+void operated_topic(const struct frob_control *button, char *name, size_t room);
+
+#endif
