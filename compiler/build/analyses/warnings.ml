@@ -9,8 +9,9 @@ let emit (r : Request.t) sink ~resolved typed =
   let names = Advice.Of_resolve.into sink in
   Resolve.Unused.warn names ~is_mentioned:(mentioned sink) resolved;
   Resolve.Deprecated.warn names resolved;
-  Typing.Suspicious_constants.warn sink resolved typed;
-  Typing.Step_division.warn sink resolved typed;
-  Typing.Wrapped_angles.warn sink resolved typed;
-  Typing.Requirements.warn sink resolved typed;
-  Typing.Unreachable_thresholds.warn sink resolved typed ~robot:(Option.map Robots.input r.robot)
+  let facts = Advice.Of_typing.into sink in
+  Typing.Suspicious_constants.warn facts resolved typed;
+  Typing.Step_division.warn facts resolved typed;
+  Typing.Wrapped_angles.warn facts resolved typed;
+  Typing.Requirements.warn facts resolved typed;
+  Typing.Unreachable_thresholds.warn facts resolved typed ~robot:(Option.map Robots.input r.robot)

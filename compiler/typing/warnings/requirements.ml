@@ -1,7 +1,9 @@
 open Basis
 open Ir
 
-type walk = { sink : Diagnostic.sink; constants : Constant.t; facts : Doc_facts.t }
+type walk = { facts : Fact.t Facts.t; constants : Constant.t; docs : Doc_facts.t }
+
+let report w fact = Facts.report w.facts (Warning fact)
 
 let number w e =
   match Constant.value w.constants e with
@@ -14,33 +16,6 @@ let is_time (e : expr) =
   | Number (_, { base = [ ({ module_ = "Prelude"; name = "s" }, power) ]; variables = [] }) ->
       power = { Syntax.Ir.numerator = 1; denominator = 1 }
   | _ -> false
-
-let negative_time w ~of_ (e : expr) =
-  Diagnostic.(
-    warning ~code:"W0309" ~at:e.span "`%s` has a negative time, which counts as zero" of_
-    |> hint "write a time of at least `0[s]`"
-    |> emit w.sink)
-
-let swapped w ~of_ (low : expr) (high : expr) =
-  Diagnostic.(
-    warning ~code:"W0316" ~at:low.span "the lower limit of `%s` is above the upper one" of_
-    |> label ~at:high.span "the upper limit"
-    |> hint "swap them" |> emit w.sink)
-
-let negative w ~of_ (e : expr) =
-  Diagnostic.(
-    warning ~code:"W0316" ~at:e.span "this is below zero: `%s` needs a number of at least 0" of_
-    |> hint "leave the sign out" |> emit w.sink)
-
-let out_of_range w ~of_ (e : expr) what range x =
-  Diagnostic.(
-    warning ~code:"W0316" ~at:e.span "this is too %s: `%s` needs a number %s %g" what of_ range x
-    |> emit w.sink)
-
-let no_sum w ~of_ (e : expr) =
-  Diagnostic.(
-    warning ~code:"W0316" ~at:e.span "these numbers add up to 0: `%s` needs another sum" of_
-    |> emit w.sink)
 
 (* The sum of an array of constants. *)
 let sum w (e : expr) =
@@ -64,23 +39,22 @@ let check w ~of_ ~name ~argument (r : Doc_facts.requirement) =
     | At_most -> a > b
     | Differs -> a = b
   in
+  let unmet k unmet =
+    Option.iter (fun argument -> report w (Unmet { of_ = name k; argument; unmet })) (argument k)
+  in
   let report () =
-    let at k ~report = Option.iter report (argument k) in
     match (r.left, r.relation, r.right) with
     | Parameter k, At_least, Number 0. ->
-        at k ~report:(fun e ->
-            if is_time e then negative_time w ~of_:(name k) e else negative w ~of_:(name k) e)
-    | Parameter k, At_least, Number x ->
-        at k ~report:(fun e -> out_of_range w ~of_:(name k) e "small" "of at least" x)
-    | Parameter k, Above, Number x ->
-        at k ~report:(fun e -> out_of_range w ~of_:(name k) e "small" "above" x)
-    | Parameter k, At_most, Number x ->
-        at k ~report:(fun e -> out_of_range w ~of_:(name k) e "large" "of at most" x)
+        let is_time = Option.fold (argument k) ~none:false ~some:is_time in
+        unmet k (if is_time then Negative_time else Negative)
+    | Parameter k, At_least, Number x -> unmet k (Below x)
+    | Parameter k, Above, Number x -> unmet k (Not_above x)
+    | Parameter k, At_most, Number x -> unmet k (Above x)
     | Parameter low, At_most, Parameter high -> (
         match (argument low, argument high) with
-        | Some low, Some high -> swapped w ~of_ low high
+        | Some low, Some high -> report w (Swapped_limits { of_; low; high })
         | _ -> ())
-    | Sum k, Differs, Number _ -> at k ~report:(no_sum w ~of_:(name k))
+    | Sum k, Differs, Number _ -> unmet k Zero_sum
     | _ -> ()
   in
   match (value r.left, value r.right) with
@@ -92,7 +66,7 @@ let fields w (c : constructor) given =
   let argument k = List.assoc_opt k given in
   List.iter
     (check w ~of_:c.constructor.name ~name ~argument)
-    (Doc_facts.requirements w.facts c.constructor)
+    (Doc_facts.requirements w.docs c.constructor)
 
 (* `max 1 (min (-1) x)` is always 1, and `min (-1) (max 1 x)` always -1. *)
 let limits w (e : expr) =
@@ -111,11 +85,7 @@ let limits w (e : expr) =
     | Some ((limit, at), inside) -> (
         match operands inner inside with
         | Some ((other, other_at), _) when is_outside limit other ->
-            Diagnostic.(
-              warning ~code:"W0316" ~at:at.span
-                "the lower limit is above the upper one, so the result is always this limit"
-              |> label ~at:other_at.span "the other limit"
-              |> hint "swap the two limits" |> emit w.sink)
+            report w (Limits_cross { limit = at; other = other_at })
         | _ -> ())
     | None -> ()
   in
@@ -128,13 +98,7 @@ let limited_constant w (name : Resolve.Ir.Global.t) arguments =
   | "clamp", "Control", [ low; high; y ] -> (
       match (number w low, number w high, number w y) with
       | None, Some high_, Some x when high_ <= x ->
-          Diagnostic.(
-            warning ~code:"W0316" ~at:low.span
-              "this is the lower limit of `clamp`, and the value that it limits is a constant"
-            |> label ~at:(y : expr).span "the limited value"
-            |> label ~at:(high : expr).span "the upper limit"
-            |> hint "write the limits first: `clamp low high x`"
-            |> emit w.sink)
+          report w (Limited_constant { low; high; limited = y })
       | _ -> ())
   | _ -> ()
 
@@ -148,12 +112,12 @@ let rec expr w (e : expr) =
           limited_constant w g arguments;
           List.iter
             (check w ~of_:g.name ~name:(fun _ -> g.name) ~argument:(List.nth_opt arguments))
-            (Doc_facts.requirements w.facts g)
+            (Doc_facts.requirements w.docs g)
       | _ -> ()));
   Walk.parts (expr w) e
 
-let warn sink resolved program =
+let warn facts resolved program =
   let w =
-    { sink; constants = Constant.of_program program; facts = Doc_facts.of_program resolved }
+    { facts; constants = Constant.of_program program; docs = Doc_facts.of_program resolved }
   in
   Walk.own resolved (expr w) program

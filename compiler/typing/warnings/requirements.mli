@@ -3,6 +3,6 @@
 
     Codes: [W0309] a negative time · [W0316] any other constant. *)
 
-val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
+val warn : Fact.t Basis.Facts.t -> Resolve.Ir.program -> Ir.program -> unit
 (** Checks the arguments of functions and the fields of records whose doc comments state
     requirements ({!Doc_facts}), in the program's own modules. *)

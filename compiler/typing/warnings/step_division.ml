@@ -18,27 +18,19 @@ let rec is_step steps (e : expr) =
   | _, Some ("/", [ a; _ ]) -> is_step steps a
   | _, _ -> false
 
-let rec expr out steps (e : expr) =
+let rec expr facts steps (e : expr) =
   (match Constant.operation e with
-  | Some ("/", [ _; b ]) when is_step steps b ->
-      Diagnostic.(
-        warning ~code:"W0314" ~at:e.span
-          "this divides by the length of the step, which is 0 at the first instant"
-        |> note "there the quotient is infinite, or NaN if the dividend is 0 too"
-        |> hint
-             "for the slope of a signal, use `derivative`; otherwise divide only in a branch where \
-              the step is longer than 0"
-        |> emit out)
+  | Some ("/", [ _; b ]) when is_step steps b -> Facts.report facts (Fact.Warning (Step_division e))
   | Some _ | None -> ());
   match e.desc with
-  | If (condition, _, _) -> expr out steps condition
-  | Case (scrutinee, _) -> expr out steps scrutinee
+  | If (condition, _, _) -> expr facts steps condition
+  | Case (scrutinee, _) -> expr facts steps scrutinee
   | Guards _ -> ()
   | Let (bindings, _) | Proc { equations = bindings; _ } ->
       let step (b : binding) =
         match b.pattern.desc with Bound x when is_step steps b.value -> Some x | _ -> None
       in
-      Walk.parts (expr out (List.filter_map step bindings @ steps)) e
-  | _ -> Walk.parts (expr out steps) e
+      Walk.parts (expr facts (List.filter_map step bindings @ steps)) e
+  | _ -> Walk.parts (expr facts steps) e
 
-let warn sink resolved program = Walk.own resolved (expr sink []) program
+let warn facts resolved program = Walk.own resolved (expr facts []) program

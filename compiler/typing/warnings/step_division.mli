@@ -2,6 +2,6 @@
 
     Codes: [W0314]. *)
 
-val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
+val warn : Fact.t Basis.Facts.t -> Resolve.Ir.program -> Ir.program -> unit
 (** Checks the definitions of the program's own modules. Does not warn about a division in a branch,
     because the branch may not be taken at the first instant. *)

@@ -1,7 +1,7 @@
 open Basis
 open Ir
 
-type walk = { sink : Diagnostic.sink; constants : Constant.t }
+type walk = { facts : Fact.t Facts.t; constants : Constant.t }
 
 let arguments (e : expr) =
   match e.desc with
@@ -20,24 +20,16 @@ let number w (e : expr) =
         match Constant.float w.constants a with Some x -> Float.is_nan x | None -> false
       in
       if not (List.exists of_nan (arguments e) || is_on_purpose w e) then
-        Diagnostic.(
-          warning ~code:"W0307" ~at:e.span "this is never a number: it is NaN"
-          |> note "every comparison with NaN is False, and every result computed from NaN is NaN"
-          |> emit w.sink)
+        Facts.report w.facts (Warning (Not_a_number e))
   | (Apply _ | Negate _ | Global _), Some (Int n)
     when Int32.to_int (Int32.of_int n) <> n
          && match e.desc with Global _ -> Constant.is_of_any_numbers w.constants e | _ -> true ->
-      Diagnostic.(
-        warning ~code:"W0308" ~at:e.span
-          "this is %d, which is out of the range of Int: it wraps around to %ld" n (Int32.of_int n)
-        |> note "an Int must be from -2147483648 to 2147483647"
-        |> hint "use Floats, or a larger unit"
-        |> emit w.sink)
+      Facts.report w.facts (Warning (Wraps_around { constant = e; value = n }))
   | _ -> ()
 
 let rec expr w (e : expr) =
   number w e;
   Walk.parts (expr w) e
 
-let warn sink resolved program =
-  Walk.own resolved (expr { sink; constants = Constant.of_program program }) program
+let warn facts resolved program =
+  Walk.own resolved (expr { facts; constants = Constant.of_program program }) program

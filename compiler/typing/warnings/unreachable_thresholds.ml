@@ -2,7 +2,7 @@ open Basis
 open Ir
 
 type walk = {
-  sink : Diagnostic.sink;
+  facts : Fact.t Facts.t;
   robot : Global.t option;
   constants : Constant.t;
   program : program;
@@ -70,16 +70,11 @@ let compared w (e : expr) operator reading_of threshold =
       match reach w input with
       | None -> ()
       | Some (robot, reach) ->
-          let warn always =
-            Diagnostic.(
-              warning ~code:"W0310" ~at:e.span "this is always %s: on a %s, `%s` is at most %g m"
-                (if always then "True" else "False")
-                robot sensor reach
-              |> note "when nothing is in range, the reading is `sonarReach i`"
-              |> hint "compare it with a smaller distance"
-              |> emit w.sink)
+          let report result =
+            Facts.report w.facts
+              (Warning (Unreachable_threshold { comparison = e; result; robot; sensor; reach }))
           in
-          Option.iter warn (answer operator ~reach c))
+          Option.iter report (answer operator ~reach c))
   | _ -> ()
 
 let rec expr w (e : expr) =
@@ -98,7 +93,7 @@ and note w (b : binding) =
   | Bound local, Some reading -> Int_table.replace w.readings local.id reading
   | _ -> ()
 
-let warn sink resolved ~robot (program : program) =
+let warn facts resolved ~robot (program : program) =
   let constants = Constant.of_program program in
-  let look = expr { sink; robot; constants; program; readings = Int_table.create 8 } in
+  let look = expr { facts; robot; constants; program; readings = Int_table.create 8 } in
   Walk.own resolved look program

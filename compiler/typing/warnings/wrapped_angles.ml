@@ -2,82 +2,21 @@ open Basis
 open Ir
 
 type facts = {
-  sink : Diagnostic.sink;
+  into : Fact.t Facts.t;
   resolved : Resolve.Ir.program;
   constants : Constant.t;
   program : program;
   docs : Doc_facts.t;
   origins : Angle_origins.t;
   plain_uses : unit Int_table.t;  (** variables with a use in which whole turns make a difference *)
-  mutable differences : (Local.t * (unit -> unit)) list;
-      (** equations that are a difference, each with its report *)
+  mutable differences : (Local.t * Warning_fact.t) list;
+      (** equations that are a difference, each with the fact to report *)
 }
 
 let called = Angle_origins.called
 let is_heading = Angle_origins.is_heading
 let kind facts e = Angle_origins.kind facts.origins e
-
-(* {1 Reports} *)
-
-let is_atom (e : expr) =
-  match e.desc with
-  | Local _ | Global _ | Field _ | Number _ | Tuple _ | Array _ -> true
-  | _ -> false
-
-let after (e : expr) = Span.make ~file:e.span.file ~start:e.span.stop ~stop:e.span.stop
-let before (e : expr) = Span.make ~file:e.span.file ~start:e.span.start ~stop:e.span.start
-
-(* Adds the import of a library module to a fix at this place, unless the module is imported. *)
-let with_import facts (at : Span.t) library_module edits =
-  let is_here (m : Resolve.Ir.module_) = String.equal m.file at.file in
-  match List.find_opt is_here facts.resolved.modules with
-  | Some m when not (List.mem library_module m.imported) ->
-      let { Resolve.Ir.place; before; after } = m.import_place in
-      (place, before ^ "import " ^ library_module ^ after) :: edits
-  | Some _ | None -> edits
-
-let difference facts (e : expr) (a : expr) (b : expr) =
-  let opening e = if is_atom e then "" else "(" and closing e = if is_atom e then "" else ")" in
-  let between = Span.make ~file:e.span.file ~start:a.span.stop ~stop:b.span.start in
-  Diagnostic.(
-    warning ~code:"W0315" ~at:e.span "this difference of angles can be more than half a turn"
-    |> note
-         "from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees"
-    |> hint "write `angleDiff a b` (module Geometry) instead of `a - b`"
-    |> fix "use `angleDiff`"
-         (with_import facts e.span "Geometry"
-            [
-              (before e, "angleDiff " ^ opening a);
-              (between, closing a ^ " " ^ opening b);
-              (after e, closing b);
-            ])
-    |> emit facts.sink)
-
-let warning facts (head : expr) (input : expr) name d =
-  Diagnostic.(
-    warning ~code:"W0315" ~at:head.span "`%s` of an angle that wraps" name
-    |> label ~at:input.span "this angle is between -pi and pi"
-    |> note
-         (Printf.sprintf "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees"
-            name)
-    |> d |> emit facts.sink)
-
-let of_module = Printf.sprintf "`%s` (module %s)"
-
-let replaced facts (head : expr) other ~module_ =
-  Diagnostic.fix
-    (Printf.sprintf "write `%s`" other)
-    (with_import facts head.span module_ [ (head.span, other) ])
-
-let use_unwrap facts (head : expr) edits =
-  Diagnostic.fix "use `unwrap`" (with_import facts head.span "Angles" edits)
-
-let unwrapped facts head (input : expr) =
-  let input = Angle_origins.within facts.origins input in
-  (* other arguments have parentheses already, outside their span *)
-  let opening, closing = if is_atom input then ("(unwrap ", ")") else ("unwrap (", ")") in
-  if kind facts input = Some Scaled then Fun.id
-  else use_unwrap facts head [ (before input, opening); (after input, closing) ]
+let report facts warning = Facts.report facts.into (Warning warning)
 
 (* {1 Filters} *)
 
@@ -115,18 +54,26 @@ let for_angles facts (f : expr) =
   | _ -> None
 
 (* Reports the input or argument of a function, because it is an angle that wraps and the
-   function is unsuitable for such angles. [unwrap] is the fix that makes the angle continuous,
-   which is also correct for a multiple of an angle. *)
-let report facts (f : expr) ((g : Global.t), (other : Doc_facts.for_angles)) (input : expr) kind
-    ~unwrap =
-  warning facts (head f) input g.name (fun d ->
-      match (other, kind) with
-      | { name = "unwrap"; _ }, _ | _, Angle_origins.Scaled ->
-          Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles") d
-          |> unwrap
-      | { name; module_; same_arguments }, (Heading | Rotation) ->
-          Diagnostic.hint ((if same_arguments then "write " else "use ") ^ of_module name module_) d
-          |> if same_arguments then replaced facts (head f) name ~module_ else Fun.id)
+   function is unsuitable for such angles. *)
+let unsuitable facts (f : expr) (function_, (other : Doc_facts.for_angles)) angle kind ~unwrap =
+  let { Doc_facts.name = instead; module_; same_arguments } = other in
+  report facts
+    (Wrapped_angle
+       {
+         resolved = facts.resolved;
+         function_;
+         head = head f;
+         angle;
+         scaled = kind = Angle_origins.Scaled;
+         instead;
+         module_;
+         same_arguments;
+         unwrap;
+       })
+
+let unwrapped facts input =
+  let input = Angle_origins.within facts.origins input in
+  Warning_fact.Around (if kind facts input = Some Scaled then None else Some input)
 
 let check facts (f : expr) inputs =
   let with_kind e = Option.map (fun kind -> (e, kind)) (kind facts e) in
@@ -134,8 +81,7 @@ let check facts (f : expr) inputs =
   | None -> ()
   | Some other -> (
       match List.find_map with_kind inputs with
-      | Some (angle, kind) ->
-          report facts f other angle kind ~unwrap:(unwrapped facts (head f) angle)
+      | Some (angle, kind) -> unsuitable facts f other angle kind ~unwrap:(unwrapped facts angle)
       | None -> ())
 
 let run facts (f : expr) (input : expr) =
@@ -151,8 +97,7 @@ let composition facts (f : expr) (g : expr) =
   in
   let g = first g in
   match (for_angles facts g, Angle_origins.output facts.origins f) with
-  | Some other, Some kind ->
-      report facts g other f kind ~unwrap:(use_unwrap facts (head g) [ (before g, "unwrap >>> ") ])
+  | Some other, Some kind -> unsuitable facts g other f kind ~unwrap:(Before g)
   | _ -> ()
 
 (* {1 The walk} *)
@@ -183,11 +128,13 @@ let rec expr facts place (e : expr) =
       (match (kind facts a, kind facts b) with
       | (None | Some Scaled), (None | Some Scaled) | Some Rotation, None | None, Some Rotation -> ()
       | _ -> (
+          let difference : Warning_fact.t =
+            Angle_difference { resolved = facts.resolved; difference = e; left = a; right = b }
+          in
           match place with
           | Turns -> ()
-          | Plain -> difference facts e a b
-          | Equation x ->
-              facts.differences <- (x, fun () -> difference facts e a b) :: facts.differences));
+          | Plain -> report facts difference
+          | Equation x -> facts.differences <- (x, difference) :: facts.differences));
       List.iter (expr facts inner) [ a; b ]
   | _, Some (("+" | "*"), [ a; b ]) -> List.iter (expr facts inner) [ a; b ]
   | Negate a, _ -> expr facts inner a
@@ -238,11 +185,11 @@ and binding facts (b : binding) =
   let place = match b.pattern.desc with Bound x -> Equation x | _ -> Plain in
   expr facts place b.value
 
-let warn sink resolved program =
+let warn into resolved program =
   let docs = Doc_facts.of_program resolved in
   let facts =
     {
-      sink;
+      into;
       resolved;
       constants = Constant.of_program program;
       program;
@@ -254,5 +201,6 @@ let warn sink resolved program =
   in
   Walk.own resolved (expr facts Plain) program;
   List.iter
-    (fun ((x : Local.t), report) -> if Int_table.mem facts.plain_uses x.id then report ())
+    (fun ((x : Local.t), difference) ->
+      if Int_table.mem facts.plain_uses x.id then report facts difference)
     facts.differences

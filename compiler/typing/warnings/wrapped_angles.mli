@@ -2,7 +2,7 @@
 
     Codes: [W0315]. *)
 
-val warn : Basis.Diagnostic.sink -> Resolve.Ir.program -> Ir.program -> unit
+val warn : Fact.t Basis.Facts.t -> Resolve.Ir.program -> Ir.program -> unit
 (** Checks the definitions of the program's own modules. An angle wraps if it is the [heading] of a
     [Pose], or a result of [angleDiff], [direction], [atan2] and similar functions, directly or
     through equations. A difference in [sin], [angleDiff] and similar functions is fine, because

@@ -1,0 +1,51 @@
+(** What the checks for suspicious code in a typed program report. *)
+
+(** A requirement of the function or record [of_] that a constant does not meet. *)
+type unmet =
+  | Negative_time
+  | Negative
+  | Below of float  (** it must be at least this number *)
+  | Not_above of float
+  | Above of float  (** it must be at most this number *)
+  | Zero_sum  (** the sum of its elements is 0 *)
+
+type unwrap =
+  | Around of Ir.expr option
+      (** the function [unwrap] can be applied to this angle, if there is one *)
+  | Before of Ir.expr  (** [unwrap] can be composed with this signal function *)
+
+type t =
+  | Not_a_number of Ir.expr  (** a constant that is NaN *)
+  | Wraps_around of { constant : Ir.expr; value : int }
+      (** an Int with this value is out of range *)
+  | Step_division of Ir.expr  (** a division by the length of the step *)
+  | Unmet of { of_ : string; argument : Ir.expr; unmet : unmet }
+  | Swapped_limits of { of_ : string; low : Ir.expr; high : Ir.expr }
+  | Limits_cross of { limit : Ir.expr; other : Ir.expr }
+      (** nested [min] and [max], whose result is always [limit] *)
+  | Limited_constant of { low : Ir.expr; high : Ir.expr; limited : Ir.expr }
+      (** [clamp] with a constant as the limited value, but not as the lower limit *)
+  | Unreachable_threshold of {
+      comparison : Ir.expr;
+      result : bool;  (** its constant result *)
+      robot : string;
+      sensor : string;
+      reach : float;  (** the largest reading, in metres *)
+    }
+  | Angle_difference of {
+      resolved : Resolve.Ir.program;
+      difference : Ir.expr;
+      left : Ir.expr;
+      right : Ir.expr;
+    }  (** a difference of angles that wrap *)
+  | Wrapped_angle of {
+      resolved : Resolve.Ir.program;
+      function_ : Ir.Global.t;
+      head : Ir.expr;  (** where the program mentions the function *)
+      angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
+      scaled : bool;  (** a multiple *)
+      instead : string;  (** the function for angles: its name *)
+      module_ : string;  (** and its module *)
+      same_arguments : bool;  (** does it take the same arguments? *)
+      unwrap : unwrap;
+    }  (** a function that is not suitable for such angles *)
