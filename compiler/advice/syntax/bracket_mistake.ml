@@ -192,8 +192,25 @@ let is_a_record found (by : Layout.origin) =
   let word = word_before found by.by.start.pos_cnum in
   word <> "" && Basis.Character.is_upper word.[0]
 
+(* `[1, 2; 3, 4]` *)
+let matrix found (by : Layout.origin) =
+  if char_at found found.token.start.pos_cnum <> ';' then None
+  else
+    Option.map
+      (fun text ->
+        let place = found.token.start in
+        Diagnostic.error ~code:"E0111"
+          ~at:(Build.span (place, { place with pos_cnum = place.pos_cnum + 1 }))
+          "a `;` does not separate the elements of an array"
+        |> Diagnostic.hint
+             (if String.starts_with ~prefix:"[[" text then
+                Printf.sprintf "the rows of a matrix are arrays: write `%s`" text
+              else Printf.sprintf "write `%s`" text))
+      (Other_arguments.matrix found.text by.by.start.pos_cnum)
+
 let unclosed found (((opener, _), by) as open_) =
   match opener with
+  | "[" when matrix found by <> None -> Option.get (matrix found by)
   | "{" when char_at found found.token.start.pos_cnum = ';' && is_a_record found by ->
       separated_by_semicolons found by
   | "{" when Choice_hint.of_assignments found <> None ->

@@ -122,6 +122,51 @@ let param found =
           |> instead found ~at:(fst (line found), stop) text)
   | _ -> None
 
+(* `param "speed" :: Velocity = 0.3[m/s]`, `param Velocity speed = 0.3[m/s]` and `param Speed …` *)
+let param_name found =
+  let first, _ = line found in
+  let text, (_, stop) = code_between found found.token.start.pos_cnum (snd (line found)) in
+  let rest after = String.trim (String.sub text after (String.length text - after)) in
+  let typed name rest =
+    if String.starts_with ~prefix:"::" rest then Some (Printf.sprintf "%s %s" name rest)
+    else
+      match String.index_opt rest '=' with
+      | Some 0 ->
+          let value = String.trim (String.sub rest 1 (String.length rest - 1)) in
+          Some (Printf.sprintf "%s :: %s = %s" name (type_of value) value)
+      | Some _ | None -> None
+  in
+  let written =
+    match (found.token.token, found.before) with
+    | STRING _, Some { token = PARAM; _ } -> (
+        match split_at_text text with
+        | Some ("", label, rest) ->
+            let name = String.sub label 1 (String.length label - 2) in
+            let is_name = name <> "" && String.for_all Basis.Character.is_name name in
+            if is_name then
+              Option.map
+                (fun it -> ("the name of a parameter has no quotes", it))
+                (typed (String.uncapitalize_ascii name) rest)
+            else None
+        | Some _ | None -> None)
+    | UPPER name, Some { token = PARAM; _ } -> (
+        match Typed_equation.of_line text with
+        | Some { name; type_; value; _ } ->
+            Some
+              ( "the name of a parameter comes before its type",
+                Printf.sprintf "%s :: %s = %s" name type_ value )
+        | None ->
+            Option.map
+              (fun it -> ("the name of a parameter starts with a lower-case letter", it))
+              (typed (String.uncapitalize_ascii name) (rest (String.length name))))
+    | _ -> None
+  in
+  Option.map
+    (fun (what, text) ->
+      error found ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum) "%s" what
+      |> instead found ~at:(first, stop) ("param " ^ text))
+    written
+
 (* `let d = e` among the equations of a `where` *)
 let let_equation found =
   let rec in_where : Layout.context -> bool = function
@@ -241,7 +286,14 @@ let diagnostic found =
   List.find_map
     (fun mistake -> mistake found)
     [
-      claim; param; let_equation; constraints; foreign_import; module_head; equation_in_parentheses;
+      claim;
+      param;
+      param_name;
+      let_equation;
+      constraints;
+      foreign_import;
+      module_head;
+      equation_in_parentheses;
     ]
 
 (* {1 Hints} *)

@@ -90,6 +90,76 @@ let type_before_equation found =
       |> Option.some
   | _ -> None
 
+(* {1 Choices} *)
+
+let words_of_a_choice = [ "switch"; "match"; "when"; "select"; "if"; "cond" ]
+
+(* The last of these words in the text, as offsets, and the text after it. *)
+let choice_in found first last =
+  let rec back i =
+    if i < first then None
+    else
+      let ((_, stop) as word) = word_from found i in
+      if
+        stop < last
+        && List.mem (part found word) words_of_a_choice
+        && not (Basis.Character.is_name (char_at found (i - 1)))
+      then Some (word, between found stop last)
+      else back (i - 1)
+  in
+  back last
+
+(* `switch x of` *)
+let choice_with_of found =
+  match (found.token.token, found.before) with
+  | OF, Some _ when not (opens_with Layout.Case found.context) ->
+      choice_in found found.token.start.pos_bol found.token.start.pos_cnum
+  | _ -> None
+
+(* `switch x` above `Red -> 0` *)
+let choice_without_of found =
+  let bol = found.token.start.pos_bol in
+  match (found.token.token, found.before) with
+  | ARROW, Some { token = UPPER _ | LOWER _ | NUMBER _ | UNDERSCORE | RPAREN; _ } when bol > 1 ->
+      let above =
+        Option.fold (String.rindex_from_opt found.text (bol - 2) '\n') ~none:0 ~some:succ
+      in
+      Option.bind
+        (choice_in found above (bol - 1))
+        (fun ((_, value) as choice) ->
+          if value <> "" && String.for_all (fun c -> Basis.Character.is_name c || c = '.') value
+          then Some choice
+          else None)
+  | _ -> None
+
+let switch_of found =
+  let choice =
+    match choice_with_of found with Some it -> Some it | None -> choice_without_of found
+  in
+  Option.map
+    (fun (((first, last) as word), value) ->
+      let line_of offset =
+        found.token.start.pos_lnum - lines_between found offset found.token.start.pos_cnum
+      in
+      let bol = Option.fold (String.rindex_from_opt found.text first '\n') ~none:0 ~some:succ in
+      let place offset =
+        { found.token.start with pos_cnum = offset; pos_bol = bol; pos_lnum = line_of offset }
+      in
+      let word = part found word in
+      Diagnostic.error ~code:"E0110"
+        ~at:(Build.span (place first, place last))
+        "a choice by values is a `case`, not `%s`" word
+      |> Diagnostic.hint
+           (Printf.sprintf "write `case %s of`%s" value
+              (if String.equal word "switch" then
+                 "; `switch` changes from one signal function to another"
+               else ""))
+      |>
+      if choice_with_of found <> None then
+        Diagnostic.write (Build.span (place first, place last)) "case"
+      else Fun.id)
+    choice
+
 (* {1 Haskell keywords} *)
 
 let absent found format =
@@ -293,6 +363,7 @@ let rules =
     index_in_brackets;
     value_after_type;
     reserved;
+    switch_of;
     type_before_equation;
     bracket_after_name;
     type_in_brackets;

@@ -382,6 +382,7 @@ let said_once =
     Operator_hint.own_operator;
     Beginnings.no_procedures;
     Beginnings.by_equation;
+    Beginnings.no_end;
     Beginnings.waiting;
     no_effect;
   ]
@@ -424,7 +425,7 @@ let explained ~told:earlier found =
   let of_block = is_a_call && List.exists in_braces earlier in
   let ends_function =
     let is_function (other : Diagnostic.t) = other.message = "Frob has no `function`" in
-    d.hints = [ Beginnings.by_equation ] && List.exists is_function earlier
+    d.hints = [ Beginnings.no_end ] && List.exists is_function earlier
   in
   (* the rest of `{ p with x = 1; y = 2 }` *)
   let ends_copy =

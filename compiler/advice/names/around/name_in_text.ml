@@ -279,3 +279,20 @@ let application ~text (span : Span.t) =
   match arguments [] (Span.column span.stop - 1) with
   | [], _ -> None
   | found, last -> Some (on_line span (Span.column span.start - 1) last, found)
+
+let arguments ~text (span : Span.t) =
+  let line = line_of text span in
+  let first = Span.column span.start - 1 and opening = Span.column span.stop - 1 in
+  let rec close i depth =
+    match char_at line i with
+    | '\000' -> None
+    | '(' -> close (i + 1) (depth + 1)
+    | ')' -> if depth = 1 then Some i else close (i + 1) (depth - 1)
+    | _ -> close (i + 1) depth
+  in
+  if char_at line opening <> '(' then application ~text span
+  else
+    Option.bind (close opening 0) (fun closing ->
+        String.sub line (opening + 1) (closing - opening - 1)
+        |> Other_notation.arguments
+        |> Option.map (fun all -> (on_line span first (closing + 1), all)))

@@ -89,3 +89,6 @@ val divided_difference : text:string -> Span.t -> (Span.t * string) option
 val application : text:string -> Span.t -> (Span.t * string list) option
 (** The application of the name to arguments on its line, each a name, a number or in parentheses:
     its place and the texts of the arguments. *)
+
+val arguments : text:string -> Span.t -> (Span.t * string list) option
+(** Like {!application}, also for arguments in parentheses as in [f(x, y)]. *)

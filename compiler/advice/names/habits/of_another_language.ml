@@ -61,7 +61,10 @@ let before_a_text (t : Unknown.t) =
 let call (t : Unknown.t) =
   Option.map
     (fun (whole, text) ->
-      Printf.sprintf "write `%s`%s" text (Rewritten.import_of t text)
+      let is_an_argument = Name_in_text.is_an_argument ~text:(Unknown.text t) whole in
+      let shown = if is_an_argument then Source.grouped text else text in
+      let quote = if String.contains shown '`' then "``" else "`" in
+      Printf.sprintf "write %s%s%s%s" quote shown quote (Rewritten.import_of t text)
       |> Imports.without_imported t.module_.visible
       |> explained t
       |> Diagnostic.write whole (Source.grouped text))

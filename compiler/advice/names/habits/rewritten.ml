@@ -72,6 +72,17 @@ let of_a_module ~text (name : Syntax.Ir.name) =
           let* text = Other_function.alone member in
           Some (whole, text))
 
+(* `zeros(1, 4)` and `range(1, 20)` *)
+let new_array (t : Unknown.t) =
+  let open Basis.Let_syntax.Option in
+  let* whole, arguments = Name_in_text.arguments ~text:(Unknown.text t) t.name.span in
+  match (t.name.text, Other_function.range arguments) with
+  | ("range" | "arange"), Some (first, last) when follows t "seeds = " ->
+      Some (whole, Printf.sprintf "%d `to` %d" first last)
+  | _ ->
+      let* text = Other_function.new_array t.name.text arguments in
+      Some (whole, text)
+
 let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name
 
 (* `fmap f e` or `filter f e`, where the signature contains only one kind of container, and
@@ -155,6 +166,10 @@ let import_of (t : Unknown.t) text =
   | None when String.starts_with ~prefix:"delay 0 " text ->
       ", where 0 is the value at the first instant"
   | None when String.starts_with ~prefix:"sleepT " text -> ": the robot rests meanwhile"
+  | None when String.contains text '`' -> ", which includes both numbers"
+  | None when String.starts_with ~prefix:"[" text -> ": an array is written with its elements"
+  | None when String.starts_with ~prefix:"generate " text ->
+      ": its type gives the number of elements"
   | None when of_module t <> None -> Printf.sprintf ", without `%s.`" t.name.text
   | None -> ""
 
@@ -169,6 +184,7 @@ let call (t : Unknown.t) =
     List.find_map
       (fun rule -> rule t)
       [
+        new_array;
         in_parentheses;
         power_in_text;
         length_in_text;

@@ -64,6 +64,12 @@ let is_a_default_value found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
   not (List.exists (fun c -> String.contains line c) [ '='; '>'; '<' ])
 
+(* `f 1 2` for `f(x=1, y=2)`, where the token is one of the `=` *)
+let call_without_keywords found =
+  match found.context with
+  | (Layout.Paren, { by; _ }) :: _ -> Other_arguments.without_keywords found.text by.start.pos_cnum
+  | _ -> None
+
 let keyword_argument found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = LOWER _; _ } as name)
@@ -73,7 +79,10 @@ let keyword_argument found =
            "a parameter has no default value: write only `%s`, and give the value in each call"
            (written found name))
   | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
-      Some "arguments have no names: write them in order, as in `f 1 2`"
+      Some
+        (match call_without_keywords found with
+        | Some text -> Printf.sprintf "arguments have an order, but no names: write `%s`" text
+        | None -> "arguments have no names: write them in order, as in `f 1 2`")
   | _ -> None
 
 let changed_field found =

@@ -27,6 +27,13 @@ let is_in_a_size found =
 (* `vector<float>`, as in C++ *)
 let with_parameters found =
   match (found.token.token, found.before) with
+  | (OPERATOR "<" | DOUBLE_COLON), Some { token = UPPER _ | LOWER _; start; _ }
+    when Other_type.in_angles found.text start.pos_cnum <> None ->
+      let text, _ = Option.get (Other_type.in_angles found.text start.pos_cnum) in
+      Some
+        (Printf.sprintf "a type has its arguments after spaces, without `<>`: write `%s`%s" text
+           (if String.starts_with ~prefix:"Array n" text then ", or a number for the size `n`"
+            else ""))
   | OPERATOR "<", Some { token = LOWER ("vector" | "array" | "list" | "deque"); _ } ->
       Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
   | _ -> None

@@ -1,6 +1,8 @@
 let by_equation =
   "define a function by an equation, `f x = …`; a block ends where its indentation ends"
 
+let no_end = "remove this line: a block ends where its indentation ends"
+
 let no_procedures =
   "Frob has no procedures: write equations that hold at every instant, as in `main = \
    reactimateRobot (proc i -> roMake (setVelTR v omega))`"
@@ -10,7 +12,7 @@ let declare_a_record text = Printf.sprintf "%s`%s`" of_record text
 
 let cures =
   [
-    ([ "end"; "endif"; "endfunction" ], by_equation);
+    ([ "end"; "endif"; "endfunction"; "fi"; "done" ], no_end);
     ( [ "while" ],
       "to repeat a task, write `forever t`, or `whileT condition t` while a signal function \
        returns True" );

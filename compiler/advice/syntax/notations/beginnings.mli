@@ -1,6 +1,10 @@
 (** Words that begin a line in other languages, and their equivalents in Frob. *)
 
 val by_equation : string
+
+val no_end : string
+(** The hint for a line [end]. *)
+
 val no_procedures : string
 
 val of_word : string -> string option

@@ -30,6 +30,25 @@ let chosen text start =
   let rec first i = if char_at text i = ' ' then first (i + 1) else i in
   Option.map (Printf.sprintf "`%s`") (Other_definition.choice text (first start))
 
+(* `if c then a else b` for the `if` on the line that starts at this offset, if a colon ends its
+   condition and its branches are values. *)
+let chosen_value text start at =
+  let rec last_if i =
+    if i < start then None
+    else if
+      i + 3 <= at
+      && String.equal (String.sub text i 3) "if "
+      && not (Basis.Character.is_name (char_at text (i - 1)))
+    then Some i
+    else last_if (i - 1)
+  in
+  Option.bind (last_if at) (Other_definition.choice_of_values text)
+
+let of_value = "write the choice as `"
+
+let is_an_else text start at =
+  String.equal (String.trim (String.sub text start (at - start))) "else"
+
 let of_block = "remove the colon: indentation makes the block; a choice is `if c then a else b`"
 
 (* Does the line begin like a record declaration in another language? *)
@@ -121,11 +140,26 @@ let range text at =
   if first <> "" && stop > at + 1 then Some (first ^ ".." ^ String.sub text (at + 1) (stop - at - 1))
   else None
 
+(* `seeds = 1:20` or `seeds = [1:20]` in a trial *)
+let seeds text at =
+  let start = line_start text at in
+  let words = String.split_on_char ' ' (String.sub text start (at - start)) in
+  match (range text at, List.rev words) with
+  | Some numbers, _ :: "=" :: "seeds" :: _ -> (
+      match String.split_on_char '.' numbers with
+      | [ first; _; last ] ->
+          Some
+            (Printf.sprintf "write ``%s `to` %s``, without brackets, which includes both numbers"
+               first last)
+      | _ -> None)
+  | _ -> None
+
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
   let start = definition_start text at in
   let first = String.sub text start (at - start) in
   match (line_of_brace text at, ending text at Basis.Character.is_name) with
+  | Some _, _ when seeds text at <> None -> { hint = seeds text at; instead = None }
   | None, _ when range text at <> None ->
       { hint = Option.map Beginnings.no_ranges (range text at); instead = None }
   | Some _, _ when declares_a_record first ->
@@ -212,6 +246,17 @@ let end_of_line text at =
   Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
 
 (* `v: Velocity = 0.3[m/s]`, as in Python *)
+let typed_parameter text start at =
+  let line = String.trim (String.sub text start (end_of_line text at - start)) in
+  let prefix = "param " in
+  let n = String.length prefix in
+  if not (String.starts_with ~prefix line) then None
+  else
+    Option.map
+      (fun (typed : Typed_equation.t) ->
+        Printf.sprintf "write `param %s :: %s = %s`" typed.name typed.type_ typed.value)
+      (Typed_equation.of_colon (String.sub line n (String.length line - n)))
+
 let typed_equation text start at =
   match Typed_equation.of_colon (String.sub text start (end_of_line text at - start)) with
   | Some typed when typed.stop = at - start -> Some typed
@@ -290,6 +335,9 @@ let of_colon text at =
         | None when String.equal (of_def words) "main" -> Other_definition.of_main
         | None -> Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
   | "if" :: _ when chosen text start <> None -> hint (of_choice ^ Option.get (chosen text start))
+  | _ when chosen_value text start at <> None ->
+      hint (Printf.sprintf "%s%s`" of_value (Option.get (chosen_value text start at)))
+  | _ when is_an_else text start at -> hint of_block
   | ("assert" | "assume") :: _ ->
       hint
         (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
@@ -304,6 +352,7 @@ let of_colon text at =
          && Beginnings.rounds (String.concat " " words) <> None ->
       hint (Beginnings.repeated (Option.get (Beginnings.rounds (String.concat " " words))))
   | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
+  | _ when seeds text at <> None -> { hint = seeds text at; instead = None }
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
       hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
@@ -312,6 +361,8 @@ let of_colon text at =
       hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
       hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
+  | "param" :: _ when typed_parameter text start at <> None ->
+      hint (Option.get (typed_parameter text start at))
   | _ when typed_equation text start at <> None ->
       hint (Typed_equation.advice (Option.get (typed_equation text start at)))
   | name :: _ when types_a_parameter text start at ->
@@ -533,7 +584,7 @@ let of_character ~text ~at character =
 
 let of_each_line hint =
   let starts prefix = Option.fold hint ~none:false ~some:(String.starts_with ~prefix) in
-  if starts of_choice then [ hint; Some of_block ]
+  if starts of_choice || starts of_value then [ hint; Some of_block ]
   else if
     List.mem hint [ Some of_block; Some of_class ]
     || starts is_switch || starts Beginnings.of_record

@@ -270,7 +270,7 @@ let keyword text at words =
     words
 
 (* The branches of the choice whose condition begins at this offset, and its last value. *)
-let rec branches text at =
+let rec branches assignment text at =
   let open Basis.Let_syntax.Option in
   let* given, after = condition text at in
   let* given = Other_notation.expression given in
@@ -278,7 +278,7 @@ let rec branches text at =
   let next = after_brace text after in
   match keyword text next [ "elif"; "elseif"; "else if" ] with
   | Some next ->
-      let* others, last = branches text next in
+      let* others, last = branches assignment text next in
       Some ((given, assigned) :: others, last)
   | None when keyword text next [ "else" ] = None ->
       Some ([ (given, assigned) ], (fst assigned, "…"))
@@ -289,12 +289,31 @@ let rec branches text at =
       Some ([ (given, assigned) ], last)
 
 let choice text at =
-  match Option.bind (keyword text at [ "if" ]) (branches text) with
+  match Option.bind (keyword text at [ "if" ]) (branches assignment text) with
   | Some (branches, (name, last))
     when List.for_all (fun (_, (other, _)) -> String.equal other name) branches ->
       let part (given, (_, value)) = Printf.sprintf "if %s then %s else " given value in
       Some (Printf.sprintf "%s = %s%s" name (String.concat "" (List.map part branches)) last)
   | _ -> None
+
+(* The value on the line at this offset, which may follow `return`, and the offset after it. *)
+let value_of_branch text at =
+  let at = skip_blanks text at in
+  let stop = end_of_line text at in
+  let line = without_semicolon (sub text at stop) in
+  let value =
+    match words line with
+    | "return" :: _ -> sub line (String.length "return") (String.length line)
+    | _ -> line
+  in
+  Option.map (fun value -> (("", value), stop)) (Other_notation.expression value)
+
+let choice_of_values text at =
+  match Option.bind (keyword text at [ "if" ]) (branches value_of_branch text) with
+  | Some (_, (_, "…")) | None -> None
+  | Some (branches, (_, last)) ->
+      let part (given, (_, value)) = Printf.sprintf "if %s then %s else " given value in
+      Some (String.concat "" (List.map part branches) ^ last)
 
 (* The text in the braces at or after this offset, and the offset after them. *)
 let in_braces text at =

@@ -28,6 +28,10 @@ val choice : string -> int -> string option
 (** The equation [y = if c then a else b] for the choice at this offset, whose branches each assign
     to the same name: [if c:] with lines below it, or [if (c) { y = a; }]. *)
 
+val choice_of_values : string -> int -> string option
+(** [if c then a else b] for the choice at this offset, whose branches are values: [if c:] with the
+    value on the line below it, and [else:]. *)
+
 val choice_in_braces : string -> int -> string option
 (** [if c then a else b] for [if (c) { a } else { b }] at this offset. *)
 

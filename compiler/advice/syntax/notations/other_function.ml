@@ -47,9 +47,59 @@ let alone = function
   | "sign" -> Some "signum"
   | _ -> None
 
+(* {1 Arrays} *)
+
+let most_elements = 12
+let whole text = if String.for_all Character.is_digit text then int_of_string_opt text else None
+let array elements = Printf.sprintf "[%s]" (String.concat ", " elements)
+
+let filled_by element n =
+  if n > 0 && n <= most_elements then array (List.init n (fun _ -> element))
+  else Printf.sprintf "generate (const %s)" element
+
+(* The numbers of `4`, `1, 4`, `(2, 3)` or `[2, 3]`. *)
+let dimensions arguments =
+  let bare = function '(' | ')' | '[' | ']' | ',' -> ' ' | c -> c in
+  let words = String.split_on_char ' ' (String.map bare (String.concat " " arguments)) in
+  let all = List.map whole (List.filter (( <> ) "") words) in
+  if List.mem None all then None else Some (List.filter_map Fun.id all)
+
+let filled element arguments =
+  match dimensions arguments with
+  | Some [ n ] | Some [ 1; n ] -> Some (filled_by element n)
+  | Some [ rows; columns ] when rows > 0 && rows <= most_elements ->
+      Some (filled_by (filled_by element columns) rows)
+  | Some _ | None -> None
+
+let identity n =
+  let row i = array (List.init n (fun j -> if i = j then "1" else "0")) in
+  if n > 0 && n <= 4 then Some (array (List.init n row)) else None
+
+let numbers first last =
+  if last >= first && last - first < most_elements then
+    Some (array (List.init (last - first + 1) (fun i -> string_of_int (first + i))))
+  else None
+
+let range arguments =
+  match List.map whole arguments with
+  | [ Some n ] -> Some (0, n - 1)
+  | [ Some first; Some stop ] -> Some (first, stop - 1)
+  | _ -> None
+
+(* Functions that return arrays of a given size. *)
+let new_array name arguments =
+  match (name, arguments) with
+  | "zeros", _ -> filled "0" arguments
+  | "ones", _ -> filled "1" arguments
+  | "replicate", [ n; element ] -> Option.map (filled_by (Source.grouped element)) (whole n)
+  | ("eye" | "identity"), [ n ] -> Option.bind (whole n) identity
+  | ("range" | "arange"), _ ->
+      Option.bind (range arguments) (fun (first, last) -> numbers first last)
+  | _ -> None
+
 let number_of_arguments = function "atan2" | "hypot" | "min" | "max" -> 2 | _ -> 1
 
-let applied name arguments =
+let of_numbers name arguments =
   let text format = Printf.sprintf format in
   match (name, List.map Source.grouped arguments) with
   | ("max" | "amax"), [ xs ] -> Some (text "maximumBy id %s" xs)
@@ -80,5 +130,8 @@ let applied name arguments =
       | Some own when List.length given = number_of_arguments own ->
           Some (String.concat " " (own :: given))
       | Some _ | None -> None)
+
+let applied name arguments =
+  match new_array name arguments with Some text -> Some text | None -> of_numbers name arguments
 
 let import = function "clip" | "clamp" -> Some "Control" | _ -> None

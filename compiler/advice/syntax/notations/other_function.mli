@@ -12,6 +12,12 @@ val applied : string -> string list -> string option
     for [math.cos(a)], [a / 1[deg]] for [math.degrees(a)]. [None] if Frob has no such function, or
     not with this number of arguments. *)
 
+val new_array : string -> string list -> string option
+(** The array that such a function with these arguments creates: [[0, 0, 0]] for [zeros(3)]. *)
+
+val range : string list -> (int * int) option
+(** The first and the last number of [range(1, 20)], given its arguments. *)
+
 val alone : string -> string option
 (** The function without arguments: [abs] for [math.fabs]. *)
 

@@ -47,6 +47,7 @@ let rec without_needless line at =
   else at
 
 let split line sign =
+  let line = line ^ " " in
   Option.map
     (fun at ->
       let rest = at + String.length sign in

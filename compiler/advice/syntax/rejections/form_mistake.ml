@@ -29,7 +29,9 @@ let foreign_word ~expected (found : Ir.name) =
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
 let size_operator ~at operator =
-  error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
+  if String.equal operator "<" then
+    error at "a type has its arguments after spaces, as in `Event Distance`, without `<>`"
+  else error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
 
 let empty_where at =
   error at "this `where` has no definitions"

@@ -30,13 +30,13 @@ Rows of a matrix:
   > main = proc x -> x
   > FROB
   $ frobc check rows.frob
-  error[E0111]: this `[` is never closed
-   --> rows.frob:1:5
+  error[E0111]: a `;` does not separate the elements of an array
+   --> rows.frob:1:10
     |
   1 | m = [1, 2; 3, 4]
-    |     ^    - a `]` is missing before this
+    |          ^
     |
-    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
+    = hint: the rows of a matrix are arrays: write `[[1, 2], [3, 4]]`
   
   1 error
   [1]

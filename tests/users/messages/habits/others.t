@@ -328,13 +328,13 @@ condition.
   [1]
   $ printf 'table = [1, 2; 3, 4]\n' > writings.frob
   $ frobc check writings.frob
-  error[E0111]: this `[` is never closed
-   --> writings.frob:1:9
+  error[E0111]: a `;` does not separate the elements of an array
+   --> writings.frob:1:14
     |
   1 | table = [1, 2; 3, 4]
-    |         ^    - a `]` is missing before this
+    |              ^
     |
-    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
+    = hint: the rows of a matrix are arrays: write `[[1, 2], [3, 4]]`
   
   1 error
   [1]

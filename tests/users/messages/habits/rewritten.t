@@ -132,3 +132,121 @@ Functions of mathematical modules:
   error[E0110]: Frob has no `std::`
     = hint: write `max`, without `std::`
   [1]
+
+Arrays and numbers that other languages generate:
+
+  $ try 'f :: Array 4 Int' 'f = range(4)' 'f = [0, 1, 2, 3]'
+  error[E0205]: unknown name `range`
+    = hint: write `[0, 1, 2, 3]`: an array is written with its elements
+  [1]
+  $ try 'f :: SF (Array 4 Float) (Array 4 Float)' 'f = proc x -> y where\n    y = zipWith (+) x (delay zeros(1, 4) y)' 'f = proc x -> y where\n    y = zipWith (+) x (delay [0, 0, 0, 0] y)'
+  error[E0205]: unknown name `zeros`
+    = hint: write `[0, 0, 0, 0]`: an array is written with its elements
+  [1]
+  $ try 'f :: Array 2 (Array 2 Float)' 'f = np.zeros((2, 2))' 'f = [[0, 0], [0, 0]]'
+  error[E0205]: unknown name `np`
+    = hint: write `[[0, 0], [0, 0]]`: an array is written with its elements
+  [1]
+  $ try 'f :: SF (Array 100 Float) (Array 100 Float)' 'f = proc x -> delay zeros(100) x' 'f = proc x -> delay (generate (const 0)) x'
+  error[E0205]: unknown name `zeros`
+    = hint: write `(generate (const 0))`: its type gives the number of elements
+  [1]
+  $ try 'f :: Array 3 Float' 'f = replicate 3 0.5' 'f = [0.5, 0.5, 0.5]'
+  error[E0205]: unknown name `replicate`
+    = hint: write `[0.5, 0.5, 0.5]`: an array is written with its elements
+  [1]
+  $ try 'f :: Array 2 (Array 2 Float)' 'f = [0, -1; 1, 0]' 'f = [[0, -1], [1, 0]]'
+  error[E0111]: a `;` does not separate the elements of an array
+    = hint: the rows of a matrix are arrays: write `[[0, -1], [1, 0]]`
+  [1]
+  $ try 'f :: Array 2 (Array 2 Float)' 'f = [0 -1; 1 0]' 'f = [[0, -1], [1, 0]]'
+  error[E0111]: a `;` does not separate the elements of an array
+    = hint: the rows of a matrix are arrays: write `[[0, -1], [1, 0]]`
+  [1]
+  $ try 'f :: Array 3 Float' 'f = [1; 2; 3]' 'f = [1, 2, 3]'
+  error[E0111]: a `;` does not separate the elements of an array
+    = hint: write `[1, 2, 3]`
+  [1]
+  $ T='import Robot\nimport Trial\nmain :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR 0 0))\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches,'
+  $ try "$T" '    seeds = range(1, 20) }' '    seeds = 1 `to` 19 }'
+  error[E0205]: unknown name `range`
+    = hint: write ``1 `to` 19``, which includes both numbers
+  [1]
+  $ try "$T" '    seeds = 1:20 }' '    seeds = 1 `to` 20 }'
+  error[E0103]: unexpected character `:`
+    = hint: write ``1 `to` 20``, without brackets, which includes both numbers
+  [1]
+  $ try "$T" '    seeds = [1:20] }' '    seeds = 1 `to` 20 }'
+  error[E0103]: unexpected character `:`
+    = hint: write ``1 `to` 20``, without brackets, which includes both numbers
+  [1]
+
+Choices:
+
+  $ D='data Colour = Red | Green\nf :: Colour -> Velocity'
+  $ try "$D" 'f c = switch c of\n    Red -> 0\n    Green -> 1[m/s]' 'f c = case c of\n    Red -> 0\n    Green -> 1[m/s]'
+  error[E0110]: a choice by values is a `case`, not `switch`
+    = hint: write `case c of`; `switch` changes from one signal function to another
+  [1]
+  $ try "$D" 'f c = 2 * (match c of\n    Red -> 0\n    Green -> 1[m/s])' 'f c = 2 * (case c of\n    Red -> 0\n    Green -> 1[m/s])'
+  error[E0110]: a choice by values is a `case`, not `match`
+    = hint: write `case c of`
+  [1]
+  $ try "$D" 'f c = switch c\n    Red -> 0\n    Green -> 1[m/s]' 'f c = case c of\n    Red -> 0\n    Green -> 1[m/s]'
+  error[E0110]: a choice by values is a `case`, not `switch`
+    = hint: write `case c of`; `switch` changes from one signal function to another
+  [1]
+  $ try 'f :: Bool -> Velocity' 'f b = v where\n    v = if b:\n            0\n        else:\n            0.3[m/s]' 'f b = v where\n    v = if b then 0 else 0.3[m/s]'
+  error[E0103]: unexpected character `:`
+    = hint: write the choice as `if b then 0 else 0.3[m/s]`
+  [1]
+  $ try 'f :: Float -> Float' 'f x =\n    if x > 0:\n        return 1\n    elif x < 0:\n        return 2\n    else:\n        return 3' 'f x =\n    if x > 0 then 1 else if x < 0 then 2 else 3'
+  error[E0103]: unexpected character `:`
+    = hint: write the choice as `if x > 0 then 1 else if x < 0 then 2 else 3`
+  [1]
+  $ try 'f :: Float -> Float' 'f x = y where\n    y = 2 * x\n    end' 'f x = y where\n    y = 2 * x'
+  error[E0110]: Frob has no `end`
+    = hint: remove this line: a block ends where its indentation ends
+  [1]
+
+Types with arguments, parameters, keyword arguments:
+
+  $ try '' 'f :: Array<Float, 4> -> Float\nf xs = sum xs' 'f :: Array 4 Float -> Float\nf xs = sum xs'
+  error[E0110]: expected `->` or the end of this type, found `<`
+    = hint: a type has its arguments after spaces, without `<>`: write `Array 4 Float`
+  [1]
+  $ try '' 'f :: std::array<double, 4> -> Float\nf xs = sum xs' 'f :: Array 4 Float -> Float\nf xs = sum xs'
+  error[E0110]: Frob has no `std::`
+    = hint: a type has its arguments after spaces, without `<>`: write `Array 4 Float`
+  [1]
+  $ try '' 'f :: Maybe<Float[m]> -> Distance\nf m = fromMaybe 0 m' 'f :: Maybe Float[m] -> Distance\nf m = fromMaybe 0 m'
+  error[E0110]: expected `->` or the end of this type, found `<`
+    = hint: a type has its arguments after spaces, without `<>`: write `Maybe Float[m]`
+  [1]
+  $ try '' 'f :: SF<Event<Float>, Float>\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
+  error[E0110]: expected `->` or the end of this type, found `<`
+    = hint: a type has its arguments after spaces, without `<>`: write `SF (Event Float) Float`
+  [1]
+  $ try '' 'f :: SF (Event<Float>) Float\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
+  error[E0110]: a type has its arguments after spaces, as in `Event Distance`, without `<>`
+  [1]
+  $ try '' 'param "speed" :: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
+  error[E0110]: the name of a parameter has no quotes
+    = hint: write `param speed :: Velocity = 0.3[m/s]`
+  [1]
+  $ try '' 'param "speed" = 0.3[m/s]' 'param speed :: Float[m/s] = 0.3[m/s]'
+  error[E0110]: the name of a parameter has no quotes
+    = hint: write `param speed :: Float[m/s] = 0.3[m/s]`
+  [1]
+  $ try '' 'param Velocity speed = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
+  error[E0110]: the name of a parameter comes before its type
+    = hint: write `param speed :: Velocity = 0.3[m/s]`
+  [1]
+  $ try '' 'param speed: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
+  error[E0103]: unexpected character `:`
+    = hint: write `param speed :: Velocity = 0.3[m/s]`
+  [1]
+  $ try 'f :: Float -> Float' 'f x = clamp(low=0, high=1, x=2 * x)' 'f x = clamp 0 1 (2 * x)'
+  error[E0110]: expected an operator, `,` or `)`, found `=`
+    = hint: arguments have an order, but no names: write `clamp 0 1 (2 * x)`
+  [1]

@@ -21,13 +21,13 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc x -> [x; x; x]
   > FROB
   $ frobc check elements.frob
-  error[E0111]: this `[` is never closed
-   --> elements.frob:2:18
+  error[E0111]: a `;` does not separate the elements of an array
+   --> elements.frob:2:20
     |
   2 | main = proc x -> [x; x; x]
-    |                  ^ - a `]` is missing before this
+    |                    ^
     |
-    = hint: a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, 2], [3, 4]]`
+    = hint: write `[x, x, x]`
   
   1 error
   [1]
