@@ -46,7 +46,9 @@ struct bench {
 
 /* Runs the rounds, compares the outputs and prints
  *     STEP_NS STEP_NS_BY_HAND STATE_BYTES STATE_BYTES_BY_HAND
- * The only argument is the number of rounds; the times are medians. */
+ * The only argument is the number of rounds; the times are medians. If it is 0, the program only
+ * compares the outputs, for inputs that are sometimes NaN or out of range, and for instants in which
+ * no time passes. */
 int bench_main(const struct bench *bench, int argc, char **argv);
 
 /* Never inlined, so that valgrind can count its instructions. */

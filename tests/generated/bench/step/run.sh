@@ -74,6 +74,9 @@ measure() {
                 -o "$made-in_seconds$layout"
         }
     done
+    # Compares the outputs for extreme inputs.
+    "$made$usual" 0
+    "$made-in_seconds$usual" 0
     set -- $(middle_of_layouts "$made")
     row "step time" "$label" "$1" "$2" ns
     if [ "$label" = "gcc -O2" ]; then row "state" "$compiler" "$3" "$4" bytes; fi

@@ -7,17 +7,18 @@
 static const double pi = 3.14159265358979323846;
 static const double theta_max = 50 * (3.14159265358979323846 / 180);
 static const double look = 15 * (3.14159265358979323846 / 180);
-static const double turn_max = 60 * (3.14159265358979323846 / 180);
+static const double turn_max = 1.0471975511965977462; /* pi / 3 */
 static const struct place goal = { 3.0, 1.0 };
 static const double radius = 0.15, keep = 0.3, room = 0.15;
 static const int64_t leave_ns = 5000000000, arrived_ns = 1000000000, failed_ns = 2000000000;
 
-/* A NaN stays NaN, so that it cannot pass for a valid speed. */
+/* Limits y to ±x, or to 0 if x is negative. A NaN stays NaN, so that it cannot pass for a valid
+ * speed. */
 static double limit(double x, double y)
 {
-    if (y > x || x != x)
-        y = x;
-    return y < -x ? -x : y;
+    const double most = x < 0.0 ? 0.0 : x;
+    const double high = y < most ? y : most;
+    return isnan(y) ? y : high > -most ? high : -most;
 }
 
 static double least(double a, double b)

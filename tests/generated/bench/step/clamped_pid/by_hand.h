@@ -1,5 +1,4 @@
-/* A PID controller with conditional integration, in C, as a careful programmer would write it. Only
- * the first dt is 0. */
+/* A PID controller with conditional integration, in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -8,7 +7,8 @@
 struct by_hand {
     double error_before;
     double sum;
-    bool started;
+    double slope; /* the last slope, kept while dt is 0 */
+    bool started; /* only for by_hand_step_in_seconds */
 };
 
 void by_hand_reset(struct by_hand *self);
@@ -17,7 +17,7 @@ void by_hand_reset(struct by_hand *self);
 void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt,
                   const struct clamped_pid_input *in, struct clamped_pid_output *out);
 
-/* Rounds dt, in s, to whole ns. */
+/* Rounds dt, in s, to whole ns; ignores the first dt. */
 void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct clamped_pid_input *in,
                              struct clamped_pid_output *out);
 

@@ -1,5 +1,4 @@
-/* Keeps a distance from a wall, in C, as a careful programmer would write it. Only the first dt is
- * 0. */
+/* Keeps a distance from a wall, in C, as a careful programmer would write it. */
 #ifndef BY_HAND_H
 #define BY_HAND_H
 
@@ -7,7 +6,8 @@
 
 struct by_hand {
     double side_before;
-    bool started;
+    double slope; /* the last slope, kept while dt is 0 */
+    bool started; /* only for by_hand_step_in_seconds */
 };
 
 void by_hand_reset(struct by_hand *self);
@@ -16,7 +16,7 @@ void by_hand_reset(struct by_hand *self);
 void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct distance_input *in,
                   struct distance_output *out);
 
-/* Rounds dt, in s, to whole ns. */
+/* Rounds dt, in s, to whole ns; ignores the first dt. */
 void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct distance_input *in,
                              struct distance_output *out);
 

@@ -9,14 +9,12 @@ static const double v_max = 0.4;
 static const double theta_max = 20 * 3.14159265358979323846 / 180;
 static const double k_front = 1.0, k_side = 0.8, k_turn = 3.0;
 
-/* Limits y to ±x; NaN if either is NaN. */
+/* Limits y to ±x, or to 0 if x is negative; NaN if either is NaN. */
 static double limit(double x, double y)
 {
-    if (y > x)
-        y = x;
-    if (y < -x)
-        y = -x;
-    return isnan(x) ? x : y;
+    const double most = x < 0.0 ? 0.0 : x;
+    const double high = y < most ? y : most;
+    return isnan(y) ? y : high > -most ? high : -most;
 }
 
 void by_hand_reset(struct by_hand *self)
@@ -32,9 +30,7 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt,
 {
     const double v_curr = in->f1, f = in->f2, s = in->f3;
     (void)dt_ns;
-    if (!self->started)
-        self->started = true;
-    else if (dt > 0)
+    if (dt > 0)
         self->s_dot = (s - self->s_before) / dt;
     self->s_before = s;
     out->f1 = limit(v_max, k_front * (f - distance));
@@ -44,5 +40,7 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt,
 void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct wall_follow_input *in,
                              struct wall_follow_output *out)
 {
-    by_hand_step(self, 0, whole_nanoseconds(dt), in, out);
+    const double whole = self->started ? whole_nanoseconds(dt) : 0.0;
+    self->started = true;
+    by_hand_step(self, 0, whole, in, out);
 }

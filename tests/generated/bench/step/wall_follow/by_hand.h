@@ -8,7 +8,7 @@ struct by_hand {
     double sin_theta_max;
     double s_before; /* the side distance at the previous instant */
     double s_dot;    /* the last slope, kept while dt is 0 */
-    bool started;
+    bool started;    /* only for by_hand_step_in_seconds */
 };
 
 void by_hand_reset(struct by_hand *self);
@@ -17,7 +17,7 @@ void by_hand_reset(struct by_hand *self);
 void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt,
                   const struct wall_follow_input *in, struct wall_follow_output *out);
 
-/* Rounds dt, in s, to whole ns. */
+/* Rounds dt, in s, to whole ns; ignores the first dt. */
 void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct wall_follow_input *in,
                              struct wall_follow_output *out);
 

@@ -1,15 +1,17 @@
 #include "by_hand.h"
 #include "time_by_hand.h"
 
+/* Limits y to ±most; NaN if y is NaN. */
 static inline double limit(double most, double y)
 {
-    const double high = y < most ? y : most;
-    return high > -most ? high : -most;
+    const double high = y > most ? most : y;
+    return high < -most ? -most : high;
 }
 
 void by_hand_reset(struct by_hand *self)
 {
     self->side_before = 0.0;
+    self->slope = 0.0;
     self->since_ns = 0;
     self->mode = FOLLOW;
     self->started = false;
@@ -25,13 +27,13 @@ static void go(struct by_hand *self, enum by_hand_mode mode)
 void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct weak_modes_input *in,
                   struct weak_modes_output *out)
 {
-    const double slope = self->started ? (in->side - self->side_before) / dt : 0.0;
-    self->started = true;
+    if (dt > 0.0)
+        self->slope = (in->side - self->side_before) / dt;
     self->side_before = in->side;
     switch (self->mode) {
     case FOLLOW:
         out->speed = limit(0.5, in->front - 0.6);
-        out->turn = limit(0.24, in->side - 0.6) - slope;
+        out->turn = limit(0.24, in->side - 0.6) - self->slope;
         if (self->may_leave) {
             if (in->bump)
                 go(self, BACK_UP);
@@ -60,6 +62,7 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct w
 void by_hand_step_in_seconds(struct by_hand *self, double dt, const struct weak_modes_input *in,
                              struct weak_modes_output *out)
 {
-    const int64_t ns = nanoseconds(dt);
+    const int64_t ns = self->started ? nanoseconds(dt) : 0;
+    self->started = true;
     by_hand_step(self, ns, (double)ns / 1e9, in, out);
 }
