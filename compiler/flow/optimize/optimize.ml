@@ -18,6 +18,8 @@ let tidy =
       "after simplification, because it only recognizes simplified choices and operators";
     Pass.make "constant-delays" Constant_delays.program
       "after the conditions are simplified, because it only recognizes simple ones";
+    Pass.make "redundant-marks" Redundant_marks.program
+      "after the conditions are simplified, because it only recognizes conjunctions";
     Pass.make "common-subexpressions" Common_subexpressions.program
       "after simplification, which turns equivalent expressions into equal ones";
     Pass.make "duplicate-parameters" Duplicate_parameters.program

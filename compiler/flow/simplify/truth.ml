@@ -88,4 +88,27 @@ let while_running (node : Ir.node) =
     List.iter (fun (next : Ir.transition) -> learn t next.occurs false) node.transitions;
     t
 
+let at_first_instant (node : Ir.node) =
+  let all = Int_table.create 64 in
+  List.iter (fun (e : Ir.equation) -> Int_table.replace all e.defines.id e.rhs) node.equations;
+  let definition : Ir.atom -> Ir.rhs option = function
+    | Signal s -> Int_table.find_opt all s.id
+    | Bool _ | Int _ | Float _ -> None
+  in
+  let is_time atom = match definition atom with Some (Time _) -> true | Some _ | None -> false in
+  let values = Int_table.create 16 in
+  let learn (e : Ir.equation) =
+    let learn b = Int_table.replace values e.defines.id b in
+    match e.rhs with
+    | Delay { init = Bool b; _ } -> learn b
+    | Ticks (Float period) when period >= 1. -> learn false
+    | Op (Less_equal, [ Float least; ns ]) when least > 0. -> (
+        match definition ns with
+        | Some (Op (Elementary Nanoseconds, [ time ])) when is_time time -> learn false
+        | Some _ | None -> ())
+    | _ -> ()
+  in
+  List.iter learn node.equations;
+  { definitions = definitions node; known = []; values = Some values }
+
 let value t atom = value t atom

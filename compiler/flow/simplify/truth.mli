@@ -13,5 +13,9 @@ val while_running : Ir.node -> (Ir.signal * bool) list -> t
 (** The same for an instant in which a mode continues to run: also uses the fact that none of the
     mode's transitions occurs. *)
 
+val at_first_instant : Ir.node -> t
+(** Derives the values in the node's first instant from the initial values of delays; no time has
+    passed. *)
+
 val value : t -> Ir.atom -> bool option
 (** The value of an atom, if it is known. *)
