@@ -16,6 +16,7 @@ type t = {
 let state_comment (v : Program_names.t) (field : M.field) =
   let what =
     match field.content with
+    | Value Nanoseconds when Option.is_some field.bound -> "time left in ns"
     | Value _ | Running_mode | Modes _ | Component _ -> field.purpose
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in

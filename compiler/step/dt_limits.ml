@@ -1,9 +1,15 @@
-type seconds = Unlimited | At_most | Both_ways
-type nanoseconds = Unlimited | To_31_bits | To_largest
-type t = { seconds : seconds array; nanoseconds : nanoseconds array }
+type seconds = Unlimited | Where_used | Both_ways
+type t = { seconds : seconds array; nanoseconds : bool array }
 
 let seconds t = Array.get t.seconds
 let nanoseconds t = Array.get t.nanoseconds
+
+(* One of the two times of a step. *)
+type time = {
+  expr : Ir.expr;
+  is_read : Ir.node -> bool;  (** by the step or a callee *)
+  is_safe : Ir.node -> bool;  (** the step's own code limits the time wherever it uses it *)
+}
 
 (* What a step does with one of its times. *)
 type use = {
@@ -13,45 +19,69 @@ type use = {
   others : bool;  (** some modes do not read it *)
 }
 
-let use_of (program : Ir.program) ~reads ~time k =
-  let node = program.nodes.(k) in
-  let reads k = reads program.nodes.(k) in
+let use_of (program : Ir.program) time (node : Ir.node) =
+  let reads k = time.is_read program.nodes.(k) in
   let modes, others = List.partition reads (List.map (fun (m : Ir.mode) -> m.node) node.modes) in
   let itself = ref false and steps = ref [] in
   let statement : Ir.statement -> unit = function
     | Step { node; _ } when reads node ->
         if Option.is_some program.nodes.(node).foreign then itself := true
         else steps := node :: !steps
-    | Loop { node; _ } when reads node -> itself := true
+    | Loop { node; _ } when reads node ->
+        itself := true;
+        steps := node :: !steps
     (* Such a machine has a time of its own. *)
     | Run { clock = Some _; _ } -> itself := true
     | Step _ | Loop _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ()
   in
   Walk.statements statement node.step.body;
-  Walk.expressions (fun e -> if e = time then itself := true) node.step.body;
+  if not (time.is_safe node) then
+    Walk.expressions (fun e -> if e = time.expr then itself := true) node.step.body;
   let is_foreign k = Option.is_some program.nodes.(k).foreign in
   if List.exists is_foreign modes then itself := true;
   { itself = !itself; steps = !steps; modes; others = others <> [] }
 
 (* Whether the callees limit the time, instead of a step with this use. *)
 let is_passed_on = function
-  | { itself = false; steps = [ _ ]; modes = []; others = _ } -> true
+  | { itself = false; steps = [] | [ _ ]; modes = []; others = _ } -> true
   | { itself = false; steps = []; modes = _ :: _; others } -> others
   | _ -> false
 
-(* The nodes whose steps limit a time. *)
-let limiting (program : Ir.program) ~reads ~time =
+(* For each node, whether its step and its callees limit a time wherever they use it. *)
+let safe (program : Ir.program) time =
+  let safe ~before _ (node : Ir.node) =
+    let is_safe k = (not (time.is_read program.nodes.(k))) || before k in
+    let step : Ir.statement -> int list = function
+      | Step { node; _ } | Loop { node; _ } -> [ node ]
+      | Run _ -> List.map (fun (m : Ir.mode) -> m.node) node.modes
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> []
+    in
+    let all = ref (Option.is_none node.foreign && time.is_safe node) in
+    Walk.statements
+      (function
+        | Run { clock = Some _; _ } -> all := false
+        | s -> if not (List.for_all is_safe (step s)) then all := false)
+      node.step.body;
+    !all
+  in
+  Basis.In_order.map ~stage:"Step.Dt_limits" safe program.nodes
+
+(* The nodes whose steps receive a time unlimited, and those that limit it at their start. *)
+let limiting (program : Ir.program) time =
   let count = Array.length program.nodes in
   let limits = Array.make count false and unlimited = Array.make count false in
+  let safe = safe program time in
   unlimited.(count - 1) <- true;
   (* Callers come after callees. *)
   for k = count - 1 downto 0 do
-    if unlimited.(k) && reads program.nodes.(k) then
-      let use = use_of program ~reads ~time k in
-      if is_passed_on use then List.iter (fun k -> unlimited.(k) <- true) (use.steps @ use.modes)
+    let node = program.nodes.(k) in
+    if unlimited.(k) && time.is_read node then
+      let use = use_of program time node in
+      if safe.(k) || is_passed_on use then
+        List.iter (fun k -> unlimited.(k) <- true) (use.steps @ use.modes)
       else limits.(k) <- true
   done;
-  limits
+  (unlimited, limits)
 
 let has_dt e =
   let found = ref false in
@@ -67,40 +97,29 @@ and is_guarded_statement (s : Ir.statement) =
       is_guarded else_
   | If { condition; then_; else_; _ } ->
       (not (has_dt condition)) && is_guarded then_ && is_guarded else_
-  | Run { clock = Some _; _ } -> false
   | Run _ | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Return _ ->
       let found = ref false in
       Walk.expressions (fun e -> if has_dt e then found := true) [ s ];
       not !found
 
-(* For each node, whether its step and its callees use dt only if it is positive. *)
-let only_positive (program : Ir.program) =
-  let positive ~before _ (node : Ir.node) =
-    let is_positive k = (not program.nodes.(k).seconds) || before k in
-    let step : Ir.statement -> int list = function
-      | Step { node; _ } | Loop { node; _ } -> [ node ]
-      | Run _ -> List.map (fun (m : Ir.mode) -> m.node) node.modes
-      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> []
-    in
-    let all = ref (Option.is_none node.foreign && is_guarded node.step.body) in
-    Walk.statements
-      (fun s -> if not (List.for_all is_positive (step s)) then all := false)
-      node.step.body;
-    !all
-  in
-  Basis.In_order.map ~stage:"Step.Dt_limits" positive program.nodes
-
 let of_program (program : Ir.program) =
-  let limits = limiting program ~reads:(fun node -> node.seconds) ~time:Dt in
-  let positive = only_positive program in
-  let seconds k limits : seconds =
-    if not limits then Unlimited else if positive.(k) then At_most else Both_ways
+  let unlimited, limits =
+    limiting program
+      {
+        expr = Dt;
+        is_read = (fun node -> node.seconds);
+        is_safe = (fun node -> is_guarded node.step.body);
+      }
   in
-  let is_short = Short_times.is_dt_short program in
-  let nanoseconds limits =
-    if not limits then Unlimited else if is_short then To_31_bits else To_largest
+  let seconds k is_unlimited =
+    if limits.(k) then Both_ways else if is_unlimited then Where_used else Unlimited
   in
-  let in_nanoseconds =
-    limiting program ~reads:(fun node -> node.nanoseconds) ~time:Dt_nanoseconds
+  let _, nanoseconds =
+    limiting program
+      {
+        expr = Dt_nanoseconds;
+        is_read = (fun node -> node.nanoseconds);
+        is_safe = Short_times.only_advances program;
+      }
   in
-  { seconds = Array.mapi seconds limits; nanoseconds = Array.map nanoseconds in_nanoseconds }
+  { seconds = Array.mapi seconds unlimited; nanoseconds }

@@ -1,16 +1,14 @@
 open Basis
 
-(* The largest numbers of 32 bits, without and with a sign. The first one is one less, so that C
-   compilers do not warn about comparisons that are always true. *)
+(* The largest number of 32 bits, less one, so that C compilers do not warn about comparisons that
+   are always true. *)
 let most = 0xFFFFFFFEL
-let most_with_sign = 0x7FFFFFFFL
 
 (* What a step does with a time. *)
 type uses = {
   mutable bound : int64;  (** the largest constant that it is compared with *)
   mutable compared : int;  (** number of reads that are compared with constants *)
   mutable advanced : int;  (** number of reads that advance the time *)
-  mutable is_soon : bool;  (** the time is advanced with a plain addition *)
   mutable all : int;  (** number of all reads *)
 }
 
@@ -21,7 +19,7 @@ let uses_in real (node : Ir.node) =
     match Int_table.find_opt found f.id with
     | Some uses -> uses
     | None ->
-        let uses = { bound = 0L; compared = 0; advanced = 0; is_soon = false; all = 0 } in
+        let uses = { bound = 0L; compared = 0; advanced = 0; all = 0 } in
         Int_table.replace found f.id uses;
         uses
   in
@@ -39,10 +37,9 @@ let uses_in real (node : Ir.node) =
     | _ -> ()
   in
   let rec advance (time : Ir.field) : Ir.expr -> unit = function
-    | (Later (Field f, Dt_nanoseconds) | Soon (Field f, Dt_nanoseconds)) as e when f.id = time.id ->
+    | (Later (Field f, Dt_nanoseconds) | Soon (Field f, Dt_nanoseconds)) when f.id = time.id ->
         let uses = uses f in
-        uses.advanced <- uses.advanced + 1;
-        uses.is_soon <- (uses.is_soon || match e with Soon _ -> true | _ -> false)
+        uses.advanced <- uses.advanced + 1
     | Select { then_; else_; _ } ->
         advance time then_;
         advance time else_
@@ -58,34 +55,74 @@ let uses_in real (node : Ir.node) =
   fun (f : Ir.field) ->
     match f.content with Value Nanoseconds -> Int_table.find_opt found f.id | _ -> None
 
-let with_bounds ~keep_soon real (node : Ir.node) =
+(* Whether only advances and restarts write the field. *)
+let is_written_simply (node : Ir.node) (field : Ir.field) =
+  let is_advance : Ir.expr -> bool = function
+    | Later (Field f, Dt_nanoseconds) | Soon (Field f, Dt_nanoseconds) -> f.id = field.id
+    | _ -> false
+  in
+  let is_simple : Ir.expr -> bool = function
+    | Zero_time -> true
+    | Select { then_ = Zero_time; else_ = advance; _ } -> is_advance advance
+    | Select { then_ = advance; else_ = Zero_time; _ } -> is_advance advance
+    | advance -> is_advance advance
+  in
+  let all = ref true in
+  let statement : Ir.statement -> unit = function
+    | Assign { place = Own f; value; _ } when f.id = field.id ->
+        if not (is_simple value) then all := false
+    | _ -> ()
+  in
+  List.iter (Walk.statements statement) [ node.reset.body; node.step.body ];
+  !all
+
+let with_bounds real (node : Ir.node) =
   let uses = uses_in real node in
   let field (f : Ir.field) =
     match uses f with
-    | Some { bound; compared; advanced; is_soon; all }
-      when 0L < bound && bound <= most && all = compared + advanced && not (keep_soon && is_soon) ->
+    | Some { bound; compared; advanced; all }
+      when 0L < bound && bound <= most && all = compared + advanced && is_written_simply node f ->
         { f with bound = Some bound }
     | Some _ | None -> f
   in
   { node with state = List.map field node.state }
 
-let is_dt_short (program : Ir.program) =
-  let is_short (node : Ir.node) =
-    let reads = ref 0 in
-    Walk.expressions (function Ir.Dt_nanoseconds -> incr reads | _ -> ()) node.step.body;
-    let uses = uses_in program.real node in
-    let advances (f : Ir.field) =
-      match (f.bound, uses f) with
-      | Some bound, Some { advanced; _ } when bound <= most_with_sign -> advanced
-      | _, _ -> 0
+let reached real (node : Ir.node) =
+  let is_compared (time : Ir.field) statements =
+    let any = ref false in
+    let read : Ir.expr -> unit = function
+      | Operation
+          {
+            operator = Less_equal;
+            ty = Float;
+            arguments = [ Float x; In_nanoseconds (Field f) ];
+            _;
+          } ->
+          if f.id = time.id && Flow.Clock.reaches real x = time.bound then any := true
+      | _ -> ()
     in
-    !reads = 0 || !reads = List.fold_left (fun n f -> n + advances f) 0 node.state
+    Walk.expressions read statements;
+    !any
   in
-  Array.for_all is_short program.nodes
+  let rec from found : Ir.statement list -> Ir.field list = function
+    | Assign { place = Own ({ content = Value Nanoseconds; _ } as time); _ } :: rest ->
+        let is_reached (f : Ir.field) =
+          f.id = time.id && Option.is_some f.bound && is_compared f rest
+        in
+        from (List.find_all is_reached node.state @ found) rest
+    | _ :: rest -> from found rest
+    | [] -> found
+  in
+  from [] node.step.body
+
+let only_advances (program : Ir.program) (node : Ir.node) =
+  let reads = ref 0 in
+  Walk.expressions (function Ir.Dt_nanoseconds -> incr reads | _ -> ()) node.step.body;
+  let uses = uses_in program.real node in
+  let advances (f : Ir.field) =
+    match (f.bound, uses f) with Some _, Some { advanced; _ } -> advanced | _, _ -> 0
+  in
+  !reads = List.fold_left (fun n f -> n + advances f) 0 node.state
 
 let program (program : Ir.program) =
-  let bounded ~keep_soon =
-    { program with nodes = Array.map (with_bounds ~keep_soon program.real) program.nodes }
-  in
-  let all = bounded ~keep_soon:false in
-  if is_dt_short all then all else bounded ~keep_soon:true
+  { program with nodes = Array.map (with_bounds program.real) program.nodes }

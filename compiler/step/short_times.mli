@@ -3,14 +3,15 @@
     For example, [after 2[s]] only needs to know whether its local time has reached 2 s. Such a time
     stays at the largest of the constants, its [bound], so that it fits into 32 bits. Times that are
     shown as numbers, that are divided, or that are compared with numbers known only at run time
-    keep 64 bits.
-
-    A time that cannot overflow ({!Ir.Soon}) stays a plain addition. So it is only stored in 32 bits
-    if the program only needs to know dt up to 2.1 s. *)
+    keep 64 bits. *)
 
 val program : Ir.program -> Ir.program
 (** Sets the bounds of the fields. *)
 
-val is_dt_short : Ir.program -> bool
-(** Whether the program uses dt in nanoseconds only to advance times that are bounded by 2^31 - 1.
-    Then a longer dt has the same effect as one of 2^31 - 1. *)
+val reached : Basis.Real.t -> Ir.node -> Ir.field list
+(** The fields that the outermost statements of the node's step advance, and whose bounds later
+    statements compare them with. *)
+
+val only_advances : Ir.program -> Ir.node -> bool
+(** Whether the node's step, without its callees, uses dt in nanoseconds only to advance bounded
+    times. *)

@@ -9,12 +9,16 @@ type names = {
   variables : Ir.expr Int_table.t;
   in_place : (Ir.expr list -> Ir.expr) Int_table.t;
   indices : string Int_table.t; (* names of loop indices, by nesting depth *)
+  limits : M.expr Int_table.t; (* see {!Limits} *)
+  limits_dt : bool; (* at each use *)
+  reaches : M.field list; (* see {!Step.Short_times} *)
+  reached : string Int_table.t; (* names of truth values, by field *)
   mutable reaches_state : bool;
 }
 
 let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
 
-let names (v : Program_names.t) ~node =
+let names ?(body = []) (v : Program_names.t) ~node =
   let given = if Option.is_some v.params then "params" :: given else given in
   {
     v;
@@ -23,6 +27,11 @@ let names (v : Program_names.t) ~node =
     variables = Int_table.create 16;
     in_place = Int_table.create 4;
     indices = Int_table.create 4;
+    limits = Limits.in_body body;
+    limits_dt = Step.Dt_limits.seconds v.dt_limits node = Where_used;
+    reaches =
+      (if body = [] then [] else Step.Short_times.reached v.program.real v.program.nodes.(node));
+    reached = Int_table.create 4;
     reaches_state = false;
   }
 
@@ -81,6 +90,40 @@ let limited n general simple ~zero (a : M.expr) (b : M.expr) x y =
   | Some limit, None when not (Float.equal limit 0.) -> V.call n.v simple [ y; x ]
   | Some limit, None when not (V.is_negative_zero limit) -> V.call n.v zero [ y ]
   | Some _, None | None, None -> V.call n.v general [ x; y ]
+
+(* The operands of a minimum or maximum: a literal that is not zero, its value, and the number that
+   it limits. *)
+let limit (operator : Flow.Ir.operator) : M.expr -> (M.expr * float * M.expr) option = function
+  | Operation { operator = other; ty = Float; arguments = [ a; b ]; _ } when other = operator -> (
+      match (literal a, literal b) with
+      | Some limit, None when limit <> 0. -> Some (a, limit, b)
+      | None, Some limit when limit <> 0. -> Some (b, limit, a)
+      | _, _ -> None)
+  | _ -> None
+
+(* A minimum and a maximum that one function computes: its name and arguments. *)
+let clamp n (e : M.expr) =
+  match Limits.limited e with
+  | Some ((Variable v as x), y) when Int_table.mem n.limits v.id ->
+      Some ("frob_limit_above_zero", [ x; y ])
+  | Some (x, y) when Option.is_none (literal x) -> Some ("frob_limit", [ x; y ])
+  | Some _ | None -> (
+      let nested outer inner =
+        let inside ((_, _, x) as first) =
+          Option.map (fun second -> (first, second)) (limit inner x)
+        in
+        Option.bind (limit outer e) inside
+      in
+      let call (low, least, _) (high, most, _) x =
+        if least < most then Some ("frob_clamp", [ x; low; high ]) else None
+      in
+      match (nested Maximum Minimum, nested Minimum Maximum) with
+      | Some (low, ((_, _, x) as high)), _ | None, Some (high, ((_, _, x) as low)) ->
+          call low high x
+      | None, None -> None)
+
+let unlimited n (variable : M.variable) value =
+  Option.value (Int_table.find_opt n.limits variable.id) ~default:value
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values of unexpected types"
 
@@ -199,6 +242,9 @@ let bound n : M.expr -> int64 option = function
       Option.bind (List.find_opt is_time n.v.program.nodes.(n.node).state) (fun f -> f.bound)
   | _ -> None
 
+let nanoseconds ns : Ir.expr =
+  if ns <= 0x7FFFFFFFL then Integer (Int64.to_int32 ns) else Cast (Uint32, Long ns)
+
 (* The value of an expression that is an operand at this place, or a statement's value. *)
 let rec operand n ~at (e : M.expr) =
   match e with Float x -> V.literal n.v ~at x | e -> of_step n e
@@ -215,24 +261,16 @@ and of_step n (e : M.expr) : Ir.expr =
       match Int_table.find_opt n.variables v.id with Some e -> e | None -> Name (variable n v))
   | Field f -> field n f
   | Param k -> param n k
+  | Operation { operator = Less; arguments = [ Float 0.; Dt ]; _ } ->
+      Binary (Greater, Name "dt", V.float n.v 0.)
+  | Dt when n.limits_dt -> V.call n.v "frob_short_dt" [ Ir.Name "dt" ]
   | Dt -> Name "dt"
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; span; _ } ->
       V.call n.v (V.elementary f) (List.map (operand n ~at:span) arguments)
-  (* A single test for NaN is enough: if x is NaN, so is -x. *)
-  | Operation
-      {
-        operator = Maximum;
-        ty = Float;
-        arguments =
-          [
-            Operation { operator = Negate; arguments = [ x ]; _ };
-            Operation { operator = Minimum; arguments = [ x'; y ]; _ };
-          ];
-        _;
-      }
-    when x = x' && Option.is_none (literal x) ->
-      V.call n.v "frob_limit" (list [ x; y ])
+  | Operation _ when Option.is_some (clamp n e) ->
+      let name, arguments = Option.get (clamp n e) in
+      V.call n.v name (list arguments)
   | Operation
       { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ]; span = _ }
     ->
@@ -270,14 +308,8 @@ and of_step n (e : M.expr) : Ir.expr =
       Call (n.v.nodes.(node).step, params @ arguments)
   | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_step n e ]
   | Seconds e -> Binary (Over, Cast (V.real n.v, of_step n e), V.float n.v 1e9)
-  | Soon (a, b) -> (
-      match bound n a with
-      | Some _ -> Binary (Plus, of_step n a, Cast (Uint32, of_step n b))
-      | None -> Call ("frob_soon", list [ a; b ]))
-  | Later (a, b) -> (
-      match bound n a with
-      | Some bound -> Call ("frob_until", list [ a; b ] @ [ Long bound ])
-      | None -> Call ("frob_later", list [ a; b ]))
+  | Soon (a, b) -> Call ("frob_soon", list [ a; b ])
+  | Later (a, b) -> Call ("frob_later", list [ a; b ])
   | Reached { time; period = Float period } when is_whole_period period ->
       Binary (Less_equal, Long (Int64.of_float period), of_step n time)
   | Reached { time; period } -> V.call n.v "frob_reached" (list [ time; period ])
@@ -287,9 +319,19 @@ and of_step n (e : M.expr) : Ir.expr =
 
 (* Comparing integers is faster than converting them to Floats first. *)
 and at_least n time x =
-  match Flow.Clock.reaches n.v.program.real x with
-  | Some least -> Binary (Less_equal, Long least, of_step n time)
-  | None -> Binary (Less_equal, V.float n.v x, of_step n (In_nanoseconds time))
+  let reached : M.expr -> string option = function
+    | Field f when bound n time = Flow.Clock.reaches n.v.program.real x ->
+        Int_table.find_opt n.reached f.id
+    | _ -> None
+  in
+  match (reached time, Flow.Clock.reaches n.v.program.real x) with
+  | Some name, _ -> Name name
+  | None, Some least -> (
+      match bound n time with
+      | Some bound when bound = least -> Binary (Equal, of_step n time, Integer 0l)
+      | Some bound -> Binary (Less_equal, of_step n time, nanoseconds (Int64.sub bound least))
+      | None -> Binary (Less_equal, Long least, of_step n time))
+  | None, None -> Binary (Less_equal, V.float n.v x, of_step n (In_nanoseconds time))
 
 (* The element of an array, or of nested arrays that are read in place. *)
 and element n array index =
@@ -317,6 +359,31 @@ and payload n ~sum ~constructor ~leaf value : Ir.expr =
   match List.nth (Sum_type.payload sums (List.nth sums.(sum).constructors constructor)) leaf with
   | Scalar member -> Member (value, member)
   | Inner _ -> Call (V.projection n.v ~sum ~constructor ~leaf, [ value ])
+
+let bounded n (time : M.field) (value : M.expr) : Ir.statement_desc option =
+  let set bound : Ir.statement_desc =
+    let address = Ir.Unary (Address, field n time) in
+    let runs_out dt = Ir.Call ("frob_runs_out", [ address; of_step n dt ]) in
+    let runs_out_while condition dt =
+      let all = nanoseconds bound in
+      Ir.Call ("frob_runs_out_while", [ condition; address; of_step n dt; all ])
+    in
+    let advanced (call : Ir.expr) : Ir.statement_desc =
+      if List.exists (fun (f : M.field) -> f.id = time.id) n.reaches then (
+        let name = Name.fresh n.scope "reached" in
+        Int_table.replace n.reached time.id name;
+        Constant { ty = Bool; name; value = call })
+      else Do call
+    in
+    match value with
+    | Soon (_, dt) | Later (_, dt) -> advanced (runs_out dt)
+    | Select { condition; then_ = Soon (_, dt) | Later (_, dt); else_ = Zero_time; _ } ->
+        advanced (runs_out_while (of_step n condition) dt)
+    | Select { condition; then_ = Zero_time; else_ = Soon (_, dt) | Later (_, dt); _ } ->
+        advanced (runs_out_while (Unary (Not, of_step n condition)) dt)
+    | _ -> Assign (field n time, nanoseconds bound)
+  in
+  Option.map set (bound n (Field time))
 
 let parameters n variables =
   List.map

@@ -24,6 +24,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
   (* [rest]: the preceding statements, last one first. *)
   match s with
   | Declare { variable; value; span } ->
+      let value = Expression.unlimited c.names variable value in
       let literal = is_literal value in
       let value = Context.value c ~at:span value in
       let name = Expression.variable c.names variable and ty = V.ty c.v variable.ty in
@@ -33,12 +34,14 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       { (c.write k (Context.value c ~at:span value)) with comment = comment c span } :: rest
   | Assign { place = (Local _ | Own _) as target; value; span } ->
       let target' = place c target in
+      let bounded = match target with Own f -> Expression.bounded c.names f value | _ -> None in
       let desc =
-        match value with
-        | Operation { operator = Add; ty = Float; arguments = [ first; amount ] }
+        match (bounded, value) with
+        | Some bounded, _ -> bounded
+        | None, Operation { operator = Add; ty = Float; arguments = [ first; amount ]; _ }
           when expression c first = target' ->
             Ir.Add_to (target', expression c amount)
-        | value -> Assign (target', Context.value c ~at:span value)
+        | None, value -> Assign (target', Context.value c ~at:span value)
       in
       { desc; comment = comment c span } :: rest
   | If { uninitialized = variables; condition; then_; else_; predicted; span } ->
@@ -208,14 +211,10 @@ let input (v : Program_names.t) : Ir.ty = Pointer_to_const (Struct v.input.struc
 (* Limits the times that the caller of the root's step passes. *)
 let limited_times (v : Program_names.t) k =
   let limit name function_ = [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] in
-  (match Step.Dt_limits.nanoseconds v.dt_limits k with
-  | Unlimited -> []
-  | To_31_bits -> limit "dt_ns" "frob_short_span"
-  | To_largest -> limit "dt_ns" "frob_span")
+  (if Step.Dt_limits.nanoseconds v.dt_limits k then limit "dt_ns" "frob_span" else [])
   @
   match Step.Dt_limits.seconds v.dt_limits k with
-  | Unlimited -> []
-  | At_most -> limit "dt" (V.in_precision v "frob_short_dt")
+  | Unlimited | Where_used -> []
   | Both_ways -> limit "dt" (V.in_precision v "frob_dt")
 
 (* Maximum number of operations of a function that is marked inline. *)
@@ -223,7 +222,7 @@ let inline_size = 12
 
 let own_step (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
-  let names = Expression.names v ~node:k in
+  let names = Expression.names v ~node:k ~body:node.step.body in
   let read = variables_read v node node.step.body in
   let by_value, by_pointer =
     List.partition_map
@@ -295,7 +294,7 @@ let inputs c (node : M.node) =
 
 let root_step (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
-  let names = Expression.names v ~node:k in
+  let names = Expression.names v ~node:k ~body:node.step.body in
   let outputs = Array.of_list v.output.leaves in
   let write k value =
     if Interface.is_in_array outputs.(k) then

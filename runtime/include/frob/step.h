@@ -186,29 +186,37 @@ static inline int64_t frob_soon(int64_t time, int64_t ns)
     return (int64_t)soon;
 }
 
-/* Adds nanoseconds to a local time that stays at a limit once it has reached it. */
-static inline uint32_t frob_until(uint32_t time, int64_t ns, int64_t limit)
+/* Subtracts nanoseconds from a time that is left, down to 0. Returns whether no time is left. The
+ * nanoseconds may be any number; a negative number counts as 0. */
+static inline bool frob_runs_out(uint32_t *left, int64_t ns)
 {
-    const uint64_t later = (uint64_t)ns + time;
-    return later < (uint64_t)limit ? (uint32_t)later : (uint32_t)limit;
+    if (FROB_BRANCH((uint64_t)ns >= *left)) {
+        if (ns >= 0) {
+            *left = 0;
+        }
+        return *left == 0;
+    }
+    *left -= (uint32_t)ns;
+    return false;
+}
+
+/* The same while a condition holds; otherwise, all of the time is left. */
+static inline bool frob_runs_out_while(bool condition, uint32_t *left, int64_t ns, uint32_t all)
+{
+    if (condition) {
+        return frob_runs_out(left, ns);
+    }
+    *left = all;
+    return false;
 }
 
 /* Limits a dt in nanoseconds to 0 … 1e18. */
 static inline int64_t frob_span(int64_t dt_ns)
 {
     const int64_t most = INT64_C(1000000000000000000);
-    if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)most)) {
-        return dt_ns > 0 ? most : 0;
-    }
-    return dt_ns;
-}
-
-/* Limits a dt in nanoseconds to 0 … 2^31 - 1, for steps that treat every longer dt in the same
- * way. */
-static inline int64_t frob_short_span(int64_t dt_ns)
-{
+    /* comparing with a number of 32 bits first is faster */
     if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)INT32_MAX)) {
-        return dt_ns > 0 ? INT32_MAX : 0;
+        return dt_ns <= 0 ? 0 : dt_ns < most ? dt_ns : most;
     }
     return dt_ns;
 }
@@ -222,10 +230,10 @@ static inline double frob_dt(double dt)
     return positive < 1e9 ? positive : 1e9;
 }
 
-/* Limits a dt in seconds to at most 1e9, for steps that only use it if it is positive. */
+/* Limits a positive dt in seconds to at most 1e9. */
 static inline double frob_short_dt(double dt)
 {
-    return dt > 1e9 ? 1e9 : dt;
+    return dt < 1e9 ? dt : 1e9;
 }
 
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
@@ -279,6 +287,22 @@ static inline double frob_at_least(double x, double limit)
     return limit > x ? limit : x;
 }
 
+/* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
+ * after #else are equivalent, but gcc would translate them to a branch. */
+static inline double frob_clamp(double x, double low, double high)
+{
+#if defined(__GNUC__) && !defined(__clang__)
+    const double lower = x < high ? x : high;
+    if (FROB_BRANCH(x != x)) {
+        return x;
+    }
+    return lower > low ? lower : low;
+#else
+    const double lower = high < x ? high : x;
+    return low > lower ? low : lower;
+#endif
+}
+
 /* min 0 x. */
 static inline double frob_below_zero(double x)
 {
@@ -299,6 +323,18 @@ static inline double frob_limit(double x, double y)
     }
     const double high = y < x ? y : x;
     return high > -x ? high : -x;
+}
+
+/* Clamps y to -x … x, or to 0 if x is negative; NaN if either is NaN: frob_limit(frob_above_zero(x),
+ * y). If x is -0.0, the result is -0.0, as for 0.0. */
+static inline double frob_limit_above_zero(double x, double y)
+{
+    const double most = 0.0 > x ? 0.0 : x;
+    if (FROB_BRANCH(y != y)) {
+        return y;
+    }
+    const double low = -fabs(most), high = y < most ? y : most;
+    return high > low ? high : low;
 }
 
 /* A zero or NaN is returned unchanged. */
@@ -421,10 +457,10 @@ static inline float frob_dtf(float dt)
     return positive < 1e9f ? positive : 1e9f;
 }
 
-/* Limits a dt in seconds to at most 1e9, for steps that only use it if it is positive. */
+/* Limits a positive dt in seconds to at most 1e9. */
 static inline float frob_short_dtf(float dt)
 {
-    return dt > 1e9f ? 1e9f : dt;
+    return dt < 1e9f ? dt : 1e9f;
 }
 
 /* Adds a zero. This is a function because gcc 12 folds fabs(x) in such a sum to the wrong zero. */
@@ -478,6 +514,22 @@ static inline float frob_at_leastf(float x, float limit)
     return limit > x ? limit : x;
 }
 
+/* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
+ * after #else are equivalent, but gcc would translate them to a branch. */
+static inline float frob_clampf(float x, float low, float high)
+{
+#if defined(__GNUC__) && !defined(__clang__)
+    const float lower = x < high ? x : high;
+    if (FROB_BRANCH(x != x)) {
+        return x;
+    }
+    return lower > low ? lower : low;
+#else
+    const float lower = high < x ? high : x;
+    return low > lower ? low : lower;
+#endif
+}
+
 /* min 0 x. */
 static inline float frob_below_zerof(float x)
 {
@@ -498,6 +550,18 @@ static inline float frob_limitf(float x, float y)
     }
     const float high = y < x ? y : x;
     return high > -x ? high : -x;
+}
+
+/* Clamps y to -x … x, or to 0 if x is negative; NaN if either is NaN: frob_limitf(frob_above_zerof(x),
+ * y). If x is -0.0, the result is -0.0, as for 0.0. */
+static inline float frob_limit_above_zerof(float x, float y)
+{
+    const float most = 0.0f > x ? 0.0f : x;
+    if (FROB_BRANCH(y != y)) {
+        return y;
+    }
+    const float low = -fabsf(most), high = y < most ? y : most;
+    return high > low ? high : low;
 }
 
 /* A zero or NaN is returned unchanged. */

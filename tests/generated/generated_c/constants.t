@@ -53,7 +53,7 @@ passed to `limit` is a literal, because the operation on it is in the library.
       self->error_integral += dt * self->error_integral_input; /* line 19 */
       const double error = gap - follow_k_near;               /* line 21 */
       const double speed = gap < follow_k_near ? follow_slow
-              : gap > follow_k_far ? frob_at_least(frob_at_most(follow_k_gap * gap, 0.1), -0.1)
+              : gap > follow_k_far ? frob_clamp(follow_k_gap * gap, -0.1, 0.1)
               : 0.0; /* line 22 */
       const double same = x > follow_a ? follow_b : x > 3.0 ? follow_a + x : x * 7.0; /* line 23 */
       out->f1 = speed;                                        /* line 22 */

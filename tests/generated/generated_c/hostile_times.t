@@ -69,8 +69,8 @@ times count as 0, and times above 1e9 s as 1e9 s.
   2.1e+10 1e-09 1 3e+09
   2.1e+10 4 1 3e+09
 
-Modes limit the times that only they use. `follow` ignores a negative dt and NaN, and all times fit
-into 31 bits.
+Modes limit the times that only they use, where they use them. `follow` ignores a negative dt and NaN.
+A function subtracts all nanoseconds from the time that is left.
 
   $ cd .. && mkdir modes && cp drive.c modes && cd modes && cat > clock.frob <<'FROB'
   > main :: SF Float (Float[s], Float[1/s], Bool, Time)
@@ -80,10 +80,11 @@ into 31 bits.
   > rest = switch (proc _ -> ((0, 0, True, 0), after 0.1[s] ())) (\_ -> idle)
   > idle = switch (proc x -> ((0, 0, False, 1[s]), edge (x > 8))) (\_ -> follow)
   > FROB
-  $ frobc compile clock.frob && grep -o 'dt.* = frob_short.*' clock.c
-  dt_ns = frob_short_span(dt_ns);
-  dt = frob_short_dt(dt);
-  dt_ns = frob_short_span(dt_ns);
+  $ frobc compile clock.frob && grep -o 'frob_[a-z_]*(.*' clock.c | sed 's, */.*,,' | sort -u
+  frob_runs_out(&self->modes.rest.time, dt_ns);
+  frob_runs_out(&self->modes_2.follow.time, dt_ns);
+  frob_short_dt(dt);
+  frob_whole_ns(dt) : 0;
   $ gcc $flags -fsanitize=undefined,float-cast-overflow clock.c drive.c -lm -o drive && ./drive
   0 0 0 0
   0 50 0 0

@@ -24,8 +24,6 @@ has passed.
                   dt_ns = 0;
                   dt_ns = 0;
                   dt_ns = 0;
-      dt_ns = frob_short_span(dt_ns);
-      dt_ns = frob_short_span(dt_ns);
       int64_t dt_ns = frob_whole_ns(dt);
 
 A dt need not be a whole number of nanoseconds, or a valid time.

@@ -55,8 +55,7 @@ seconds.
       dt = frob_dtf(dt);
       self->error_integral += dt * self->error_integral_input; /* line 6 */
       const float error = in->wanted - in->measured;          /* line 7 */
-      out->f1 = frob_at_leastf(frob_at_mostf(4.1f * error + 2.0f * self->error_integral, 12.0f),
-              -12.0f); /* Control.frob:15 */
+      out->f1 = frob_clampf(4.1f * error + 2.0f * self->error_integral, -12.0f, 12.0f); /* Control.frob:15 */
       out->f2 = frob_roundf(frob_sinf(error));                /* line 6 */
       self->error_integral_input = error;
   }

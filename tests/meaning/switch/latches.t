@@ -1,5 +1,5 @@
-A mode that ends at an occurrence of `after` does not store that the event has occurred, and times
-are compared as they are stored, in nanoseconds.
+A mode that ends at an occurrence of `after` does not store that the event has occurred, and only
+counts the nanoseconds that are left.
 
   $ cat > pause.frob <<'EOF'
   > main :: SF Float Float
@@ -20,9 +20,11 @@ are compared as they are stored, in nanoseconds.
     when _4 -> main.go
     -> (out = _1)
   $ frobc compile pause.frob
-  $ grep "INT64_C" pause.c | sed "s, */.*,,"
-      const bool t1 = INT64_C(1500000000) <= self->modes.main.time;
-      const bool t1 = INT64_C(2000000000) <= self->modes.pause.time;
+  $ grep "reached" pause.c | sed "s, */.*,,"
+      const bool reached = frob_runs_out(&self->modes.main.time, dt_ns);
+      const bool t1 = reached;
+      const bool reached = frob_runs_out(&self->modes.pause.time, dt_ns);
+      const bool t1 = reached;
 
 An edge needs its previous value, which is initially True.
 

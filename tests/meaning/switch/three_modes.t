@@ -51,7 +51,7 @@ In C, the running mode takes a step and its event is tested; only then is an out
               double i_side_derivative_input; /* m, previous input at three_modes.frob:10 */
           } follow;
           struct {
-              uint32_t time; /* time in ns at Prelude.frob:352 */
+              uint32_t time; /* time left in ns at Prelude.frob:352 */
           } backUp;
           struct {
               bool delay; /* delay at Prelude.frob:382 */

@@ -1,13 +1,13 @@
 A local time stops at its maximum, after 292 years. If a mode ends long before that, its time is
-added up without that check. A time that is only compared with small constants stops at the largest
-of them.
+added up without that check. If a time is only compared with small constants, the state stores how
+much is left until the largest of them.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
-  $ advances () { frobc compile "$1".frob --lint && grep -E "frob_(soon|later|until)" "$1".c | sed "s, */\*.*,,"; }
+  $ advances () { frobc compile "$1".frob --lint && grep -E "frob_(soon|later|remaining|runs)" "$1".c | sed "s, */\*.*,,"; }
   $ cat > ends.frob <<'EOF'
   > main :: SF Float Float
-  > main = switch (proc x -> (x, mergeE (after 2[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 3[s] ())) (\_ -> main))
+  > main = switch (proc x -> (x, mergeE (after 5[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 6[s] ())) (\_ -> main))
   > EOF
   $ advances ends
       self->modes.main.time = frob_soon(self->modes.main.time, dt_ns);
@@ -26,7 +26,7 @@ time alone does not end the mode.
   $ advances goes_on
       self->modes.main.time = frob_later(self->modes.main.time, dt_ns);
       self->modes.main_2.time = frob_later(self->modes.main_2.time, dt_ns);
-      self->modes.never_again.time = frob_until(self->modes.never_again.time, dt_ns,
+      const bool reached = frob_runs_out(&self->modes.never_again.time, dt_ns);
 
 It is also needed if the time restarts, whether the time itself determines when, as in `debounce`,
 or the input.
@@ -38,13 +38,13 @@ or the input.
   > main = proc b -> debounce 30[ms] b
   > EOF
   $ advances settles
-              ? frob_until(self->since, dt_ns, INT64_C(30000000))
+      const bool reached = frob_runs_out_while(self->waiting, &self->since, dt_ns, 30000000);
   $ cat > held.frob <<'EOF'
   > main :: SF Bool Bool
   > main = proc b -> nanoseconds (timeSince b) >= nanoseconds 2[s]
   > EOF
   $ advances held
-      self->time = b ? 0 : frob_until(self->time, dt_ns, INT64_C(2000000000));
+      const bool reached = frob_runs_out_while(!b, &self->time, dt_ns, 2000000000);
 
 In a signal function with its own instants, dt may be arbitrarily long: here no event comes for 380
 years. A recording cannot represent this, because its times are below 10^9 s.

@@ -15,13 +15,12 @@ void wall_follow_step_ns(struct wall_follow_state *self, int64_t dt_ns, double d
         const struct wall_follow_input *in, struct wall_follow_output *out)
 {
     (void)dt_ns;
-    dt = frob_short_dt(dt);
     const double vCurr = in->f1;
     const double f = in->f2;
     const double s = in->f3;
-    const double v = frob_at_least(frob_at_most(0.5 * (f - 0.2), 0.4), -0.4); /* line 12 */
+    const double v = frob_clamp(0.5 * (f - 0.2), -0.4, 0.4); /* line 12 */
     if (dt > 0.0) {                                         /* line 13 */
-        self->s_derivative = (s - self->s_derivative_input) / dt;
+        self->s_derivative = (s - self->s_derivative_input) / frob_short_dt(dt);
     }
     self->s_derivative_input = s;
     const double t1 = self->sin_value * vCurr;              /* line 10 */
