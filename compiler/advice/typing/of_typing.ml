@@ -47,6 +47,7 @@ let diagnostic sources (fact : Typing.Fact.t) =
   | Pattern fact -> Pattern_mistake.diagnostic sources fact
   | Level fact -> Level_mistake.diagnostic sources fact
   | Warning fact -> Typing_warning.diagnostic fact
+  | Declaration { words; fact } -> Typed_declaration_mistake.diagnostic words fact
   | Inference { words; fact } -> inference words fact
   | Instance { words; fact } -> Instance_mistake.diagnostic words fact
   | Misapplied { words; call; mistake } ->

@@ -261,3 +261,7 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
     }
   in
   (scheme, scope)
+
+let report_declaration (t : t) fact =
+  let words = Show.words (Show.nowhere t.environment) in
+  Facts.report t.facts (Declaration { words; fact })

@@ -44,3 +44,6 @@ val class_ : Ir.Global.t -> Ir.class_
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
 (** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Returns the
     scope extended with them. *)
+
+val report_declaration : t -> Declaration_fact.t -> unit
+(** Reports a fact about a declaration outside all definitions. *)

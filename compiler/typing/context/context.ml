@@ -236,10 +236,6 @@ let words t =
   in
   Show.words place
 
-let report t diagnostic =
-  t.group.errors <- t.group.errors + 1;
-  Diagnostic.emit t.reader.sink (diagnostic (words t))
-
 let warn t fact = Facts.report t.reader.facts (Inference { words = words t; fact })
 
 let tell t fact =
@@ -249,6 +245,10 @@ let tell t fact =
 let tell_of_instance t fact =
   t.group.errors <- t.group.errors + 1;
   Facts.report t.reader.facts (Instance { words = words t; fact })
+
+let tell_of_declaration t fact =
+  t.group.errors <- t.group.errors + 1;
+  Facts.report t.reader.facts (Declaration { words = words t; fact })
 
 let hold t f = Facts.hold t.reader.facts f
 let pass_on t held = List.iter (Facts.pass_on t.reader.facts) held

@@ -95,7 +95,6 @@ val fresh_number : t -> Type.t
 (** {1 Diagnostics} *)
 
 val words : t -> Show.words
-val report : t -> (Show.words -> Diagnostic.t) -> unit
 
 val tell : t -> Inference_fact.t -> unit
 (** Reports an error. *)
@@ -104,6 +103,9 @@ val warn : t -> Inference_fact.t -> unit
 (** Reports a warning. *)
 
 val tell_of_instance : t -> Instance_fact.t -> unit
+(** Reports an error. *)
+
+val tell_of_declaration : t -> Declaration_fact.t -> unit
 (** Reports an error. *)
 
 val hold : t -> (unit -> 'a) -> 'a * Fact.t Facts.held list

@@ -29,17 +29,11 @@ type instance = {
 let check_method (ctx : Context.t) (written : Resolve.Ir.method_) (variable : Ir.variable)
     (scheme : Type.scheme) =
   if not (Type.mentions variable scheme.body) then
-    Context.report ctx (fun _ ->
-        Diagnostic.error ~code:"E0364" ~at:written.span
-          "the type of the method `%s` does not contain `%s`" written.name.name variable.name
-        |> Diagnostic.label ~at:written.scheme.ty.span "nothing here determines the instance");
+    Context.tell_of_declaration ctx (Method_without_variable { method_ = written; variable });
   let check (c : Resolve.Ir.constraint_) (_, argument) =
     match Type.expand argument with
     | Rigid r when r.variable.id = variable.id ->
-        Context.report ctx (fun _ ->
-            Diagnostic.error ~code:"E0365" ~at:c.span
-              "the context of a method cannot constrain the class's own variable `%s`" variable.name
-            |> Diagnostic.hint (Printf.sprintf "make `%s` a superclass" c.class_.name))
+        Context.tell_of_declaration ctx (Constrained_variable { constraint_ = c; variable })
     | _ -> ()
   in
   List.iter2 check written.scheme.context scheme.context
@@ -88,64 +82,6 @@ let classes ctx (program : Resolve.Ir.program) = List.map (class_ ctx) program.c
 
 (* {1 Instances} *)
 
-let report_built_in (ctx : Context.t) (written : Resolve.Ir.instance) =
-  Context.report ctx (fun _ ->
-      Diagnostic.error ~code:"E0366" ~at:written.span "`%s` has no declared instances"
-        written.class_.name
-      |> Diagnostic.note "the compiler compares all data without functions by structure"
-      |> Diagnostic.hint "remove the instance")
-
-let report_head (ctx : Context.t) (written : Resolve.Ir.instance) head =
-  Context.report ctx (fun words ->
-      let diagnostic =
-        Diagnostic.error ~code:"E0362" ~at:written.head.span
-          "the head of an instance must be a type constructor applied to distinct variables, not %s"
-          (Show.quoted words head)
-      in
-      let diagnostic =
-        match Type.repr head with
-        | Alias { expansion; _ } ->
-            Diagnostic.note
-              (Printf.sprintf "it stands for %s" (Show.quoted words expansion))
-              diagnostic
-        | _ -> diagnostic
-      in
-      match Type.expand head with
-      | Number ((Int | Float), _) | Data { units = _ :: _; _ } ->
-          Diagnostic.note "a unit cannot select an instance" diagnostic
-          |> Diagnostic.hint "write a unit variable, as in `Float[u]`"
-      | Number _ ->
-          Diagnostic.hint "write an instance for `Int[u]` and another for `Float[u]`" diagnostic
-      | _ -> diagnostic)
-
-let report_second (ctx : Context.t) (written : Resolve.Ir.instance) head
-    (first : Environment.instance) =
-  Context.report ctx (fun words ->
-      Diagnostic.error ~code:"E0361" ~at:written.span "there are two instances `%s`"
-        (Show.constraint_ words (Ir.Declared written.class_) head)
-      |> Diagnostic.label ~at:first.place "the first one is here"
-      |> Diagnostic.note "a class can have only one instance for each type constructor")
-
-let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missing : method_ list) =
-  Context.report ctx (fun words ->
-      let names =
-        Enumeration.all (List.map (fun (m : method_) -> "`" ^ m.name.name ^ "`") missing)
-      in
-      let label diagnostic (m : method_) =
-        Diagnostic.label ~at:m.signature
-          (Printf.sprintf "`%s` has no default" m.name.name)
-          diagnostic
-      in
-      List.fold_left label
-        (Diagnostic.error ~code:"E0363" ~at:written.span "the instance `%s` does not define %s"
-           (Show.constraint_ words (Ir.Declared written.class_) head)
-           names)
-        missing
-      |> Diagnostic.hint
-           (Printf.sprintf "define it below the `where` of the instance: %s"
-              (Enumeration.all
-                 (List.map (fun (m : method_) -> Printf.sprintf "`%s = …`" m.name.name) missing))))
-
 (* Finds the instance's class, and converts the instance head to a scheme whose variables are in the
    order of the head. *)
 let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
@@ -173,7 +109,8 @@ let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
       in
       match Environment.instance environment of_class.class_ constructor with
       | Some first ->
-          report_second ctx written head first;
+          Context.tell_of_declaration ctx
+            (Second_instance { instance = written; head; first = first.place });
           None
       | None ->
           Environment.add_instance environment of_class.class_ constructor
@@ -183,7 +120,10 @@ let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
           in
           (match List.filter is_missing of_class.methods with
           | [] -> ()
-          | missing -> report_missing ctx written head missing);
+          | missing ->
+              let missing = List.map (fun (m : method_) -> (m.name, m.signature)) missing in
+              Context.tell_of_declaration ctx
+                (Missing_methods { instance = written; head; missing }));
           Some
             {
               of_class;
@@ -194,7 +134,9 @@ let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
               place = written.span;
             })
   | None, _ | _, None ->
-      (match Type.expand head with Erroneous -> () | _ -> report_head ctx written head);
+      (match Type.expand head with
+      | Erroneous -> ()
+      | _ -> Context.tell_of_declaration ctx (Instance_head { instance = written; head }));
       None
 
 let instances ctx classes (program : Resolve.Ir.program) =
@@ -204,7 +146,7 @@ let instances ctx classes (program : Resolve.Ir.program) =
     match Hashtbl.find_opt by_name written.class_ with
     | Some found -> of_class ctx found written
     | None ->
-        report_built_in ctx written;
+        Context.tell_of_declaration ctx (Built_in_class written);
         None
   in
   List.filter_map instance program.instances

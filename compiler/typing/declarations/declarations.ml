@@ -24,11 +24,7 @@ let unit_ (reader : Annotation.t) (declared : Resolve.Ir.unit_declaration) =
         match total with
         | Some total when usable total -> { of_unit with scale = total }
         | Some _ | None ->
-            Diagnostic.(
-              error ~code:"E0324" ~at:declared.span "the scale of the unit `%s` is out of range"
-                declared.unit_name.name
-              |> note "a scale must be positive, and between 1e-150 and 1e150"
-              |> emit reader.sink);
+            Annotation.report_declaration reader (Scale_out_of_range declared);
             { of_unit with scale = Exact.one })
   in
   Environment.add_unit reader.environment declared.unit_name entry

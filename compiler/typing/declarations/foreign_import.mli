@@ -6,10 +6,10 @@
     other variables. *)
 
 val program :
-  Basis.Diagnostic.sink ->
+  report:(Declaration_fact.t -> unit) ->
   Resolve.Ir.program ->
   environment:Environment.t ->
   primitives:(Ir.Global.t * Ir.scheme) list ->
   Ir.foreign
-(** Emits E0380 for a type that has no counterpart in C, and E0381 for a C function imported with
-    two different types. *)
+(** Reports types that have no counterpart in C, and C functions imported with two different types.
+*)

@@ -9,6 +9,7 @@ type t =
   | Pattern of Pattern_fact.t
   | Level of Level_fact.t
   | Warning of Warning_fact.t
+  | Declaration of { words : Show.words; fact : Declaration_fact.t }
   | Inference of { words : Show.words; fact : Inference_fact.t }
   | Instance of { words : Show.words; fact : Instance_fact.t }
   | Misapplied of { words : Show.words; call : Application_fact.call; mistake : t Facts.held }

@@ -397,14 +397,15 @@ let program ?(sources = Source.create ()) sink facts ~real (program : Resolve.Ir
     (fun (i : Class_declarations.instance) ->
       limited ctx left ~at:i.place ~otherwise:() Instance (fun () -> check_superclasses ctx i))
     instances;
+  let report = Annotation.report_declaration reader in
   {
     main_module = program.main_module;
     real;
     data;
     primitives;
-    foreign = Foreign_import.program sink program ~environment:reader.environment ~primitives;
+    foreign = Foreign_import.program ~report program ~environment:reader.environment ~primitives;
     classes = List.map class_declaration classes;
     instances = List.map instance instances;
     definitions = Long_list.map (with_needs ctx program) definitions;
-    params = Params.program sink program definitions;
+    params = Params.program ~report program definitions;
   }

@@ -1,0 +1,59 @@
+open Basis
+open Typing
+
+let compile_time = "functions, signal functions and labels exist only at compile time"
+
+(* The reason, and a hint. *)
+let explain (obstacle : Declaration_fact.obstacle) =
+  match obstacle with
+  | Representation ->
+      ("C has different functions for Int and Float", Some "write `Float[…]` or `Int[…]`")
+  | Text -> (compile_time, Some "pass an `Int` that tells C which text you mean")
+  | Compile_time -> (compile_time, None)
+  | Type_of_c name ->
+      let ty =
+        match name with
+        | "int" -> "`Int`"
+        | "bool" -> "`Bool`"
+        | _ -> "`Float`, which is a `double`"
+      in
+      ("a lower-case name is a type variable", Some ("write this C type as " ^ ty))
+  | Several_types ->
+      ("a C function has one type", Some "import it once for each type and size that you need")
+
+let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusal) =
+  let name = declared.name.name in
+  let error format = Diagnostic.error ~code:"E0380" ~at:declared.scheme.span format in
+  match refusal with
+  | Signal_function_with_parameters ->
+      error "the foreign signal function `%s` cannot have parameters" name
+      |> Diagnostic.hint "add them to its input"
+  | Not_a_signal_function ty ->
+      error "`%s` is a foreign signal function, but `%s` is not a signal function type" name
+        (Show.ty ty)
+      |> Diagnostic.hint
+           (Printf.sprintf "declare a function without `sf`: `foreign %s :: %s = …`" name
+              (Show.ty ty))
+  | Signal_function ->
+      error "`%s` is a signal function" name
+      |> Diagnostic.hint
+           (Printf.sprintf "if it has state in C, declare it as `foreign sf %s :: …`" name)
+  | No_argument ty ->
+      error "`%s` has no argument, but a C function needs a function type" name
+      |> Diagnostic.hint (Printf.sprintf "use `() -> %s`, and call it as `%s ()`" (Show.ty ty) name)
+  | Type_classes ->
+      error "foreign declarations cannot have type classes"
+      |> Diagnostic.hint "import it once for each type that you need"
+  | Not_passed { culprit; obstacle; to_c } ->
+      let why, hint = explain obstacle in
+      error "`%s` cannot %s C a value of type `%s`" name
+        (if to_c then "give" else "take from")
+        (Show.ty culprit)
+      |> Diagnostic.note why
+      |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
+
+let imported_twice symbol ~(this : Declaration_fact.imported) ~(first : Declaration_fact.imported) =
+  Diagnostic.error ~code:"E0381" ~at:this.at "C's `%s` is imported here as `%s`" symbol
+    (Show.ty this.ty)
+  |> Diagnostic.label ~at:first.at (Printf.sprintf "and here as `%s`" (Show.ty first.ty))
+  |> Diagnostic.note "a C function has one type"

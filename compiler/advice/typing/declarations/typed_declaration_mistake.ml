@@ -1,0 +1,46 @@
+open Basis
+open Typing
+
+let scale_out_of_range (unit_ : Resolve.Ir.unit_declaration) =
+  Diagnostic.(
+    error ~code:"E0324" ~at:unit_.span "the scale of the unit `%s` is out of range"
+      unit_.unit_name.name
+    |> note "a scale must be positive, and between 1e-150 and 1e150")
+
+let param ~at name (scheme : Ir.scheme) =
+  let refuse ?hint text =
+    Diagnostic.error ~code:"E0390" ~at "%s" text
+    |> Diagnostic.note
+         "a parameter must be a number or a `Bool`, so that the command line can set it"
+    |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
+  in
+  let cannot_be = Printf.sprintf "the parameter `%s` cannot be of %s `%s`" name in
+  let ty = Show.scheme scheme in
+  match (scheme, scheme.ty) with
+  | { units = _ :: _; _ }, Number _ | { representations = _ :: _; _ }, Number _ ->
+      refuse (cannot_be "every type" ty) ~hint:"name its unit, as in `Float[1/m]`"
+  | _, (Function _ | Signal_function _) ->
+      refuse (cannot_be "type" ty)
+        ~hint:"use a number as the parameter, and let the function use it"
+  | _, (Tuple _ | Data _) ->
+      refuse (cannot_be "type" ty)
+        ~hint:"declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`"
+  | _, (Variable _ | Number _ | Bool | String | Size _) -> refuse (cannot_be "type" ty)
+
+let diagnostic words (fact : Declaration_fact.t) =
+  match fact with
+  | Scale_out_of_range unit_ -> scale_out_of_range unit_
+  | Param { at; name; scheme } -> param ~at name scheme
+  | Foreign { declared; refusal } -> Foreign_type_mistake.refused declared refusal
+  | Imported_twice { symbol; this; first } ->
+      Foreign_type_mistake.imported_twice symbol ~this ~first
+  | Method_without_variable { method_; variable } ->
+      Class_mistake.method_without_variable method_ variable
+  | Constrained_variable { constraint_; variable } ->
+      Class_mistake.constrained_variable constraint_ variable
+  | Built_in_class instance -> Class_mistake.built_in_class instance
+  | Instance_head { instance; head } -> Class_mistake.instance_head words instance head
+  | Second_instance { instance; head; first } ->
+      Class_mistake.second_instance words instance head ~first
+  | Missing_methods { instance; head; missing } ->
+      Class_mistake.missing_methods words instance head missing

@@ -1,0 +1,6 @@
+(** Messages about declarations: units ([E0324]), parameters of the program ([E0390]), and those of
+    {!Foreign_type_mistake} and {!Class_mistake}. *)
+
+open Basis
+
+val diagnostic : Typing.Show.words -> Typing.Declaration_fact.t -> Diagnostic.t
