@@ -10,6 +10,17 @@ let rec gives_task : Ir.ty -> bool = function
 
 let is_function : Ir.ty -> bool = function Function _ | Signal_function _ -> true | _ -> false
 
+(* Is it a function of numbers, and not a signal function? *)
+let takes_a_number (d : Ir.definition) =
+  let rec result : Ir.ty -> Ir.ty = function Function (_, r) -> result r | t -> t in
+  let rec parameters : Ir.ty -> Ir.ty list = function
+    | Function (p, r) -> p :: parameters r
+    | _ -> []
+  in
+  let is_number : Ir.ty -> bool = function Int -> true | _ -> false in
+  (match result d.ty with Signal_function _ -> false | _ -> true)
+  && List.exists is_number (parameters d.ty)
+
 let vertex (d : Ir.definition) =
   { name = d.name.name; span = d.span; task = gives_task d.ty; function_ = is_function d.ty }
 
@@ -60,6 +71,12 @@ let cycle cycle (cause : Fact.cause) =
   let diagnostic = cycle_diagnostic cycle in
   match cause with
   | Itself when List.for_all (fun ((d : Ir.definition), _) -> gives_task d.ty) cycle -> diagnostic
+  | Itself when List.for_all (fun (d, _) -> takes_a_number d) cycle ->
+      Diagnostic.hint
+        "for a loop over 0, 1, … up to `n`, write `foldl (\\s k -> if k <= n then s + k else s) 0 \
+         (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, \
+         0 is the first result, and 100 must be greater than `n`"
+        diagnostic
   | Itself ->
       Diagnostic.hint
         "for a value that depends on its own past, write an equation in a `proc`, with `delay`, as \

@@ -52,6 +52,25 @@ let class_ (t : Unknown.t) =
     Some Class_as_type
   else None
 
+(* `Twist { linear = v, angular = 0 }`, the command of a robot in ROS *)
+let twist (t : Unknown.t) =
+  let commands_a_robot = Visible.is_known t.module_.visible Interface.values "setVelTR" in
+  if t.namespace = Constructors && String.equal t.name.text "Twist" && commands_a_robot then
+    let written = Name_in_text.record ~text:(Unknown.text t) t.name.span in
+    let field name otherwise =
+      let value = Option.bind written (fun (_, fields) -> List.assoc_opt name fields) in
+      Option.fold value ~none:otherwise ~some:Source.grouped
+    in
+    let text =
+      Printf.sprintf "roMake (setVelTR %s %s)" (field "linear" "v") (field "angular" "omega")
+    in
+    Some
+      (Unknown.diagnostic t
+      |> Diagnostic.hint
+           (Printf.sprintf "a robot's output is a command, not a `Twist`: write `%s`" text)
+      |> Option.fold written ~none:Fun.id ~some:(fun (whole, _) -> Diagnostic.write whole text))
+  else None
+
 let of_the_library t =
   match Other_proc.of_this t with
   | Some _ -> None
@@ -80,6 +99,7 @@ let outcome suggestions (t : Unknown.t) =
       report Of_another_language.controller;
       report of_a_qualified_import;
       class_;
+      report twist;
       of_the_library;
       report Other_proc.of_this;
       report other_spelling;

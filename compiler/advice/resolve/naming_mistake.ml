@@ -61,7 +61,13 @@ let one_equation name ~before ~after =
     else if String.starts_with ~prefix:(name ^ " ") after then previous
     else Source.grouped previous
   in
+  let words =
+    String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') after)
+  in
   match Name_in_text.replaced ~name ~by after with
+  | _ when is_constant before && List.mem "delay" words && List.mem name words ->
+      Printf.sprintf
+        "remove `%s = %s`: in the other equation, `delay` has the initial value already" name before
   | Some (1, value) when starts ->
       Printf.sprintf "write one equation, in which `delay` returns the previous value: `%s = %s`"
         name value

@@ -252,8 +252,53 @@ let divided_difference ~text (span : Span.t) =
             Some (on_line span first (Span.column span.stop - 1), Source.grouped (String.trim x))
         | _ -> None)
 
-let application ~text (span : Span.t) =
+let product ~text (span : Span.t) =
   let line = line_of text span in
+  let start = Span.column span.start - 1 and stop = Span.column span.stop - 1 in
+  let is_blank = Char.equal ' ' in
+  let name from until = String.sub line from (until - from) in
+  let other_operator i = String.contains "*/^.!'" (char_at line i) in
+  let around from until =
+    (* the product must not be a part of a longer one *)
+    let before = backward is_blank line from - 1 and after = forward is_blank line until in
+    (before < 0 || not (other_operator before)) && not (other_operator after)
+  in
+  let before = backward is_blank line start - 1 and after = forward is_blank line stop in
+  if before > 0 && line.[before] = '*' then
+    let until = backward is_blank line before in
+    let from = backward is_of_a_name line until in
+    if from < until && around from stop then
+      Some (on_line span from stop, name from until, name start stop)
+    else None
+  else if char_at line after = '*' then
+    let from = forward is_blank line (after + 1) in
+    let until = forward is_of_a_name line from in
+    if from < until && around start until then
+      Some (on_line span start until, name start stop, name from until)
+    else None
+  else None
+
+let record ~text (span : Span.t) =
+  let line = line_of text span in
+  let start = forward (Char.equal ' ') line (Span.column span.stop - 1) in
+  match (char_at line start, String.index_from_opt line (min start (String.length line)) '}') with
+  | '{', Some stop -> (
+      let field text =
+        match String.split_on_char '=' text with
+        | [ name; value ] -> Some (String.trim name, String.trim value)
+        | _ -> None
+      in
+      let inside = String.sub line (start + 1) (stop - start - 1) in
+      let fields = List.map field (String.split_on_char ',' inside) in
+      match String.contains inside '{' || List.mem None fields with
+      | true -> None
+      | false ->
+          Some (on_line span (Span.column span.start - 1) (stop + 1), List.filter_map Fun.id fields)
+      )
+  | _ -> None
+
+(* The index after the bracket that closes the one at this index. *)
+let closing line i =
   let rec close i depth =
     match char_at line i with
     | '\000' -> None
@@ -261,12 +306,26 @@ let application ~text (span : Span.t) =
     | ')' | ']' -> if depth = 1 then Some (i + 1) else close (i + 1) (depth - 1)
     | _ -> close (i + 1) depth
   in
+  close i 0
+
+let in_parentheses ~text (span : Span.t) =
+  let line = line_of text span and start = Span.column span.stop - 1 in
+  if char_at line start <> '(' then None
+  else
+    Option.map
+      (fun stop ->
+        ( on_line span (Span.column span.start - 1) stop,
+          String.sub line (start + 1) (stop - start - 2) ))
+      (closing line start)
+
+let application ~text (span : Span.t) =
+  let line = line_of text span in
   let argument i =
     match char_at line i with
-    | '(' -> close i 0
+    | '(' -> closing line i
     | c when Character.is_digit c ->
         let stop = forward is_of_a_number line i in
-        if char_at line stop = '[' then close stop 0 else Some stop
+        if char_at line stop = '[' then closing line stop else Some stop
     | c when Character.is_name c -> Some (forward is_of_a_name line i)
     | _ -> None
   in

@@ -86,6 +86,17 @@ val divided_difference : text:string -> Span.t -> (Span.t * string) option
 (** The quotient [(x - y) / dt] that ends with the name [dt]: its place and [x], in parentheses if
     it needs them as an argument. *)
 
+val product : text:string -> Span.t -> (Span.t * string * string) option
+(** The product of the name and another name, if it is not a part of a longer product: its place,
+    and the two names. *)
+
+val record : text:string -> Span.t -> (Span.t * (string * string) list) option
+(** The record expression on one line that begins with this name: its place, and the names and the
+    values of its fields. *)
+
+val in_parentheses : text:string -> Span.t -> (Span.t * string) option
+(** The call [f(x, y)] of the name, without a blank: its place, and the text in parentheses. *)
+
 val application : text:string -> Span.t -> (Span.t * string list) option
 (** The application of the name to arguments on its line, each a name, a number or in parentheses:
     its place and the texts of the arguments. *)

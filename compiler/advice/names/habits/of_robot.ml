@@ -96,18 +96,33 @@ let transposed (t : Unknown.t) =
   let signature () =
     Option.value (Name_in_text.signature ~text:(Unknown.text t) t.name.span) ~default:""
   in
+  let imports_matrices =
+    List.exists
+      (fun (i : Resolve.Visible.import) -> String.equal i.module_ "Matrix")
+      t.module_.visible.imports
+  in
   if
     t.namespace = Values && String.ends_with ~suffix:"'" name
     && List.mem base (Lazy.force t.names)
-    && List.mem "Matrix" (String.split_on_char ' ' (signature ()))
+    && (imports_matrices
+       || List.exists
+            (fun word -> List.mem word (String.split_on_char ' ' (signature ())))
+            [ "Matrix"; "(Array" ])
   then
-    let text = Printf.sprintf "(transpose %s)" base in
+    let transpose = Printf.sprintf "(transpose %s)" base in
+    let at, text =
+      match Name_in_text.product ~text:(Unknown.text t) t.name.span with
+      | Some (whole, first, second) ->
+          let matrix text = if String.equal text name then transpose else text in
+          (whole, Printf.sprintf "matMul %s %s" (matrix first) (matrix second))
+      | None -> (t.name.span, transpose)
+    in
     Printf.sprintf
       "a `'` is a part of the name: for the transpose of `%s`, write `%s`, with `import Matrix`"
       base text
     |> Imports.without_imported t.module_.visible
     |> fun hint ->
-    Some (Diagnostic.hint hint (Other_meaning.diagnostic t) |> Diagnostic.write t.name.span text)
+    Some (Diagnostic.hint hint (Other_meaning.diagnostic t) |> Diagnostic.write at text)
   else None
 
 let diagnostic suggestions (t : Unknown.t) =

@@ -85,6 +85,39 @@ let new_array (t : Unknown.t) =
 
 let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name
 
+(* What a function of the library returns. *)
+let container word =
+  match word with
+  | "keyPressed" | "edge" | "edgeJust" | "falling" | "when" | "after" | "every" | "now" | "never"
+  | "tag" | "mapE" | "mergeE" | "mergeR" | "filterEvent" | "pairEvents" | "accum" | "lidar"
+  | "snapshot" ->
+      Some "Event"
+  | "sonars" | "map" | "imap" | "generate" | "zipWith" | "scanl" | "replace" | "sort" ->
+      Some "Array"
+  | "forward" | "turnBy" | "driveTo" | "ask" | "mkTask" | "timeOut" | "abortWhen" -> Some "Task"
+  | _ -> if word <> "" && word.[0] = '[' then Some "Array" else None
+
+(* The kind of container that this argument is, if it or its equation begins with a function of the
+   library that returns one. *)
+let kind_of (t : Unknown.t) argument =
+  let first text =
+    let text = String.map (fun c -> if c = '(' then ' ' else c) text in
+    List.find_opt (( <> ) "") (String.split_on_char ' ' text)
+  in
+  let right_side name =
+    let of_line line =
+      match String.index_opt line '=' with
+      | Some i when String.equal (String.trim (String.sub line 0 i)) name ->
+          Some (String.sub line (i + 1) (String.length line - i - 1))
+      | Some _ | None -> None
+    in
+    List.find_map of_line (String.split_on_char '\n' (Unknown.text t))
+  in
+  let of_head text = Option.bind (first text) container in
+  match of_head argument with
+  | Some kind -> Some kind
+  | None -> Option.bind (right_side argument) of_head
+
 (* `fmap f e` or `filter f e`, where the signature contains only one kind of container, and
    `length (filter f xs)` *)
 let of_a_container (t : Unknown.t) =
@@ -96,8 +129,16 @@ let of_a_container (t : Unknown.t) =
         String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
   in
   let containers = [ ("Array", Phrasebook.In_array); ("Event", In_event); ("Task", In_task) ] in
-  match List.filter (fun (container, _) -> List.mem container words) containers with
-  | [ (_, place) ] ->
+  let of_the_argument =
+    match application t with
+    | Some (_, [ _; argument ]) ->
+        Option.bind (kind_of t argument) (fun kind -> List.assoc_opt kind containers)
+    | Some _ | None -> None
+  in
+  match
+    (of_the_argument, List.filter (fun (container, _) -> List.mem container words) containers)
+  with
+  | Some place, _ | None, [ (_, place) ] ->
       Option.bind (Phrasebook.find place t.name.text) (fun row ->
           Option.map (fun text -> (t.name.span, text)) row.replacement)
   | _ -> None
@@ -127,9 +168,26 @@ let is_a_literal text =
   let end_ = Option.value (String.index_opt text '[') ~default:(String.length text) in
   float_of_string_opt (String.sub text 0 end_) <> None
 
+(* The dimensions in `zeros(2, 3)` or `zeros 4`; those of one element are left out. *)
+let dimensions arguments =
+  let all = List.map (fun text -> int_of_string_opt (String.trim text)) arguments in
+  if List.mem None all then None else Some (List.filter (( <> ) 1) (List.filter_map Fun.id all))
+
+(* An array of equal numbers: its elements, if they are few. *)
+let filled_with digit arguments =
+  let row x n = "[" ^ String.concat ", " (List.init n (fun _ -> x)) ^ "]" in
+  match dimensions arguments with
+  | Some [ n ] when n > 0 && n <= 8 -> Some (row digit n)
+  | Some [ n; m ] when n > 0 && m > 0 && n * m <= 16 -> Some (row (row digit m) n)
+  | Some [ _ ] -> Some (Printf.sprintf "(generate (const %s))" digit)
+  | Some [ _; _ ] -> Some (Printf.sprintf "(generate (const (generate (const %s))))" digit)
+  | Some _ | None -> None
+
 (* Rows of the phrasebook cannot express these, because the arguments decide. *)
 let by_arguments name arguments =
   match (name, arguments) with
+  | ("zeros" | "ones"), _ :: _ ->
+      filled_with (if String.equal name "zeros" then "0" else "1") arguments
   | ("constrain" | "clip" | "saturate" | "clampTo"), [ low; high; x ]
     when is_a_literal low && not (is_a_literal x) ->
       Some (Printf.sprintf "clamp %s %s %s" low high x)
@@ -141,9 +199,16 @@ let by_arguments name arguments =
       Some (Printf.sprintf "sleepT %s restingOutput" t)
   | _ -> None
 
+(* `zeros(4)` or `zeros 4` *)
+let call_or_application (t : Unknown.t) =
+  match Name_in_text.in_parentheses ~text:(Unknown.text t) t.name.span with
+  | Some (whole, inside) when List.mem t.name.text [ "zeros"; "ones" ] ->
+      Some (whole, String.split_on_char ',' inside)
+  | Some _ | None -> application t
+
 (* `zip xs ys`, with the arguments in the order of Frob *)
 let applied_in_text (t : Unknown.t) =
-  Option.bind (application t) (fun (whole, arguments) ->
+  Option.bind (call_or_application t) (fun (whole, arguments) ->
       match by_arguments t.name.text arguments with
       | Some text -> Some (whole, text)
       | None ->

@@ -14,13 +14,15 @@ let rest_of_line found offset =
 let constant_above found name =
   let first = start_of_definition found in
   let lines = String.split_on_char '\n' (between found first found.token.start.pos_bol) in
-  let prefix = name ^ " = " in
   let value line =
-    let line = String.trim line in
-    if not (String.starts_with ~prefix line) then None
+    let left, right =
+      match String.index_opt line '=' with
+      | Some i -> (String.sub line 0 i, String.sub line (i + 1) (String.length line - i - 1))
+      | None -> ("", "")
+    in
+    if not (String.equal (String.trim left) name) then None
     else
-      let n = String.length prefix in
-      let value = String.trim (String.sub line n (String.length line - n)) in
+      let value = String.trim right in
       let is_literal = function
         | '0' .. '9' | '.' | '-' | '[' | ']' | '/' | '^' | 'a' .. 'z' | 'A' .. 'Z' -> true
         | _ -> false

@@ -20,8 +20,8 @@ let cures =
       "Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to \
        run a task for each element" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
-      "a program cannot print: make the value an output, and write all outputs to a file with \
-       `--record`" );
+      "a program cannot print, so remove this line: `frobc run` prints the result of a task at its \
+       end; for other values, make them outputs, and write all outputs to a file with `--record`" );
     ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
     ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],

@@ -25,6 +25,25 @@ let own_equation sources h e =
     (Printf.sprintf "to run it at every instant, add the equation %s, and write `%s` here"
        (equation sources h e) (signal h))
 
+(* A hint for an integral that pauses while the branch is not chosen. *)
+let paused sources condition h input =
+  match (head_name h, condition) with
+  | Some "integral", Some ({ test; chosen_if } : Level_fact.condition) -> (
+      match (quote sources test, quote sources input) with
+      | Some test, Some input ->
+          let input = if String.contains input '$' then Source.grouped input else input in
+          let rate =
+            if chosen_if then Printf.sprintf "if %s then %s else 0" test input
+            else Printf.sprintf "if %s then 0 else %s" test input
+          in
+          Diagnostic.hint
+            (Printf.sprintf
+               "to pause it while this branch is not chosen, write `integral (%s)` in place of the \
+                whole `if`"
+               rate)
+      | _ -> Fun.id)
+  | _ -> Fun.id
+
 (* A hint for restarting the signal function whenever the branch is chosen. *)
 let anew sources condition h input =
   let resets ({ test; chosen_if } : Level_fact.condition) =
@@ -142,6 +161,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
     | Depends_on_start | Lifted ->
         Diagnostic.here "its output depends on when it started" d
         |> own_equation sources head e |> anew sources condition head input
+        |> paused sources condition head input
     | Bound_here x ->
         bound x d
         |> Diagnostic.hint

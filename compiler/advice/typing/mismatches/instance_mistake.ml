@@ -181,6 +181,13 @@ let output_of_numbers fact =
                 with `roMake (setVelTR v omega)`"))
   | _ -> None
 
+(* `Twist { linear = v, angular = 0 }`, the command of a robot in ROS *)
+let twist fact =
+  match fact.lack.lacking with
+  | Declared { name = "RobotOutput" | "DiffDrive"; _ } ->
+      Option.map Diagnostic.hint (Output_mistake.hint_for_a_twist fact.words fact.lack.culprit)
+  | _ -> None
+
 (* Is this a type of a library module, and so never the programmer's own robot output? *)
 let is_of_the_library (t : Ir.Global.t) =
   List.mem t.module_
@@ -442,6 +449,7 @@ let rules =
     several_outputs;
     output_with_an_event;
     output_of_numbers;
+    twist;
     own_output;
     two_outputs;
     task;

@@ -34,10 +34,21 @@ let with_each fact =
       Printf.sprintf "(\\x -> x %s %s) %s" operator b a)
     (arithmetic fact.expected)
 
-(* The type of the second operand, if it is a local name. *)
+(* The type of the second operand, if it is a local name, or a function with all its arguments. *)
 let second_operand fact =
+  let rec result arguments t =
+    match (arguments, Type.expand t) with
+    | [], _ -> Some t
+    | _ :: rest, Function (_, r) -> result rest r
+    | _ :: _, _ -> None
+  in
   let type_of (e : Resolve.Ir.expr) =
     match e.desc with
+    | Apply { style = Juxtaposed; _ } -> (
+        match Resolve.Walk.application e with
+        | { desc = Global g; _ }, arguments ->
+            Option.bind (Show.declared_type fact.words g) (result arguments)
+        | _ -> None)
     | Local x -> (
         match List.assoc_opt x.name (Show.inputs fact.words) with
         | Some t -> Some t

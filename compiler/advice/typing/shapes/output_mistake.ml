@@ -18,6 +18,14 @@ let is_output t =
   | Data { tycon; _ } -> String.ends_with ~suffix:"Output" tycon.name
   | _ -> false
 
+let hint_for_a_twist words t =
+  match (Type.expand t, Show.fields words t) with
+  | Data { tycon = { name = "Twist"; _ }; _ }, Some (_, fields) when List.mem "linear" fields ->
+      Some
+        "a robot's output is a command, not a `Twist`: write `roMake (setVelTR v omega)`, where \
+         `v` is the `linear` velocity and `omega` the `angular` one"
+  | _ -> None
+
 let rec is_of_a_capability (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head; style = Juxtaposed; _ } -> is_of_a_capability head
@@ -151,3 +159,8 @@ let statement (fact : Shape_fact.t) =
               output output)
       |> Option.some
   | _ -> None
+
+let twist (fact : Shape_fact.t) =
+  if is_output fact.expected.ty then
+    Option.map (Shape_fact.hinted fact) (hint_for_a_twist fact.words fact.found)
+  else None

@@ -19,3 +19,9 @@ val statement : Shape_fact.rule
 
 val hint_without_instance : Type.t -> string option
 (** The hint for a type without an instance of [RobotOutput], where an output is required. *)
+
+val hint_for_a_twist : Show.words -> Type.t -> string option
+(** The hint for a [Twist] of ROS in place of a robot's output. *)
+
+val twist : Shape_fact.rule
+(** A [Twist] of ROS in place of a robot's output. *)

@@ -32,6 +32,7 @@ let of_functions =
   [
     Conversion_mistake.capital_choice;
     Output_mistake.statement;
+    Output_mistake.twist;
     Output_mistake.not_made;
     Output_mistake.speeds;
     Array_mistake.extreme;

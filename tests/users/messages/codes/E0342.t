@@ -11,5 +11,6 @@
     |
     = hint: to run it at every instant, add the equation `integralNow = integral v`, and write `integralNow` here
     = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v, edge b)`
+    = hint: to pause it while this branch is not chosen, write `integral (if b then v else 0)` in place of the whole `if`
   
   1 error

@@ -138,6 +138,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |
     = hint: to run it at every instant, add the equation `integralNow = integral v`, and write `integralNow` here
     = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v, edge moving)`
+    = hint: to pause it while this branch is not chosen, write `integral (if moving then v else 0)` in place of the whole `if`
   
   1 error
   # 013_timer_in_a_case.frob
@@ -369,7 +370,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   8 |       then sleepT 1[s] (roMake (setVelTR (-0.2[m/s]) 0))
     |                                                         ^
     |
-    = hint: add an `else`: every `if` has a value; in the `do` of a task, write `else return ()`, or `whenT` instead of `if`
+    = hint: add an `else`: every `if` has a value; in the `do` of a task, write `else return True` if the task after `then` returns a `Bool`, as `forward` and `turnBy` do, or `else return ()` if it returns nothing
   
   1 error
   # 032_task_ends_with_bind.frob
@@ -769,7 +770,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                         `factorial` uses `factorial` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = hint: for a loop over 0, 1, … up to `n`, write `foldl (\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, 0 is the first result, and 100 must be greater than `n`
   
   1 error
   # 067_if_between_commands.frob
@@ -908,7 +909,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print: make the value an output, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; for other values, make them outputs, and write all outputs to a file with `--record`
   
   1 error
   # 080_and_word.frob

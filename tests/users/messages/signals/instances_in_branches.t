@@ -39,6 +39,7 @@ For stateful code, the program must state which of two meanings it has.
     |
     = hint: to run it at every instant, add the equation `integralNow = integral v`, and write `integralNow` here
     = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v, edge (b && v > w))`
+    = hint: to pause it while this branch is not chosen, write `integral (if b && v > w then v else 0)` in place of the whole `if`
   
   error[E0342]: `integral` is run in a branch
    --> remembers.frob:3:44
@@ -48,6 +49,7 @@ For stateful code, the program must state which of two meanings it has.
     |
     = hint: to run it at every instant, add the equation `integralNow = integral $ v + w`, and write `integralNow` here
     = hint: to restart it whenever this branch is chosen, write `integralNow = resetOn integral (v + w, edge (not (b && v > w)))`
+    = hint: to pause it while this branch is not chosen, write `integral (if b && v > w then 0 else v + w)` in place of the whole `if`
   
   error[E0342]: `after'` is run in a branch
    --> remembers.frob:4:40
