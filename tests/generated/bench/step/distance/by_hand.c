@@ -13,13 +13,6 @@ static inline double limit(double most, double y)
     return isnan(y) ? y : high > -largest ? high : -largest;
 }
 
-/* Limits y to ±0.5; NaN if it is NaN. */
-static inline double limit_speed(double y)
-{
-    const double high = y > 0.5 ? 0.5 : y;
-    return high < -0.5 ? -0.5 : high;
-}
-
 void by_hand_reset(struct by_hand *self)
 {
     self->side_before = 0.0;
@@ -35,7 +28,7 @@ void by_hand_step(struct by_hand *self, int64_t dt_ns, double dt, const struct d
     if (dt > 0.0)
         self->slope = (side - self->side_before) / dt;
     self->side_before = side;
-    out->f1 = limit_speed(front - 0.6);
+    out->f1 = limit(0.5, front - 0.6);
     out->f2 = limit(sin_theta_max * v_curr, side - 0.6) - self->slope;
 }
 

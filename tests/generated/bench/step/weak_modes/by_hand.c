@@ -1,11 +1,13 @@
 #include "by_hand.h"
 #include "time_by_hand.h"
 
+#include <math.h>
+
 /* Limits y to ±most; NaN if y is NaN. */
 static inline double limit(double most, double y)
 {
-    const double high = y > most ? most : y;
-    return high < -most ? -most : high;
+    const double high = y < most ? y : most;
+    return isnan(y) ? y : high > -most ? high : -most;
 }
 
 void by_hand_reset(struct by_hand *self)
