@@ -29,7 +29,7 @@ A constant index outside the array is an error:
     |                   |
     |                   this is `Array 3 Float`
     |
-    = hint: the indices are from 0 to 2
+    = hint: the first element is `xs ! 0`, the last `xs ! 2`; check the other indices too
   
   1 error
   [1]

@@ -38,7 +38,7 @@ let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
               "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
               (Source.grouped index))
 
-let outside ~(array : expr) ~(index : expr) value ~size =
+let outside sources ~(array : expr) ~(index : expr) value ~size =
   let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
   match size with
   | Some n ->
@@ -46,6 +46,14 @@ let outside ~(array : expr) ~(index : expr) value ~size =
       |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
       |> Diagnostic.hint
            (if n = 1 then "its only element has the index 0"
-            else Printf.sprintf "the indices are from 0 to %d" (n - 1))
+            else
+              let array =
+                match Source.quote sources array.span with
+                | Some text when String.length text < 40 -> text
+                | Some _ | None -> "xs"
+              in
+              Printf.sprintf "the first element is `%s ! 0`, the last `%s ! %d`%s" array array
+                (n - 1)
+                (if value = n then "; check the other indices too" else ""))
   | None ->
       error "index %d is outside of every array" value |> Diagnostic.hint "the indices start at 0"

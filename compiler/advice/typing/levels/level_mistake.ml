@@ -127,4 +127,5 @@ let diagnostic sources (fact : Level_fact.t) =
   | Recursive { variable; use } -> recursive variable use
   | Index_not_constant { index; array; problem } ->
       Index_mistake.not_constant sources ?array index problem
-  | Index_outside { array; index; value; size } -> Index_mistake.outside ~array ~index value ~size
+  | Index_outside { array; index; value; size } ->
+      Index_mistake.outside sources ~array ~index value ~size

@@ -497,7 +497,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                 |
     |                                 this is `Array 4 Float[m]`
     |
-    = hint: the indices are from 0 to 3
+    = hint: the first element is `ds ! 0`, the last `ds ! 3`; check the other indices too
   
   1 error
   # 043_index_computed.frob
