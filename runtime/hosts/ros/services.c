@@ -25,7 +25,7 @@
 #include "messages.h"
 #include "parts.h"
 
-enum { REASON = 1000 };
+enum { REASON = 1000, QUEUED = 10 };
 
 static bool assign(rosidl_runtime_c__String *string, const char *text)
 {
@@ -345,6 +345,8 @@ const char *services_start(struct services *s, const rcl_node_t *node, int socke
     pthread_mutex_init(&s->lock, NULL);
     options.qos = rmw_qos_profile_parameters;
     events.qos = rmw_qos_profile_parameter_events;
+    /* The profiles keep 1000 requests and events, for which Fast DDS allocates memory. */
+    options.qos.depth = events.qos.depth = QUEUED;
     for (size_t i = 0; i < SERVICES; i++) {
         s->each[i] = rcl_get_zero_initialized_service();
         if (rcl_service_init(&s->each[i], node, table[i].type(), table[i].name, &options) !=
