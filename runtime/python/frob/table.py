@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes as c
 
-ABI = 12
+ABI = 14
 SYMBOL = "frob_program"
 
 BOOL, INT, FLOAT, SINGLE, ROUNDED, PRODUCT, SUM, ARRAY, IMAGE = range(9)
@@ -49,6 +49,7 @@ class Control(c.Structure):
         ("most", c.c_double),
         ("first", c.c_double),
         ("value", c.POINTER(Value)),
+        ("place", c.c_char_p),
     ]
 
 
