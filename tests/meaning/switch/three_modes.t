@@ -117,6 +117,11 @@ In C, the running mode takes a step and its event is tested; only then is an out
       self->started = true;
       three_modes_step_ns(self, dt_ns, (double)dt_ns / 1e9, in, out);
   }
+  
+  bool three_modes_is_valid(const struct three_modes_state *self)
+  {
+      return self->mode <= THREE_MODES_TURN_AWAY;
+  }
 
 The C has no warnings, also for delayed switches and sums.
 
