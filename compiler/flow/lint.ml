@@ -200,7 +200,7 @@ let instance scope names (i : Ir.instance) =
   check_all scope "an output" outputs (List.map (fun s -> Ir.Signal s) i.outputs);
   let trial (t : Ir.trial) =
     if List.compare_lengths t.given i.inputs <> 0 then
-      bug "a trial of `%s` in `%s` gets a wrong number of inputs" i.name scope.node.name;
+      bug "a trial of `%s` in `%s` receives the wrong number of inputs" i.name scope.node.name;
     let is_output (s : Ir.signal) = List.exists (fun (o : Ir.signal) -> o.id = s.id) i.outputs in
     if not (List.for_all is_output t.gives) then
       bug "a trial of `%s` in `%s` returns a value that is not an output" i.name scope.node.name

@@ -537,7 +537,7 @@ let () =
     match Build.Streams.output_fault () with
     | None -> status
     | Some reason ->
-        Printf.eprintf "error: cannot write standard output: %s\n" reason;
+        Printf.eprintf "error: cannot write to standard output: %s\n" reason;
         if status = Build.Exit_status.ok then Build.Exit_status.wrong_use else status
   in
   Build.Streams.drop_unwritable ();

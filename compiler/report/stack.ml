@@ -17,7 +17,7 @@ let word = 8
    saved registers. *)
 let fixed = 5 * word
 
-(* Maximum stack of a helper of the generated C, including its callees. *)
+(* Maximum stack usage of a helper function in the generated C, including its callees. *)
 let helper = 12 * word
 
 (* Number of arguments that are certainly passed in registers. *)

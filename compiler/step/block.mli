@@ -20,7 +20,7 @@ val run : int -> t -> t
 (** The given number of equal members, one after another. *)
 
 val of_members : t list -> int list * t
-(** The offsets of a struct's members, and the struct as a whole. *)
+(** The offsets of a struct's members, and the size and alignment of the whole struct. *)
 
 val of_alternatives : t list -> t
 (** The union of these members. *)

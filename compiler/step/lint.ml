@@ -305,7 +305,8 @@ let rec statement c depth known (s : Ir.statement) =
       readable known variable
   | Assign { place; value; _ } -> assign c known place (expr c known value)
   | If { uninitialized; condition; then_; else_; _ } ->
-      if depth > Placement.nesting + Usage.update_depth then bug "`%s` nests too deep" c.node.name;
+      if depth > Placement.nesting + Usage.update_depth then
+        bug "`%s` is nested too deeply" c.node.name;
       expect c "a condition" Bool (expr c known condition);
       List.iter (declare c) uninitialized;
       let pending =

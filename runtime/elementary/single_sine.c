@@ -72,9 +72,8 @@ static uint32_t square_of(struct scaled rest)
     return high(y, y);
 }
 
-/* Polynomials in the square z of the remainder y, found by interpolation at Chebyshev points and
- * close to the best of their degree: for (1 - sin(y)/y)/z with an error below 2^-44, for (1 -
- * cos(y))/z below 2^-41. */
+/* Near-minimax polynomials in z, the square of the remainder y, from interpolation at Chebyshev
+ * points. The error is below 2^-44 for (1 - sin(y)/y)/z, and below 2^-41 for (1 - cos(y))/z. */
 static struct scaled sine_of_rest(struct scaled rest)
 {
     uint32_t const z = square_of(rest);

@@ -190,7 +190,7 @@ struct OutageSettings {
     double every = 0.0; // s between the starts of outages; 0: only one
 };
 
-// The measurement in the summary: following a wall, tape on the floor, or a ball.
+// What the summary measures: how well the robot follows a wall, tape on the floor, or a ball.
 struct MeasureSettings {
     enum class What { wall, tape, ball };
     enum class Side { left, right };

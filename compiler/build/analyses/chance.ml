@@ -28,7 +28,7 @@ let at_most k n p =
   if p <= 0. then 1.
   else if p >= 1. then if k >= n then 1. else 0.
   else
-    (* Each term is computed from the previous one, as a logarithm. *)
+    (* Computes the logarithm of each term from that of the previous term. *)
     let sum = ref 0. and term = ref (float_of_int n *. log1p (-.p)) in
     let odds = log p -. log1p (-.p) in
     for i = 0 to k do

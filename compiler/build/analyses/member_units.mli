@@ -7,4 +7,4 @@
 
 val of_program :
   resolved:Resolve.Ir.program -> Typing.Ir.program -> Typing.Ir.definition -> Cgen.Units.t
-(** The definition is the entry as written in the source. *)
+(** The definition is the program's entry, as the source declares it. *)

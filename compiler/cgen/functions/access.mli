@@ -9,8 +9,8 @@ val for_each :
   Interface.step list ->
   (Ir.expr list -> Ir.statement list) ->
   Ir.statement list
-(** Generates loops over all enclosing arrays. The function generates their body from the indices.
-*)
+(** Generates nested loops over all enclosing arrays. The given function generates the body from the
+    loop indices. *)
 
 val clear : Expression.names -> Interface.step list -> Ir.expr -> Ir.statement list
 (** Sets the place to 0, in all elements of the enclosing arrays. *)

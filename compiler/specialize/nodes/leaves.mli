@@ -6,7 +6,7 @@ val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flo
 (** The leaves of a value of a closed first-order type. Known constructors become equations. *)
 
 val known : Types.table -> Core.Ir.ty -> Value.t -> Flow.Ir.atom option list
-(** For each leaf its atom, or [None] if obtaining the atom requires an additional equation. *)
+(** The atom of each leaf, or [None] if obtaining it requires an additional equation. *)
 
 val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom
 (** The atom of a value whose type has a single leaf. *)

@@ -25,7 +25,7 @@ let operator_weight : F.operator -> int = function
   | Elementary Sqrt -> 5
   | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2) | Pow -> 20
 
-let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of operands"
+let one = function [ e ] -> e | _ -> broken "an operation with the wrong number of operands"
 
 (* Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is
    kept, because it tests for NaN. *)

@@ -242,8 +242,8 @@ let module_text c ~module_ ~type_ =
     Printf.sprintf "import %s (%s)\n" module_ (String.concat ", " (List.sort compare names))
   in
   Printf.sprintf
-    "-- The message %s, by `frobc ros2 import`.\n\
-     -- You can edit this file: remove fields, and change units and the sizes of sequences.\n\
+    "-- Generated from the message %s by `frobc ros2 import`.\n\
+     -- You can edit this file: remove fields, or change units and the sizes of sequences.\n\
      module %s where\n\n\
      %s\n\
      %s"

@@ -116,7 +116,7 @@ bool streams_flush(void)
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout))
         return true;
-    fprintf(stderr, "error: cannot write standard output: %s\n",
+    fprintf(stderr, "error: cannot write to standard output: %s\n",
             errno != 0 ? strerror(errno) : "an error before");
     return false;
 }

@@ -84,7 +84,7 @@ int64_t run_program_ns(const struct run *s, int64_t now);
 
 bool run_follows_our_clock(const struct run *s, int64_t now);
 
-/* Writes a line to the standard error, unless the run is to be silent. */
+/* Writes a line to standard error, unless the run is silent. */
 void run_tell(const struct run *s, const char *format, ...);
 
 /* Ends the run with this exit status. Only the first cause is reported. */

@@ -117,7 +117,7 @@ as signal functions.
   22 | i b = if b then return 1[m] else sleepT 1[s] 2
      |                 ^^^^^^^^^^^
      |
-     = hint: to drop the result of this task, write `mapT (const ()) (return 1[m])`, or, in a `do`, `return ()` below it
+     = hint: to drop the result of this task, write `mapT (const ()) (return 1[m])`; in a `do`, you can also write `return ()` below it
   
   error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
     --> mistakes.frob:23:36
@@ -127,7 +127,7 @@ as signal functions.
      |                 |
      |                 this branch is `Task a n[1] ()`
      |
-     = hint: to drop the result of this task, write `mapT (const ()) (return 1[m])`, or, in a `do`, `return ()` below it
+     = hint: to drop the result of this task, write `mapT (const ()) (return 1[m])`; in a `do`, you can also write `return ()` below it
   
   error[E0301]: expected a task with the output a number, but this one has the output `Bool`
     --> mistakes.frob:26:4

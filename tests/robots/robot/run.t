@@ -107,7 +107,7 @@ descriptors, to which text would be printed.
   $ ./drive --device ./line --for 0.3 --progress --console <&- >&- 2>&-
   [2]
   $ ./drive --device ./line --for 0.3 > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ end_robot
 

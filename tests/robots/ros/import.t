@@ -34,8 +34,8 @@ definitions of the installed packages.
   $ frobc ros2 import base_msgs/Wheels --most 8
   WheelsMsg.frob: import it with `import WheelsMsg`
   $ cat WheelsMsg.frob
-  -- The message base_msgs/msg/Wheels, by `frobc ros2 import`.
-  -- You can edit this file: remove fields, and change units and the sizes of sequences.
+  -- Generated from the message base_msgs/msg/Wheels by `frobc ros2 import`.
+  -- You can edit this file: remove fields, or change units and the sizes of sequences.
   module WheelsMsg where
   
   import Geometry (Point3, Vec3)

@@ -187,19 +187,19 @@ A write error is reported, and is not a fault of frobc itself. A run whose resul
 has failed. A rejected program is reported as rejected, whether or not somebody reads the reason.
 
   $ frobc explain E0205 > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ frobc compile good.frob --dump=c > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ frobc header scout >&-
-  error: cannot write standard output: Bad file descriptor
+  error: cannot write to standard output: Bad file descriptor
   [2]
   $ frobc run rest.frob --for 1s > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ frobc serve --robot pioneer > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ frobc check bad.frob 2> /dev/full
   [1]

@@ -287,7 +287,7 @@ Read and write errors are reported.
   error: cannot read standard input: Is a directory
   [2]
   $ printf 'x=1\n' | frobc format - > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]
   $ printf 'x=%0900d\n' 1 > large.frob && cp large.frob before
   $ (ulimit -f 0; frobc format large.frob 2>&1) | cat; cmp large.frob before; ls -A | grep '^\.frobc'

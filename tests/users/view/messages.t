@@ -120,5 +120,5 @@ A port that is in use, and an invalid one:
 If the address cannot be printed:
 
   $ frobc view --print run.csv way.frob > /dev/full
-  error: cannot write standard output: No space left on device
+  error: cannot write to standard output: No space left on device
   [2]

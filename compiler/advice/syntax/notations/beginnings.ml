@@ -27,9 +27,9 @@ let cures =
     ( [ "extern" ],
       "declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> \
        Float = \"cbrt\"`" );
-    ( [ "pass"; "break"; "continue"; "global"; "nonlocal" ],
-      "remove this line: Frob has no loops to leave, and every name can be used where it is defined"
-    );
+    ([ "pass"; "break"; "continue" ], "remove this line: Frob has no loops to leave");
+    ( [ "global"; "nonlocal" ],
+      "remove this line: an equation may use every name of the module without a declaration" );
     ([ "using"; "namespace" ], "import names from a module, as in `import Control`");
   ]
 

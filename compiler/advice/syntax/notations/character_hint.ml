@@ -536,10 +536,10 @@ let of_character ~text ~at character =
   match (character, symbol text at character) with
   | _, Some (instead, hint) -> both hint instead
   | "'", None when in_quotes text at <> None ->
-      only (Printf.sprintf "put a text in double quotes: `\"%s\"`" (Option.get (in_quotes text at)))
-  | "'", None when char_at text (at + 2) = '\'' -> only "put a text in double quotes"
+      only (Printf.sprintf "put text in double quotes: `\"%s\"`" (Option.get (in_quotes text at)))
+  | "'", None when char_at text (at + 2) = '\'' -> only "put text in double quotes"
   | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
-      only "put a text in double quotes, an infix name in backticks, as in ``x `mod` 2``"
+      only "put text in double quotes, an infix name in backticks, as in ``x `mod` 2``"
   | "'", None -> only "put an infix name in backticks, as in ``x `mod` 2``"
   | ":", None when next = '=' -> only "write an equation with `=`"
   | ":", None -> of_colon text at
@@ -577,7 +577,7 @@ let of_character ~text ~at character =
   | "%", None when ends_in_words text at || ends_in_a_new_word text at ->
       both "write `--` to start a comment" "--"
   | "%", None -> only "use ``x `mod` y`` for the remainder; 20 percent of x is `0.2 * x`"
-  | ("\u{201c}" | "\u{201d}"), None -> only "put a text in double quotes"
+  | ("\u{201c}" | "\u{201d}"), None -> only "put text in double quotes"
   | _, None when String.length character > 1 ->
       only "use only `a`–`z`, `A`–`Z`, digits, `_` and `'` in names"
   | _, None -> { hint = None; instead = None }

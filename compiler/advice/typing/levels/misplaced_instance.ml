@@ -157,7 +157,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
               continue"
         |> Diagnostic.hint
              "to change what runs after an event, use `switch (proc x -> (output, event)) (\\_ -> \
-              …)`, whose last part may be this signal function again"
+              …)`; replace `…` by the signal function to run next, which may be this one"
     | Depends_on_start | Lifted ->
         Diagnostic.here "its output depends on when it started" d
         |> own_equation sources head e |> anew sources condition head input

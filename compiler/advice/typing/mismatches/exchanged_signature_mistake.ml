@@ -56,12 +56,19 @@ let in_wrong_order sources
   |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits
 
 (* The definition may be wrong instead, so its message stays. *)
-let with_hint ({ name; edits; text; _ } : Signature_fact.t) (d : Diagnostic.t) =
+let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnostic.t) =
   let is_of_a_signature text =
     String.starts_with ~prefix:"if this is the right result, write the signature as" text
   in
   let signature = Printf.sprintf "%s :: %s" name text in
-  if d.hints <> [] && not (List.exists is_of_a_signature d.hints) then d
+  (* Another formula is a better explanation than parameters in the wrong order. *)
+  let keeps =
+    match kind with
+    | Parameters _ -> not (List.for_all is_of_a_signature d.hints)
+    | Input_and_output | Elements | Parameter_and_result ->
+        d.hints <> [] && not (List.exists is_of_a_signature d.hints)
+  in
+  if keeps then d
   else
     { d with hints = List.filter (fun h -> not (is_of_a_signature h)) d.hints }
     |> Diagnostic.hint

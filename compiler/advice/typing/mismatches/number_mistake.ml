@@ -310,6 +310,12 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
 (* `n > 50[px]`, where the other operand has no unit. *)
 let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, _) d =
   match (expected.because, Option.bind subject (literal words)) with
+  | Operand { other; other_type; _ }, Some { digits; unit_ = Some _; at; _ }
+    when d.hints = [] && Units.equal wanted Units.one
+         && String.equal (Show.type_ words other_type) "Angle" ->
+      let text = digits ^ "[rad]" in
+      let name = Option.value (Show.quote words other.span) ~default:"the other operand" in
+      hint (Printf.sprintf "`%s` is an angle: write `%s`" name text) d |> write at text
   | Operand { other; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
       (match Show.quote words other.span with
@@ -359,6 +365,7 @@ let likely words ~subject ~expected units =
       (fun () -> Formula_mistake.rounded words ~subject units);
       (fun () -> Formula_mistake.rate_for_angle words ~subject units);
       (fun () -> Formula_mistake.gain_of_rate words ~subject ~expected units);
+      (fun () -> Formula_mistake.upside_down words ~subject units);
       (fun () -> Formula_mistake.opposite words ~subject units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
       (fun () -> Distant_number.chosen words ~subject ~expected units);

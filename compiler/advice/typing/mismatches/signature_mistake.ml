@@ -84,7 +84,8 @@ let general_type words ~at (r : Type.rigid) t =
   too_general words ~at ~kind ~instead r.variable
     (Printf.sprintf "it to be %s" (Show.described words t))
 
-(* The power that was meant by a name such as `s2` in brackets, which is parsed as a variable. *)
+(* The power (`s^2`) that the user probably meant by a name such as `s2` in a unit. The parser reads
+   `s2` as a variable. *)
 let power_meant (variable : Ir.variable) =
   match variable.name with
   | "m2" | "m3" | "s2" | "s3" | "g2" ->

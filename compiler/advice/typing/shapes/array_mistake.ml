@@ -227,7 +227,8 @@ let of_another_size fact =
                      (found_text fact)
                | _ ->
                    Printf.sprintf
-                     "this has %d elements: write that many in the type, %s, or change the elements"
+                     "this has %d elements: change the size in its type, %s, or add or remove \
+                      elements"
                      given (found_text fact))
            | _ -> "use `take` or `drop` to change the size of an array; its type gives the new size")
       |> Option.some

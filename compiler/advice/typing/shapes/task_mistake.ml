@@ -341,8 +341,8 @@ let of_another_result fact result result' =
   let nothing t = Type.expand t = Type.Tuple [] in
   if nothing result then
     Printf.sprintf
-      "to drop the result of %s task, write `mapT (const ()) %s`, or, in a `do`, `return ()` below \
-       it"
+      "to drop the result of %s task, write `mapT (const ()) %s`; in a `do`, you can also write \
+       `return ()` below it"
       (match raw fact "" with "" -> "the" | _ -> "this")
       (grouped fact "t")
   else if returns_nothing then

@@ -9,7 +9,7 @@ val function_of_the_input : Shape_fact.rule
 (** A statement that is a function, which may be applied to the robot's input. *)
 
 val statement_without_task : Shape_fact.rule
-(** A statement of a [do] that is a value. *)
+(** A statement of a [do] whose expression is a value, not a task. *)
 
 val of_an_array : Shape_fact.rule
 (** An array of tasks in place of a task. *)

@@ -91,16 +91,33 @@ let of_events fact =
   else None
 
 (* The hint for `not x > 0`. *)
-let hint_to_group name operator =
+let hint_to_group ~left name operator =
   Printf.sprintf
-    "put parentheses around the argument, because application binds tighter than `%s`: `%s (… %s \
+    "put parentheses around the argument, because application binds tighter than `%s`: `%s (%s %s \
      …)`"
-    operator name operator
+    operator name left operator
 
 let grouped_with_an_argument fact =
   match (fact.wanted, fact.expected.because) with
   | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
-      Some (no_truth fact (hint_to_group name operator))
+      Some (no_truth fact (hint_to_group ~left:(raw fact "…") name operator))
+  | _ -> None
+
+(* `when frontSonar i < 1[m]`, whose `when` has two arguments *)
+let part_of_a_comparison fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | ( Bool,
+      Signal_function _,
+      Parameter { callee = Some name; takes = 1; position = 1; given = _ :: _ :: _ as given; _ } )
+    ->
+      let texts =
+        List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) given
+        |> List.map (Option.value ~default:"…")
+      in
+      Some
+        (no_truth fact
+           (Printf.sprintf "put parentheses around the whole argument of `%s`: `%s (%s …)`" name
+              name (String.concat " " texts)))
   | _ -> None
 
 let equal_to_a_truth fact =
@@ -119,7 +136,9 @@ let equal_to_a_truth fact =
 let grouped_with_an_operand fact =
   match (fact.wanted, fact.expected.because) with
   | Bool, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ } ->
-      Option.map (fun name -> no_truth fact (hint_to_group name operator)) (Plain_name.of_head head)
+      Option.map
+        (fun name -> no_truth fact (hint_to_group ~left:"…" name operator))
+        (Plain_name.of_head head)
   | _ -> None
 
 let compared fact =

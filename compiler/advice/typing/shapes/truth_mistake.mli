@@ -6,6 +6,9 @@ val condition : Shape_fact.rule
 val of_events : Shape_fact.rule
 (** A Boolean operator that is applied to an event. *)
 
+val part_of_a_comparison : Shape_fact.rule
+(** [when frontSonar i < 1[m]], where the parentheses around the comparison are missing. *)
+
 val grouped_with_an_argument : Shape_fact.rule
 (** [not x > 0], in which [not] is applied only to [x]. *)
 

@@ -294,6 +294,29 @@ let opposite words ~subject (wanted, given) =
         (Formula.grouped words argument)
   | _ -> None
 
+(* `radius / speed` where the unit of `speed / radius` is expected *)
+let upside_down words ~subject (wanted, given) =
+  let is_inverse u v = Units.equal (Units.multiply u v) Units.one in
+  match Option.bind subject Formula.binary with
+  | Some ("/", a, b)
+    when closed (wanted, given)
+         && is_inverse wanted given
+         && (not (Units.equal wanted Units.one))
+         && Bare_number.literal words a = None -> (
+      match (Formula.as_factor words a, Formula.as_factor words b) with
+      | Some a, Some b ->
+          let quotient = Printf.sprintf "%s / %s" b a in
+          let whole = (Option.get subject).span in
+          Some
+            (fun d ->
+              hint
+                (Printf.sprintf "the quotient the other way round has the unit `%s`: `%s`"
+                   (Show.measure words wanted) quotient)
+                d
+              |> write whole quotient)
+      | _ -> None)
+  | _ -> None
+
 (* {1 A quantity and its rate} *)
 
 let rate words ~subject ~(expected : Expected.t) (wanted, given) =

@@ -46,6 +46,13 @@ val opposite :
   (Diagnostic.t -> Diagnostic.t) option
 (** [integral x] where the unit of [derivative x] is expected, or the other way round. *)
 
+val upside_down :
+  Show.words ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** [a / b] where the unit of [b / a] is expected. *)
+
 val rounded :
   Show.words ->
   subject:Resolve.Ir.expr option ->

@@ -262,7 +262,8 @@ let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
 let rec literals words (e : Resolve.Ir.expr) =
   match e.desc with
   | Number _ -> Option.to_list (Bare_number.literal words e)
-  | Negate e | Lambda { body = e; _ } -> literals words e
+  | Negate e | Lambda { body = e; _ } | Proc { body = { output = e; _ }; _ } -> literals words e
+  | If { then_; else_; _ } -> literals words then_ @ literals words else_
   | Tuple es | Array es -> List.concat_map (literals words) es
   | Apply { head; argument; style = Juxtaposed } -> (
       match head.desc with
@@ -287,13 +288,18 @@ let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
     if Units.is_open wanted || Units.is_open given then []
     else Option.fold subject ~none:[] ~some:(scaled words)
   in
+  let is_bare (n : Bare_number.t) = n.unit_ = None && n.name = None in
+  let is_decimal (n : Bare_number.t) = is_bare n && String.contains n.digits '.' in
   if constants <> [] then Some (fun d -> List.fold_left (give words (wanted, given)) d constants)
+  else if (not (is_one given)) || Units.is_open wanted then None
   else
-    match Option.map (literals words) subject with
-    | Some [ ({ unit_ = None; name = None; _ } as number) ]
-      when is_one given && not (Units.is_open wanted) ->
+    let literals = Option.fold subject ~none:[] ~some:(literals words) in
+    match (literals, List.filter is_decimal literals) with
+    | [ number ], _ when is_bare number ->
         Some (Bare_number.give words number (Show.measure words wanted))
-    | Some _ | None -> None
+    (* an integer is more likely to count something *)
+    | _, [ number ] -> Some (Bare_number.give words number (Show.measure words wanted))
+    | _, _ -> None
 
 (* `v * r` in place of `v / r`, for an input or a parameter [r]. *)
 let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =

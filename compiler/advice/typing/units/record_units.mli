@@ -11,4 +11,5 @@ val completed :
   Environment.constructor ->
   Expected.completed ->
   (string * (Span.t * string) list) option
-(** The hint that shows the whole record with a unit after each number, and its edits. *)
+(** A hint that shows the whole record with a unit after each number, and the edits that apply the
+    hint. *)

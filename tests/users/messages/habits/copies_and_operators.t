@@ -162,5 +162,5 @@ A loop without an end, and the result of a task:
   > main = reactimateTask (watching step)
   > FROB
   $ frobc check dropped.frob 2>&1 | grep hint
-    = hint: to drop the result of this task, write `mapT (const ()) (turnBy 180[deg])`, or, in a `do`, `return ()` below it
+    = hint: to drop the result of this task, write `mapT (const ()) (turnBy 180[deg])`; in a `do`, you can also write `return ()` below it
   $ sed 's/else .*/else mapT (const ()) (turnBy 180[deg])/' dropped.frob > pasted.frob && frobc check pasted.frob

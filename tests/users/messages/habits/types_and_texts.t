@@ -33,7 +33,7 @@ Types before names, texts in other quotes, fields that are assigned.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld 'drive' i then 0.3[m/s] else 0) 0))
     |                                                                   ^
     |
-    = hint: put a text in double quotes: `"drive"`
+    = hint: put text in double quotes: `"drive"`
   
   1 error
   [1]

@@ -427,7 +427,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                                   ^^^^^^^
     |
     = hint: an equation holds at every instant, so a signal function need not call itself to continue
-    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`, whose last part may be this signal function again
+    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`; replace `…` by the signal function to run next, which may be this one
   
   1 error
   # 037_misspelled_name.frob
