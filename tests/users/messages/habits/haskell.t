@@ -37,7 +37,7 @@ As in Haskell, application binds tighter than operators:
     |             |
     |             argument 1 of `not` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `>`: `not (… > …)`
+    = hint: put parentheses around the argument, because application binds tighter than `>`: `not (x > …)`
   
   error[E0301]: expected `Bool`, found `Float`
    --> application.frob:5:23
@@ -47,7 +47,7 @@ As in Haskell, application binds tighter than operators:
     |                  |
     |                  argument 1 of `when` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `<`: `when (… < …)`
+    = hint: put parentheses around the argument, because application binds tighter than `<`: `when (x < …)`
   
   error[E0301]: expected `Bool`, found a number
    --> application.frob:8:30
@@ -57,7 +57,7 @@ As in Haskell, application binds tighter than operators:
     |                          |
     |                          argument 1 of `not` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `<`: `not (… < …)`
+    = hint: put parentheses around the argument, because application binds tighter than `<`: `not (x < …)`
   
   3 errors
   [1]

@@ -23,15 +23,15 @@ with which the hint replaces them.
   [1]
   $ try 'SF (Array 4 Float) (Array 4 Float)' 'f = proc x -> delay zeros(1, 4) x' 'f = proc x -> delay [0, 0, 0, 0] x'
   error[E0205]: unknown name `zeros`
-    = hint: write `[0, 0, 0, 0]`
+    = hint: write `[0, 0, 0, 0]`: an array is written with its elements
   [1]
   $ try 'Array 2 (Array 2 Float)' 'f = ones(2, 2)' 'f = [[1, 1], [1, 1]]'
   error[E0205]: unknown name `ones`
-    = hint: write `[[1, 1], [1, 1]]`
+    = hint: write `[[1, 1], [1, 1]]`: an array is written with its elements
   [1]
   $ try 'SF (Array 20 Float) (Array 20 Float)' 'f = proc x -> delay zeros(20) x' 'f = proc x -> delay (generate (const 0)) x'
   error[E0205]: unknown name `zeros`
-    = hint: write `(generate (const 0))`
+    = hint: write `(generate (const 0))`: its type gives the number of elements
   [1]
   $ try 'SF RobotInput Int' 'f = proc i -> hold 0 (fmap (\\k -> k - 48) (keyPressed i))' 'f = proc i -> hold 0 (mapE (\\k -> k - 48) (keyPressed i))'
   error[E0205]: unknown name `fmap`
