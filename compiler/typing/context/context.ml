@@ -181,6 +181,44 @@ let named t name =
   in
   List.rev (Resolve.Global_table.fold add t.globals [])
 
+(* Does a message show these types in the same way? *)
+let rec alike a b =
+  let all = List.equal alike in
+  let units = List.equal (fun u v -> (Units.is_open u && Units.is_open v) || Units.equal u v) in
+  match (Type.expand a, Type.expand b) with
+  | Flexible _, Flexible _ | Bool, Bool | String, String | Erroneous, Erroneous -> true
+  | Rigid a, Rigid b -> a.variable.id = b.variable.id
+  | Size n, Size m -> n = m
+  | Number (r, u), Number (s, v) -> (
+      units [ u ] [ v ]
+      &&
+      match (Type.representation r, Type.representation s) with
+      | Int, Int | Float, Float | Flexible_representation _, Flexible_representation _ -> true
+      | Rigid_representation r, Rigid_representation s -> r.variable.id = s.variable.id
+      | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> false)
+  | Tuple a, Tuple b -> all a b
+  | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
+      all [ a; b ] [ c; d ]
+  | Data a, Data b -> a.tycon = b.tycon && units a.units b.units && all a.arguments b.arguments
+  | ( ( Flexible _ | Bool | String | Erroneous | Rigid _ | Size _ | Number _ | Tuple _ | Function _
+      | Signal_function _ | Data _ | Alias _ ),
+      _ ) ->
+      false
+
+(* The definitions of this file that have this type. *)
+let values t ty ~file =
+  let add (g : Ir.Global.t) (b : Resolve.Ir.binding) found =
+    let is_name = match g.name.[0] with 'a' .. 'z' -> true | _ -> false in
+    match (b.parameters, Resolve.Global_table.find_opt t.globals g) with
+    | [], Some { scheme; _ } when is_name && String.equal b.span.file file && alike scheme.body ty
+      ->
+        (b.span, g.name) :: found
+    | _ -> found
+  in
+  Resolve.Global_table.fold add t.bindings []
+  |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
+  |> List.map snd
+
 let words t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
   let needs_class input = List.exists (asks input) t.group.required in
@@ -228,6 +266,7 @@ let words t =
       choices = choices t;
       declared;
       named = named t;
+      values = values t;
       binding;
       local_function;
       makers = makers t;
@@ -269,30 +308,6 @@ let tell_exponent t ~at =
   Facts.report t.reader.facts (Exponent_too_large at)
 
 let errors t = t.group.errors
-
-(* Does a message show these types in the same way? *)
-let rec alike a b =
-  let all = List.equal alike in
-  let units = List.equal (fun u v -> (Units.is_open u && Units.is_open v) || Units.equal u v) in
-  match (Type.expand a, Type.expand b) with
-  | Flexible _, Flexible _ | Bool, Bool | String, String | Erroneous, Erroneous -> true
-  | Rigid a, Rigid b -> a.variable.id = b.variable.id
-  | Size n, Size m -> n = m
-  | Number (r, u), Number (s, v) -> (
-      units [ u ] [ v ]
-      &&
-      match (Type.representation r, Type.representation s) with
-      | Int, Int | Float, Float | Flexible_representation _, Flexible_representation _ -> true
-      | Rigid_representation r, Rigid_representation s -> r.variable.id = s.variable.id
-      | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> false)
-  | Tuple a, Tuple b -> all a b
-  | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
-      all [ a; b ] [ c; d ]
-  | Data a, Data b -> a.tycon = b.tycon && units a.units b.units && all a.arguments b.arguments
-  | ( ( Flexible _ | Bool | String | Erroneous | Rigid _ | Size _ | Number _ | Tuple _ | Function _
-      | Signal_function _ | Data _ | Alias _ ),
-      _ ) ->
-      false
 
 (* Has the same mismatch already been reported for the same source text on this line? Numbers are
    exempt: each literal must be corrected separately. *)

@@ -124,6 +124,7 @@ type place = {
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
   named : string -> Type.t list;
+  values : Type.t -> file:string -> string list;
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;
   local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
   parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
@@ -136,6 +137,7 @@ let nowhere environment =
   {
     environment;
     named = (fun _ -> []);
+    values = (fun _ ~file:_ -> []);
     sources = Source.create ();
     inputs = [];
     needs_class = (fun _ -> false);
@@ -185,6 +187,7 @@ let inputs words = words.place.inputs
 let fields words t = words.place.fields t
 let field_of words t ~of_ = words.place.field_of t ~of_
 let choices words t = words.place.choices t
+let values words t ~file = words.place.values t ~file
 let makers words t ~of_ = words.place.makers t ~of_
 let owner words v = words.place.owner v
 let is_input words name = List.mem_assoc name words.place.inputs

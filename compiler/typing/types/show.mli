@@ -49,6 +49,8 @@ type place = {
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   named : string -> Type.t list;  (** the types of all definitions with this name *)
+  values : Type.t -> file:string -> string list;
+      (** the definitions without parameters of this file that have this type *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
   local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
       (** the definition of a local variable with parameters *)
@@ -81,6 +83,7 @@ val parameter : words -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
 val unnamed_input : words -> Span.t option
 val declared_type : words -> Resolve.Ir.Global.t -> Type.t option
 val named : words -> string -> Type.t list
+val values : words -> Type.t -> file:string -> string list
 
 val inputs : words -> (string * Type.t) list
 (** The input signals of the enclosing proc. *)

@@ -117,6 +117,7 @@ let habit { words; call = { at; head; arguments; is_right_alone; _ }; _ } =
 
 (* The number of arguments that a function of this type takes. *)
 let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
+let rec final t = match Type.expand t with Type.Function (_, result) -> final result | _ -> t
 
 (* Missing parentheses, as in `forever forward 1[m]`: a function among the arguments was meant to be
    applied to the arguments after it. *)
@@ -160,7 +161,8 @@ let parentheses ({ words; call; mistake } as fact) =
       let before = List.filteri (fun j _ -> j + 1 < i) texts in
       let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
       let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
-      Some (Head_mistake.applied_without_parentheses ~name ~inner ~whole mistake)
+      let runs_a_task = Environment.is_task (final (type_at i)) in
+      Some (Head_mistake.applied_without_parentheses ~name ~runs_a_task ~inner ~whole mistake)
   | _ -> None
 
 (* The first rule that applies is used. The order comes last, because it only compares types. *)

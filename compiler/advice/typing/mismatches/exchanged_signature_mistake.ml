@@ -17,6 +17,19 @@ let is_about_an_order (mistake : Fact.t) =
       Setting_order.wrong words ~expected ~found <> None
   | _ -> false
 
+(* `sign :: Float -> Int` with a result of `0.5`: the number is the likely mistake. *)
+let is_of_a_decimal (kind : Signature_fact.kind) (mistake : Fact.t) =
+  match (kind, mistake) with
+  | ( Parameter_and_result,
+      Inference
+        {
+          fact =
+            Mismatch { subject = Some { desc = Number { decimal = true; unit_ = None; _ }; _ }; _ };
+          _;
+        } ) ->
+      true
+  | _ -> false
+
 (* The left side with the two parameters exchanged. *)
 let left_side sources ~name (b : Resolve.Ir.binding) i j =
   let texts = List.map (fun (p : Resolve.Ir.pattern) -> Source.quote sources p.span) b.parameters in
@@ -80,6 +93,8 @@ let diagnostic words (fact : Signature_fact.t) mistakes =
   let first = List.hd mistakes in
   let d = Facts.diagnostic first in
   match mistakes with
-  | [ _ ] when is_about_an_order (Facts.fact first) -> d
+  | [ _ ] when is_about_an_order (Facts.fact first) || is_of_a_decimal fact.kind (Facts.fact first)
+    ->
+      d
   | [ _ ] when is_about_the_result ~written:fact.written d -> with_hint fact d
   | _ -> in_wrong_order (Show.sources words) fact d

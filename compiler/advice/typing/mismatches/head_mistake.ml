@@ -313,9 +313,10 @@ let not_a_function words ~head ~position ~(argument : Resolve.Ir.expr) left =
 
 (* {1 Other mistakes} *)
 
-let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
+let applied_without_parentheses ~name ~runs_a_task ~inner ~whole (d : Diagnostic.t) =
   hint
-    (if String.equal name "return" then Printf.sprintf "to run a task, remove `return`: `%s`" inner
+    (if String.equal name "return" && runs_a_task then
+       Printf.sprintf "to run a task, remove `return`: `%s`" inner
      else Printf.sprintf "put parentheses around the argument: `%s`" whole)
     { d with hints = []; fixes = [] }
 

@@ -15,9 +15,10 @@ val not_a_function :
     the type of the head after the preceding arguments. *)
 
 val applied_without_parentheses :
-  name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
+  name:string -> runs_a_task:bool -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
 (** Rewrites the message about an application with too many arguments: the parentheses around
-    [inner] are missing, and the corrected application is [whole]. *)
+    [inner] are missing, and the corrected application is [whole]. [runs_a_task]: the head of
+    [inner] returns a task. *)
 
 val negative_argument :
   Show.words ->

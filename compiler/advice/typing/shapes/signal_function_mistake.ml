@@ -97,8 +97,60 @@ let lambda_for_proc fact =
       | Some _ | None -> None)
   | _ -> None
 
+(* The parameters of a function that returns a signal function. *)
+let rec lacking t =
+  match Type.expand t with
+  | Function (parameter, result) ->
+      Option.map (fun parameters -> parameter :: parameters) (lacking result)
+  | Signal_function _ -> Some []
+  | _ -> None
+
+(* A value for a parameter: a definition of the program that has this type, or an example. *)
+let value fact t =
+  match (Show.values fact.words t ~file:fact.at.file, Type.expand t) with
+  | name :: _, _ -> name
+  | [], Number (_, u) when Units.is_open u || Units.rigid_powers u <> [] -> "…"
+  | [], Number (_, u) when Units.equal u Units.one -> "1"
+  | [], Number _ when String.equal (Show.type_ fact.words t) "AngularVelocity" -> "1[rad/s]"
+  | [], Number (_, u) -> Printf.sprintf "1[%s]" (Show.measure fact.words u)
+  | [], Bool -> "True"
+  | [], Tuple [] -> "()"
+  | [], _ -> "…"
+
+(* Is the head a definition whose type only inference knows? In a wrong program, that type may be
+   wrong, too. *)
+let rec is_inferred fact (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head; _ } -> is_inferred fact head
+  | Global g -> (
+      match Show.binding fact.words g with
+      | Some { signature = None; parameters = []; _ } -> true
+      | Some _ | None -> false)
+  | _ -> false
+
+(* `reactimateRobot follow`, where `follow` takes arguments and returns a signal function *)
+let without_arguments fact =
+  match (fact.wanted, lacking fact.found, Option.bind fact.subject Plain_name.of_head) with
+  | Signal_function _, Some (_ :: _ as parameters), Some name
+    when not (Option.fold fact.subject ~none:false ~some:(is_inferred fact)) ->
+      let given = Option.fold fact.subject ~none:[] ~some:Unrun_mistake.arguments_of in
+      let what =
+        match (given, parameters) with
+        | [], [ only ] -> "its argument, " ^ Show.described fact.words only
+        | _, [ only ] -> "its last argument, " ^ Show.described fact.words only
+        | _, several -> Unrun_mistake.count (List.length several)
+      in
+      let values = List.map (value fact) parameters in
+      let text = String.concat " " (raw fact name :: values) in
+      let d =
+        no_signal_function fact |> hint (Printf.sprintf "`%s` lacks %s: write `%s`" name what text)
+      in
+      Some (if List.mem "…" values then d else Unrun_mistake.instead fact.subject text d)
+  | _ -> None
+
 let function_not_lifted fact =
   match (fact.wanted, fact.given, source fact) with
+  | Signal_function _, Function _, _ when without_arguments fact <> None -> without_arguments fact
   | Signal_function _, Function _, _ when lambda_for_proc fact <> None -> lambda_for_proc fact
   | Signal_function _, Function _, _ when as_a_proc fact <> None ->
       Some (hint (Option.get (as_a_proc fact)) (no_signal_function fact))

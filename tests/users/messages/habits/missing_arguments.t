@@ -1,0 +1,138 @@
+Arguments that are missing, or that lack their parentheses.
+
+A function that returns a signal function, without its argument:
+
+  $ cat > follow.frob <<'FROB'
+  > import Robot
+  > param gap :: Distance = 0.4[m]
+  > 
+  > follow :: Distance -> SF RobotInput RobotOutput
+  > follow d = proc i -> roMake (setVelTR v 0) where
+  >     v = min 0.3[m/s] (0.5[1/s] * (frontSonar i - d))
+  > 
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot follow
+  > FROB
+  $ frobc check follow.frob
+  error[E0304]: expected a signal function, found a function: `Distance -> SF RobotInput RobotOutput`
+   --> follow.frob:9:24
+    |
+  9 | main = reactimateRobot follow
+    |        --------------- ^^^^^^
+    |        |
+    |        argument 1 of `reactimateRobot` is `SF a b`
+    |
+    = hint: `follow` lacks its argument, `Distance` (m): write `follow gap`
+  
+  1 error
+  [1]
+  $ sed 's/reactimateRobot follow/reactimateRobot (follow gap)/' follow.frob > pasted.frob && frobc check pasted.frob
+
+If no definition of the program has the type, the hint shows an example:
+
+  $ cat > back.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot ahead
+  > 
+  > ahead :: SF RobotInput RobotOutput
+  > ahead = switch
+  >     (proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i)))
+  >     (\_ -> back)
+  > 
+  > back :: AngularVelocity -> SF RobotInput RobotOutput
+  > back w = proc _ -> roMake (setVelTR (-0.2[m/s]) w)
+  > FROB
+  $ frobc check back.frob
+  error[E0304]: expected a signal function, found a function: `AngularVelocity -> SF RobotInput RobotOutput`
+   --> back.frob:8:12
+    |
+  6 | ahead = switch
+    |         ------ argument 2 of `switch` is `SF a b`
+  7 |     (proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i)))
+  8 |     (\_ -> back)
+    |            ^^^^
+    |
+    = hint: `back` lacks its argument, `AngularVelocity` (1/s): write `back 1[rad/s]`
+  
+  1 error
+  [1]
+  $ sed 's/-> back)/-> back 1[rad\/s])/' back.frob > pasted.frob && frobc check pasted.frob
+
+The value that a task returns, without parentheses. Only in front of a task is `return` superfluous:
+
+  $ cat > returned.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > go :: (HasSonar i, DiffDrive o) => Task i o Distance
+  > go = do
+  >     start <- robotPlace
+  >     forward 1[m]
+  >     end <- robotPlace
+  >     return distance start end
+  > 
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateTask (watching go)
+  > FROB
+  $ frobc check returned.frob
+  error[E0302]: `return` takes 1 argument, but is applied to more
+   --> returned.frob:9:21
+    |
+  9 |     return distance start end
+    |     ------          ^^^^^ one too many
+    |     |
+    |     with one argument, its result is `Task a b (Vec2[u] -> Vec2[u] -> Float[u])`
+    |
+    = hint: put parentheses around the argument: `return (distance start end)`
+  
+  1 error
+  [1]
+  $ sed 's/return distance start end/return (distance start end)/' returned.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > returned_task.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateTask (return forward 1[m])
+  > FROB
+  $ frobc check returned_task.frob
+  error[E0302]: `return` takes 1 argument, but is applied to more
+   --> returned_task.frob:3:39
+    |
+  3 | main = reactimateTask (return forward 1[m])
+    |                        ------         ^^^^ one too many
+    |                        |
+    |                        with one argument, its result is `Task a b (Distance -> Task c d Bool)`
+    |
+    = hint: to run a task, remove `return`: `forward 1[m]`
+  
+  1 error
+  [1]
+  $ sed 's/return forward/forward/' returned_task.frob > pasted.frob && frobc check pasted.frob
+
+A decimal literal in place of an integer does not suggest that the types of the signature are in the
+wrong order:
+
+  $ cat > sign.frob <<'FROB'
+  > sign :: Float -> Int
+  > sign x
+  >     | x > 0     = 1
+  >     | otherwise = 0.5
+  > 
+  > main :: SF Float Int
+  > main = proc x -> sign x
+  > FROB
+  $ frobc check sign.frob
+  error[E0312]: expected `Int`, found `Float`
+   --> sign.frob:4:19
+    |
+  1 | sign :: Float -> Int
+    |         ------------ the signature of `sign` requires `Int`
+  ...
+  4 |     | otherwise = 0.5
+    |                   ^^^
+    |
+    = hint: write `round 0.5`, or use `floor`, `ceiling` or `truncate` instead of `round`
+  
+  1 error
+  [1]
