@@ -10,6 +10,20 @@ let is_a_name : Layout.token option -> bool = function
   | Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } -> true
   | Some _ | None -> false
 
+(* The place of this part of a line before the token. *)
+let span_before found first last =
+  let bol = Option.fold (String.rindex_from_opt found.text first '\n') ~none:0 ~some:succ in
+  let lines = lines_between found first found.token.start.pos_cnum in
+  let place offset =
+    {
+      found.token.start with
+      pos_cnum = offset;
+      pos_bol = bol;
+      pos_lnum = found.token.start.pos_lnum - lines;
+    }
+  in
+  Build.span (place first, place last)
+
 (* {1 Definitions} *)
 
 (* `let x = 1` at the left margin. *)
@@ -159,6 +173,102 @@ let switch_of found =
         Diagnostic.write (Build.span (place first, place last)) "case"
       else Fun.id)
     choice
+
+(* {1 Loops} *)
+
+(* `total row = for x in row` *)
+let loop_as_value found =
+  Option.map
+    (fun ({ word; first; hint } : Other_loop.t) ->
+      Diagnostic.error ~code:"E0110"
+        ~at:(span_before found first (first + String.length word))
+        "Frob has no `%s`" word
+      |> Diagnostic.hint hint)
+    (Other_loop.as_value found.text found.token.start.pos_cnum)
+
+(* {1 Guards} *)
+
+(* The offsets of the isolated signs [=] in this part of the text. *)
+let signs_in found first last =
+  let is_one i =
+    found.text.[i] = '='
+    && not (is_symbol (char_at found (i - 1)) || is_symbol (char_at found (i + 1)))
+  in
+  List.filter is_one (List.init (max 0 (last - first)) (fun i -> first + i))
+
+(* The offset of the `|` before the token, on its line or the line above. *)
+let bar_before found =
+  let is_bar i =
+    found.text.[i] = '|' && is_blank (char_at found (i - 1)) && is_blank (char_at found (i + 1))
+  in
+  let rec back i =
+    if i <= 0 || lines_between found i found.token.start.pos_cnum > 1 then None
+    else if is_bar i then Some i
+    else back (i - 1)
+  in
+  back (found.token.start.pos_cnum - 1)
+
+let compares text =
+  List.exists
+    (fun word -> List.mem word [ "=="; "/="; "<"; "<="; ">"; ">="; "otherwise"; "->"; "<-" ])
+    (String.split_on_char ' ' text)
+
+let words text = List.filter (( <> ) "") (String.split_on_char ' ' text)
+
+(* `| x = 0 = 1` or, in a branch, `| x = 0 -> 1` *)
+let assignment_in_a_guard found =
+  let report bar sign =
+    let stop = end_of_line found sign in
+    let before = String.concat " " (words (between found bar sign))
+    and after = String.concat " " (words (between found (sign + 1) stop)) in
+    let text = Printf.sprintf "%s == %s" before after in
+    Diagnostic.error ~code:"E0110"
+      ~at:(span_before found sign (sign + 1))
+      "a guard cannot contain `=`"
+    |> Diagnostic.hint
+         (if String.length text < 60 then Printf.sprintf "to compare, write `%s`" text
+          else "use `==` to compare")
+    |> Diagnostic.write (span_before found sign (sign + 1)) "=="
+    |> Option.some
+  in
+  match (found.token.token, bar_before found) with
+  | EQUAL, Some bar -> (
+      let at = found.token.start.pos_cnum in
+      match signs_in found bar at with
+      | [ sign ] when not (compares (between found bar sign)) -> report bar sign
+      | []
+        when innermost_block found.context = Of
+             && (not (compares (between found bar at)))
+             && List.mem "->" (words (between found at (end_of_line found at))) ->
+          report bar at
+      | _ -> None)
+  | _ -> None
+
+(* {1 `return`} *)
+
+(* `f x = return if x > 0 then 1 else 2` *)
+let value_after_return found =
+  match (found.token.token, found.before) with
+  | (IF | CASE), Some ({ token = LOWER "return"; _ } as return) ->
+      let at = found.token.start.pos_cnum and bol = return.start.pos_bol in
+      let value = between found at (end_of_line found at)
+      and before = between found bol return.start.pos_cnum in
+      let is_short = String.length before + String.length value < 60 in
+      Some
+        (if innermost_block found.context = Do then
+           error found "the argument of `return` must be in parentheses"
+           |> Diagnostic.hint
+                (if is_short && found.token.token = IF then
+                   Printf.sprintf "write `return (%s)`" value
+                 else "as in `return (if c then a else b)`")
+         else
+           Diagnostic.error ~code:"E0110" ~at:(span return) "`return` is only for tasks"
+           |> Diagnostic.hint
+                (if is_short && before <> "" then Printf.sprintf "write `%s %s`" before value
+                 else if is_short then Printf.sprintf "write `%s`, without `return`" value
+                 else "write the value without `return`")
+           |> Diagnostic.fix "remove it" [ (Build.span (return.start, found.token.start), "") ])
+  | _ -> None
 
 (* {1 Haskell keywords} *)
 
@@ -357,6 +467,9 @@ let type_in_brackets found =
 let rules =
   [
     top_let;
+    loop_as_value;
+    assignment_in_a_guard;
+    value_after_return;
     word_in_backticks;
     list_comprehension;
     array_of_c;

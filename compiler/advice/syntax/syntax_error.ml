@@ -434,7 +434,15 @@ let explained ~told:earlier found =
          (fun (other : Diagnostic.t) -> List.exists Record_hint.is_of_a_copy other.hints)
          earlier
   in
-  if of_block || ends_function || ends_copy || (once && List.exists told earlier) then None
+  (* every `;` in the head of a loop in C ends a definition *)
+  let of_loop =
+    Other_loop.as_value found.text found.token.start.pos_cnum <> None
+    && List.exists
+         (fun (other : Diagnostic.t) -> other.message = d.message && Span.compare other.at d.at = 0)
+         earlier
+  in
+  if of_block || of_loop || ends_function || ends_copy || (once && List.exists told earlier) then
+    None
   else Some d
 
 let unexpected ~told ~text ~state ~before token =

@@ -84,6 +84,13 @@ let of_last_element (t : Unknown.t) =
   then Some (explained t last_element)
   else None
 
+(* `total x = while (x > 0) { … }` *)
+let loop (t : Unknown.t) =
+  let line = Name_in_text.line_of (Unknown.text t) t.name.span in
+  match (t.namespace, Other_loop.as_value line (Span.column t.name.span.start - 1)) with
+  | Values, Some { word; hint; _ } when String.equal word t.name.text -> Some (explained t hint)
+  | _ -> None
+
 let place (t : Unknown.t) : Phrasebook.place option =
   match t.namespace with
   | Values -> Some Value
@@ -142,7 +149,18 @@ let c_declaration t =
     (Unknown.c_declaration t)
 
 let rules =
-  [ member; integral; operator; capital; before_a_text; call; of_last_element; word; c_declaration ]
+  [
+    member;
+    integral;
+    operator;
+    capital;
+    before_a_text;
+    call;
+    of_last_element;
+    loop;
+    word;
+    c_declaration;
+  ]
 
 let controller (t : Unknown.t) =
   Option.map

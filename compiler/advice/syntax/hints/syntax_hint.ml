@@ -73,7 +73,13 @@ let beginning found =
         | Some rounds when innermost_block found.context = Do -> Some (Beginnings.repeated rounds)
         | Some _ | None -> None
       in
-      let hint = match hint with Some hint -> Some hint | None -> Beginnings.of_word word in
+      let hint =
+        match hint with
+        | Some hint -> Some hint
+        | None when List.mem word [ "for"; "foreach" ] ->
+            Some (Other_loop.over_array found.text start.pos_bol)
+        | None -> Beginnings.of_word word
+      in
       Option.map (fun hint -> (start, hint)) hint
 
 (* {1 Rules}

@@ -16,9 +16,6 @@ let cures =
     ( [ "while" ],
       "to repeat a task, write `forever t`, or `whileT condition t` while a signal function \
        returns True" );
-    ( [ "for"; "foreach" ],
-      "Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to \
-       run a task for each element" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
       "a program cannot print, so remove this line: `frobc run` prints the result of a task at its \
        end; for other values, make them outputs, and write all outputs to a file with `--record`" );

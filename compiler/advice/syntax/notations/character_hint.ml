@@ -218,10 +218,6 @@ let splits_a_list text at =
   && ends
   && line_of_brace text at = None
 
-let of_for =
-  "Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a \
-   task for each element"
-
 (* `xs[0:2]`, a Python slice. *)
 let is_a_slice text at =
   let digits = ending text at Basis.Character.is_name in
@@ -341,6 +337,9 @@ let of_colon text at =
   | ("assert" | "assume") :: _ ->
       hint
         (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
+  | _ when Other_loop.as_value text at <> None ->
+      let loop = Option.get (Other_loop.as_value text at) in
+      hint (Printf.sprintf "Frob has no `%s`: %s" loop.word loop.hint)
   | "while" :: _ when ends_line && Beginnings.is_forever (String.concat " " words) ->
       hint Beginnings.forever
   | "while" :: _ ->
@@ -351,7 +350,7 @@ let of_colon text at =
          && char_at text start = ' '
          && Beginnings.rounds (String.concat " " words) <> None ->
       hint (Beginnings.repeated (Option.get (Beginnings.rounds (String.concat " " words))))
-  | _ when List.mem "for" words || List.mem "(for" words -> hint of_for
+  | _ when List.mem "for" words || List.mem "(for" words -> hint (Other_loop.over_array text start)
   | _ when seeds text at <> None -> { hint = seeds text at; instead = None }
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->

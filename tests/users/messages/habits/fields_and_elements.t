@@ -119,7 +119,7 @@ Records and arrays in the syntax of other languages.
   2 | total a = for x in a: s += x
     |                     ^
     |
-    = hint: Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a task for each element
+    = hint: Frob has no `for`: write `foldl (+) 0 a` for the sum of an array, `map f a` to compute something for each element
   
   1 error
   [1]

@@ -959,7 +959,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     for d in ds:
     |                ^
     |
-    = hint: Frob has no loops: write `map f xs` or `foldl (+) 0 xs` for an array, `forEachT xs f` to run a task for each element
+    = hint: Frob has no loops: write `map f ds` or `foldl (+) 0 ds` for an array, `forEachT ds f` to run a task for each element
   
   1 error
   # 085_call_with_commas.frob

@@ -1,0 +1,133 @@
+let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\n'
+
+let rec line_start text i =
+  if i <= 0 || char_at text (i - 1) = '\n' then max 0 i else line_start text (i - 1)
+
+let rec line_stop text i = if char_at text i = '\n' then i else line_stop text (i + 1)
+let rec blanks text i = if char_at text i = ' ' then blanks text (i + 1) else i
+
+(* {1 The array of a loop} *)
+
+(* The names and signs of a text; a number is like a name. *)
+let tokens text =
+  let rec from i taken =
+    if i >= String.length text then List.rev taken
+    else if text.[i] = ' ' || text.[i] = '\n' then from (i + 1) taken
+    else if not (Basis.Character.is_name text.[i]) then
+      from (i + 1) (String.make 1 text.[i] :: taken)
+    else
+      let rec stop j = if Basis.Character.is_name (char_at text j) then stop (j + 1) else j in
+      from (stop i) (String.sub text i (stop i - i) :: taken)
+  in
+  from 0 []
+
+let is_name word = Basis.Character.is_lower word.[0]
+
+let is_type word =
+  List.mem word
+    [ "int"; "auto"; "const"; "let"; "var"; "size_t"; "unsigned"; "long"; "double"; "float" ]
+
+(* The offset at which the lines end that are indented further than the line of this offset. *)
+let block_stop text first =
+  let indentation i = blanks text (line_start text i) - line_start text i in
+  let own = indentation first in
+  let rec go stop =
+    let next = stop + 1 in
+    if next >= String.length text then String.length text
+    else if char_at text (blanks text next) = '\n' || indentation next > own then
+      go (line_stop text next)
+    else stop
+  in
+  go (line_stop text first)
+
+(* The array that is indexed with this variable. *)
+let rec indexed by = function
+  | xs :: "[" :: i :: "]" :: _ when is_name xs && i = by -> Some xs
+  | xs :: "!" :: i :: _ when is_name xs && i = by -> Some xs
+  | xs :: "(" :: i :: ")" :: _ when is_name xs && i = by -> Some xs
+  | _ :: rest -> indexed by rest
+  | [] -> None
+
+let rec array_of = function
+  | ("(" | "&") :: rest -> array_of rest
+  | word :: rest when is_type word || not (is_name word) -> array_of rest
+  | _ :: ("in" | "of" | ":") :: xs :: ([] | [ _ ]) when is_name xs -> Some xs
+  | _ :: ("in" | "of" | ":") :: xs :: next :: _ when is_name xs && next <> "(" && next <> "." ->
+      Some xs
+  | x :: rest -> indexed x rest
+  | [] -> None
+
+(* The array of the `for` at this offset or later on its line. *)
+let array text first =
+  let rec after = function
+    | ("for" | "foreach") :: rest -> array_of rest
+    | _ :: rest -> after rest
+    | [] -> None
+  in
+  after (tokens (String.sub text first (block_stop text first - first)))
+
+let over_array text first =
+  let xs = Option.value (array text first) ~default:"xs" in
+  Printf.sprintf
+    "Frob has no loops: write `map f %s` or `foldl (+) 0 %s` for an array, `forEachT %s f` to run \
+     a task for each element"
+    xs xs xs
+
+(* {1 Loops as values} *)
+
+type t = { word : string; first : int; hint : string }
+
+let hint text word first =
+  if word = "while" then
+    "an equation has one value at every instant; for a value that changes over time write, for \
+     example, `n = delay 0 (n + 1)`; to repeat a task, write `whileT condition t`"
+  else
+    let xs = Option.value (array text first) ~default:"xs" in
+    Printf.sprintf
+      "write `foldl (+) 0 %s` for the sum of an array, `map f %s` to compute something for each \
+       element"
+      xs xs
+
+(* Is this the head of a loop rather than a call of a function with this name? *)
+let is_head text word first =
+  let head = tokens (String.sub text first (line_stop text first - first)) in
+  word = "while" || List.exists (fun sign -> List.mem sign head) [ "in"; "of"; "="; ";"; ":" ]
+
+let is_sign c = String.contains "=<>!+-*/|&:" c
+
+(* The loop after the first `=` of the line that starts here, which may end the line. *)
+let on_line text start =
+  let stop = line_stop text start in
+  let rec equal i =
+    if i >= stop then None
+    else if text.[i] = '=' && not (is_sign (char_at text (i - 1)) || is_sign (char_at text (i + 1)))
+    then Some i
+    else equal (i + 1)
+  in
+  Option.bind (equal start) (fun equal ->
+      let first = blanks text (equal + 1) in
+      let first = if first = stop then blanks text (stop + 1) else first in
+      let rec last i = if Basis.Character.is_name (char_at text i) then last (i + 1) else i in
+      let word = String.sub text first (last first - first) in
+      if List.mem word [ "for"; "while" ] && is_head text word first then
+        Some { word; first; hint = hint text word first }
+      else None)
+
+let as_value text at =
+  let on_line start =
+    match on_line text start with Some loop when loop.first <= at -> Some loop | _ -> None
+  in
+  let rec around start indentation =
+    if start = 0 || indentation = 0 then None
+    else
+      let start = line_start text (start - 1) in
+      let first = blanks text start in
+      if char_at text first = '\n' || first - start >= indentation then around start indentation
+      else match on_line start with Some loop -> Some loop | None -> around start (first - start)
+  in
+  let start = line_start text at in
+  match on_line start with
+  | Some loop -> Some loop
+  | None ->
+      let first = blanks text start in
+      around start (if char_at text first = '}' then first - start + 1 else first - start)
