@@ -99,6 +99,23 @@ let place (t : Unknown.t) : Phrasebook.place option =
   | Classes -> Some Class
   | Units -> None
 
+(* `None` in a definition whose signature has events, but no `Maybe` *)
+let of_no_event (t : Unknown.t) =
+  let row = if t.namespace = Constructors then Phrasebook.find Constructor t.name.text else None in
+  let words =
+    Option.fold
+      (Name_in_text.signature ~text:(Unknown.text t) t.name.span)
+      ~none:[]
+      ~some:(fun line ->
+        String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
+  in
+  match Option.bind row Phrasebook.name with
+  | Some "Nothing" when List.mem "Event" words && not (List.mem "Maybe" words) ->
+      Some
+        (explained t "for an event that does not occur, write `NoEvent`"
+        |> Diagnostic.write t.name.span "NoEvent")
+  | Some _ | None -> None
+
 let word (t : Unknown.t) =
   let row = Option.bind (place t) (fun place -> Phrasebook.find place t.name.text) in
   Option.map
@@ -158,6 +175,7 @@ let rules =
     call;
     of_last_element;
     loop;
+    of_no_event;
     word;
     c_declaration;
   ]

@@ -180,7 +180,21 @@ let initial_value fact =
 
 (* An event as an additional argument of a signal function of the prelude. *)
 let started_afresh fact =
+  let is_a_time =
+    match Bare_number.literal fact.words fact.argument with
+    | Some { unit_ = Some { factors = [ (Declared { name = "s" | "ms"; _ }, _) ]; _ }; _ } -> true
+    | _ -> false
+  in
   match fact.head.desc with
+  | Global { name = ("integral" | "derivative") as name; _ } when fact.position = 2 && is_a_time ->
+      Some
+        (fun d ->
+          match Show.quote fact.words fact.at with
+          | Some text ->
+              hint
+                (Printf.sprintf "remove `%s`: `%s` knows the time between two instants" text name)
+                d
+          | None -> d)
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when fact.position > 1 ->
       Some

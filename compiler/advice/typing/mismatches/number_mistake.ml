@@ -308,7 +308,8 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   | _ -> diagnostic
 
 (* `n > 50[px]`, where the other operand has no unit. *)
-let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, _) d =
+let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given)
+    d =
   match (expected.because, Option.bind subject (literal words)) with
   | Operand { other; other_type; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one
@@ -322,6 +323,16 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
       | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
       | None -> hint (Printf.sprintf "write `%s` if you mean a plain number" digits) d)
       |> write at digits
+  | Parameter { callee = Some "turnBy"; head = Some head; _ }, Some { unit_ = Some _; _ }
+    when d.hints = [] && Units.equal wanted Units.one && String.equal (Show.measure words given) "m"
+    ->
+      hint
+        (Printf.sprintf "`turnBy` turns by an angle: to drive a distance, write `forward %s`"
+           (Option.fold
+              (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
+              ~none:"1[m]" ~some:Source.grouped))
+        d
+      |> write head.span "forward"
   | Parameter { callee = Some _; _ }, Some { digits; unit_ = Some _; name = None; negative; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
       hint

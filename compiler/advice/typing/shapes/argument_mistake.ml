@@ -16,10 +16,26 @@ let rec missing_arguments t =
 
 (* {1 A function where a value is expected} *)
 
+(* `foldl max row` with the value that it begins with *)
+let start_lacking fact ~missing (e : Resolve.Ir.expr) =
+  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  match (fact.wanted, fact.given, Plain_name.of_head e, List.map quote (arguments_of e)) with
+  | Number _, Function (_, result), Some "foldl", [ Some f; Some xs ]
+    when missing = 1 && Array_mistake.is_array result ->
+      Some (Printf.sprintf "foldl %s 0 %s" f xs)
+  | _ -> None
+
 (* Reports the missing arguments at the definition of the local name that refers to the application.
    *)
 let missing_in_definition fact ~missing d =
   match fact.subject with
+  | Some { desc = Local x; _ }
+    when Option.bind (Show.definition fact.words x) (start_lacking fact ~missing) <> None ->
+      let e = Option.get (Show.definition fact.words x) in
+      let text = Option.get (start_lacking fact ~missing e) in
+      label ~at:e.span (Printf.sprintf "this is `%s`; it lacks its second argument" x.name) d
+      |> hint (Printf.sprintf "`foldl` begins with a value: write `%s`" text)
+      |> write e.span text |> Option.some
   | Some { desc = Local x; _ } -> (
       match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition fact.words x) with
       | Some (({ desc = Apply _; _ } as e), Some head) ->
@@ -156,7 +172,13 @@ let missing_by_name fact ~missing d =
         | Local x -> Show.is_input fact.words x.name && fits_the_last x
         | _ -> false
       in
-      let kept = if is_signal then n - 1 else n in
+      (* `smaller a` for `smaller a b`: the input has the name of the first parameter *)
+      let is_at_its_place =
+        match (last.desc, List.nth_opt names (n - 1)) with
+        | Local x, Some name -> String.equal x.name name
+        | _ -> false
+      in
+      let kept = if is_signal && not is_at_its_place then n - 1 else n in
       let lacking = List.filteri (fun i _ -> i >= kept && i < kept + missing) names in
       (* a text is a label, which must be written in quotes *)
       let written i name =

@@ -500,8 +500,15 @@ let false_at_first fact =
       | _ -> None)
   | _ -> None
 
+let is_nothing (e : Resolve.Ir.expr option) =
+  match e with Some { desc = Constructor { name = "Nothing"; _ }; _ } -> true | _ -> false
+
 let in_a_maybe fact =
   match fact.expected.because with
+  | Operand { operator = "==" | "/="; _ } when event_wanted fact && is_nothing fact.subject ->
+      hinted fact "`Nothing` is a `Maybe`: for an event that does not occur, write `NoEvent`"
+      |> Diagnostic.write fact.at "NoEvent"
+      |> Option.some
   | Operand _ when is_maybe fact.found && false_at_first fact <> None ->
       let start = Option.get (false_at_first fact) in
       Some

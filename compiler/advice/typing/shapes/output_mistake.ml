@@ -111,6 +111,30 @@ let speeds_of_a_program (fact : Shape_fact.t) =
       | _ -> None)
   | _ -> None
 
+(* `reactimateRobot (proc i -> forward 1[m])` *)
+let task_of_a_program (fact : Shape_fact.t) =
+  match
+    (program_output fact.expected.ty, program_output fact.found, Option.bind fact.subject output_of)
+  with
+  | Some wanted, Some given, Some { span; _ } when is_output wanted && Environment.is_task given ->
+      let d =
+        Diagnostic.error ~code:"E0301" ~at:span "expected the robot's output, found a task: %s"
+          (Show.described fact.words given)
+      in
+      Some
+        (match (fact.subject, Show.quote fact.words span) with
+        | ( Some
+              {
+                desc = Apply { head = { desc = Global { name = "reactimateRobot"; _ }; _ }; _ };
+                span;
+              },
+            Some task ) ->
+            let text = Printf.sprintf "reactimateTask %s" (Source.grouped task) in
+            Diagnostic.hint (Printf.sprintf "to run a task, write `%s`" text) d
+            |> Diagnostic.write span text
+        | _ -> Diagnostic.hint "to run a task, write `reactimateTask (…)`" d)
+  | _ -> None
+
 (* `(v, omega)` in place of a robot's output *)
 let speeds (fact : Shape_fact.t) =
   match (fact.given, Shape_fact.all (Shape_fact.elements fact)) with

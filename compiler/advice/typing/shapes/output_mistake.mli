@@ -9,6 +9,9 @@ val not_made : Shape_fact.rule
 val speeds : Shape_fact.rule
 (** A pair of a speed and a turn rate in place of a robot's output. *)
 
+val task_of_a_program : Shape_fact.rule
+(** A task as the output of the signal function that a robot runs. *)
+
 val of_sleeping :
   Show.words -> subject:Resolve.Ir.expr option -> Type.t -> Basis.Diagnostic.t option
 (** The message for [sleepT 2[s] (setVelTR v omega)], and for [sleepT] with its arguments exchanged,

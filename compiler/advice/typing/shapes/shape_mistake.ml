@@ -36,6 +36,7 @@ let of_functions =
     Output_mistake.twist;
     Output_mistake.not_made;
     Output_mistake.speeds;
+    Output_mistake.task_of_a_program;
     Array_mistake.extreme;
     Tuple_mistake.of_all_arguments;
     Tuple_mistake.mapped_range;

@@ -279,6 +279,11 @@ let of_a_number words ~(expected : Expected.t) ~found ~subject (wanted, given) =
       match ((if bare <> [] then bare else all), itself) with
       | [], _ -> None
       | _ when bare = [] && is_to_blame words ~subject (wanted, given) -> None
+      | _
+        when bare = []
+             && Wrong_unit_mistake.gain words ~subject:(Some subject) ~expected (wanted, given)
+                <> None ->
+          None
       (* two numbers with units: either may be wrong *)
       | _, Some { unit_ = None; _ } -> None
       | _, Some _ when bare = [] && not (agrees_with_a_later words ~given:arguments ~position given)

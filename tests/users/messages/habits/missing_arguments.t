@@ -136,3 +136,53 @@ wrong order:
   
   1 error
   [1]
+
+A function of two numbers with only one of them, an input:
+
+  $ cat > smaller.frob <<'FROB'
+  > smaller :: Float -> Float -> Float
+  > smaller a b = if a < b then a else b
+  > 
+  > main :: SF (Float, Float) (Float, Bool)
+  > main = proc (a, b) -> (smaller a, a > b)
+  > FROB
+  $ frobc check smaller.frob
+  error[E0301]: expected `Float`, found the function `Float -> Float`
+   --> smaller.frob:5:24
+    |
+  4 | main :: SF (Float, Float) (Float, Bool)
+    |         ------------------------------- the signature of `main` requires the output `Float`
+  5 | main = proc (a, b) -> (smaller a, a > b)
+    |                        ^^^^^^^^^
+    |
+    = hint: `smaller` takes two arguments, `smaller a b`: `b` is missing here, as in `smaller a b`
+  
+  1 error
+  [1]
+  $ sed 's/(smaller a,/(smaller a b,/' smaller.frob > pasted.frob && frobc check pasted.frob
+
+A sum or an extreme without the value that it begins with:
+
+  $ cat > longest.frob <<'FROB'
+  > main :: SF (Array 5 Distance) (Distance, Distance)
+  > main = proc row -> (total, longest) where
+  >     total   = sum row
+  >     longest = foldl max row
+  > FROB
+  $ frobc check longest.frob
+  error[E0301]: expected `Distance` (m), found the function `Array m (Array 5 Distance) -> Array 5 Distance`
+   --> longest.frob:2:28
+    |
+  1 | main :: SF (Array 5 Distance) (Distance, Distance)
+    |         ------------------------------------------ the signature of `main` requires the output `Distance` (m)
+  2 | main = proc row -> (total, longest) where
+    |                            ^^^^^^^
+  3 |     total   = sum row
+  4 |     longest = foldl max row
+    |               ------------- this is `longest`; it lacks its second argument
+    |
+    = hint: `foldl` begins with a value: write `foldl max 0 row`
+  
+  1 error
+  [1]
+  $ sed 's/foldl max row/foldl max 0 row/' longest.frob > pasted.frob && frobc check pasted.frob

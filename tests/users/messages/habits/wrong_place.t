@@ -1,0 +1,150 @@
+Mistakes at a place other than the one whose types clash. Every replacement that a message offers
+compiles when it is pasted.
+
+The unit of a gain, in the argument of a limit that has the right unit:
+
+  $ cat > limited.frob <<'FROB'
+  > import Control
+  > main :: SF Distance AngularVelocity
+  > main = proc side -> limit 1[rad/s] (4[rad/s] * (0.5[m] - side))
+  > FROB
+  $ frobc check limited.frob
+  error[E0320]: expected the unit `1/s`, found `m/s`
+   --> limited.frob:3:37
+    |
+  3 | main = proc side -> limit 1[rad/s] (4[rad/s] * (0.5[m] - side))
+    |                     ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m/s]`
+    |                     |     |
+    |                     |     because this is `Float[1/s]`
+    |                     argument 2 of `limit` is `Float[1/s]`
+    |
+    = hint: if the gain `4[rad/s]` has another unit, write `4[rad/m/s]`
+  
+  1 error
+  [1]
+  $ sed 's/4\[rad\/s\]/4[rad\/m\/s]/' limited.frob > pasted.frob && frobc check pasted.frob
+
+  $ cat > rate.frob <<'FROB'
+  > import Control
+  > main :: SF Distance AngularVelocity
+  > main = proc side -> limit 1[rad/s] (4[rad/s] * derivative side)
+  > FROB
+  $ frobc check rate.frob
+  error[E0320]: expected the unit `1/s`, found `m/s^2`
+   --> rate.frob:3:37
+    |
+  3 | main = proc side -> limit 1[rad/s] (4[rad/s] * derivative side)
+    |                     ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m/s^2]`
+    |                     |     |
+    |                     |     because this is `Float[1/s]`
+    |                     argument 2 of `limit` is `Float[1/s]`
+    |
+    = hint: if the gain `4[rad/s]` has another unit, write `4[rad/m]`
+  
+  1 error
+  [1]
+  $ sed 's/4\[rad\/s\]/4[rad\/m]/' rate.frob > pasted.frob && frobc check pasted.frob
+
+A task in place of a robot's output:
+
+  $ cat > task.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot (proc i -> forward 1[m])
+  > FROB
+  $ frobc check task.frob
+  error[E0301]: expected the robot's output, found a task: `Task a b Bool`
+   --> task.frob:3:35
+    |
+  2 | main :: Program RobotInput RobotOutput
+    |         ------------------------------ the signature of `main` requires `Program RobotInput RobotOutput`
+  3 | main = reactimateRobot (proc i -> forward 1[m])
+    |                                   ^^^^^^^^^^^^
+    |
+    = hint: to run a task, write `reactimateTask (forward 1[m])`
+  
+  1 error
+  [1]
+  $ cat > pasted.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateTask (forward 1[m])
+  > FROB
+  $ frobc check pasted.frob
+
+An event compared with a constructor of another type:
+
+  $ cat > none.frob <<'FROB'
+  > main :: SF (Event Distance) Bool
+  > main = proc echo -> echo == None
+  > FROB
+  $ frobc check none.frob
+  error[E0206]: unknown constructor `None`
+   --> none.frob:2:29
+    |
+  2 | main = proc echo -> echo == None
+    |                             ^^^^
+    |
+    = hint: for an event that does not occur, write `NoEvent`
+  
+  1 error
+  [1]
+  $ sed 's/None/Nothing/' none.frob > nothing.frob && frobc check nothing.frob
+  error[E0301]: expected `Event Distance`, found `Maybe a`
+   --> nothing.frob:2:29
+    |
+  2 | main = proc echo -> echo == Nothing
+    |                     ----    ^^^^^^^
+    |                     |
+    |                     this is `Event Distance`
+    |
+    = hint: `Nothing` is a `Maybe`: for an event that does not occur, write `NoEvent`
+  
+  1 error
+  [1]
+  $ sed 's/None/NoEvent/' none.frob > pasted.frob && frobc check pasted.frob
+
+A distance for a turn:
+
+  $ cat > turn.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateTask (do
+  >     turnBy 1[m]
+  >     turnBy 90[deg])
+  > FROB
+  $ frobc check turn.frob
+  error[E0320]: expected no unit, found `m`
+   --> turn.frob:4:12
+    |
+  4 |     turnBy 1[m]
+    |     ------ ^^^^ this is `Float[m]`
+    |     |
+    |     argument 1 of `turnBy` is `Angle` (1)
+    |
+    = hint: `turnBy` turns by an angle: to drive a distance, write `forward 1[m]`
+  
+  1 error
+  [1]
+  $ sed 's/turnBy 1\[m\]/forward 1[m]/' turn.frob > pasted.frob && frobc check pasted.frob
+
+A time step for `derivative`:
+
+  $ cat > step.frob <<'FROB'
+  > main :: SF Distance Velocity
+  > main = proc side -> derivative side 0.02[s]
+  > FROB
+  $ frobc check step.frob
+  error[E0302]: `derivative` takes 1 argument, but is applied to more
+   --> step.frob:2:37
+    |
+  2 | main = proc side -> derivative side 0.02[s]
+    |                     ----------      ^^^^^^^ one too many
+    |                     |
+    |                     with one argument, its result is `Float[m/s]`
+    |
+    = hint: remove `0.02[s]`: `derivative` knows the time between two instants
+  
+  1 error
+  [1]
+  $ sed 's/ 0.02\[s\]//' step.frob > pasted.frob && frobc check pasted.frob
