@@ -25,7 +25,11 @@ let valid = Ir.Name "valid"
 (* [valid] stays true only if this holds, too. *)
 let require condition = plain (Ir.Assign (valid, Binary (And, valid, condition)))
 
-type t = { v : Program_names.t; has : bool array; names : string array  (** of the functions, by node *) }
+type t = {
+  v : Program_names.t;
+  has : bool array;
+  names : string array;  (** of the functions, by node *)
+}
 
 (* The number of the running mode is one of the constants. *)
 let in_range (v : Program_names.t) k running =

@@ -110,7 +110,7 @@ Mistakes:
   > main :: SF (Array (N <> 2) Float) Float
   > main = proc xs -> xs ! 0
   > FROB
-  error[E0110]: sizes have the operators `+`, `-` and `*`, but not `<`
+  error[E0110]: a type has its arguments after spaces, as in `Event Distance`, without `<>`
    --> other.frob:2:22
     |
   2 | main :: SF (Array (N <> 2) Float) Float

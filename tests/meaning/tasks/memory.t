@@ -55,10 +55,10 @@ for the state, like hand-written code.
   struct FROB_OVERLAID blink_state {
       union {
           struct {
-              uint32_t time; /* time in ns at Prelude.frob:358 */
+              uint32_t time; /* time left in ns at Prelude.frob:358 */
           } sleepT;
           struct {
-              uint32_t time; /* time in ns at Prelude.frob:358 */
+              uint32_t time; /* time left in ns at Prelude.frob:358 */
           } sleepT_2;
       } modes;      /* state of the modes at blink.frob:2 */
       uint8_t mode; /* active mode at blink.frob:2 */
