@@ -44,6 +44,12 @@ let wrong_number_of_arguments (constructor : Interface.constructor) ~found at =
          (name constructor)
          (String.concat " " (List.init constructor.arity letter)))
 
+(* The field and a value for it, in quotes. *)
+let with_value constructor field =
+  match (name constructor, field) with
+  | "Trial", "seeds" -> "``seeds = 1 `to` 10``"
+  | _ -> Printf.sprintf "`%s = …`" field
+
 (* The fix inserts the missing fields after the last one. Their values are `_`, which does not
    compile, so the user must fill them in. *)
 let fields_missing constructor ~absent ~(last : Span.t option) at =
@@ -53,7 +59,7 @@ let fields_missing constructor ~absent ~(last : Span.t option) at =
   |> declared_here constructor
   |> Diagnostic.hint
        (Printf.sprintf "give every field a value: add %s"
-          (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
+          (Enumeration.all (List.map (with_value constructor) absent)))
   |>
   match last with
   | Some last ->

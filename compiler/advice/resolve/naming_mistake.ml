@@ -72,6 +72,9 @@ let one_equation name ~before ~after =
       Printf.sprintf "write one equation, in which `delay` returns the previous value: `%s = %s`"
         name value
   | Some (1, value) -> Printf.sprintf "write one equation, `%s = %s`: %s" name value because
+  | None when is_constant before && not (is_constant after) ->
+      Printf.sprintf "remove `%s = %s`: the other equation gives `%s` its value at every instant"
+        name before name
   | None when String.length before + String.length after < 60 ->
       Printf.sprintf
         "write one equation, because %s; to choose between the two values, write `%s = if c then \

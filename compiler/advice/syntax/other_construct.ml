@@ -446,6 +446,12 @@ let bracket_after_name found =
                  = p`; before an argument, write a space")
   | _ -> None
 
+let is_a_type text =
+  text <> ""
+  && Basis.Character.is_upper text.[0]
+  && String.for_all Basis.Character.is_name text
+  && not (Lexer.is_unit text)
+
 let type_in_brackets found =
   match (found.token.token, found.before) with
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
@@ -453,6 +459,15 @@ let type_in_brackets found =
       |> Diagnostic.hint
            "write the type of the elements, and a size or, for any size, a variable: `Array 4 \
             Float`, `Array n Float`"
+      |> Option.some
+  | LBRACKET, Some { token = UPPER _ | QUALIFIED_UPPER _; _ }
+    when names_before found "::" && Option.fold (in_brackets found) ~none:false ~some:is_a_type ->
+      let element = Option.get (in_brackets found) in
+      error found "the type of an array cannot be written in brackets"
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "write it with a size or, for any size, a variable: `(Array 4 %s)`, `(Array n %s)`"
+              element element)
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
       error found "a `[` is not allowed here"

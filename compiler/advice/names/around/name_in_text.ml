@@ -156,8 +156,20 @@ let is_an_argument ~text (span : Span.t) =
      || word <> ""
         && not (List.mem word [ "if"; "then"; "else"; "of"; "in"; "let"; "case"; "not" ]))
 
+(* The line up to a bracket that closes one of an earlier line. *)
+let before_outer_bracket line =
+  let rec stop i depth =
+    if i >= String.length line then i
+    else
+      match line.[i] with
+      | '(' | '[' | '{' -> stop (i + 1) (depth + 1)
+      | ')' | ']' | '}' -> if depth = 0 then i else stop (i + 1) (depth - 1)
+      | _ -> stop (i + 1) depth
+  in
+  String.sub line 0 (stop 0 0)
+
 let equation ~text (span : Span.t) =
-  let line = String.trim (line_of text span) in
+  let line = String.trim (before_outer_bracket (line_of text span)) in
   let start = forward Character.is_name line 0 in
   let sign = forward (Char.equal ' ') line start in
   let is_last = not (String.contains line ';') in

@@ -110,6 +110,60 @@ let starts_a_case text at =
 
 let is_switch = "a choice by values is a `case`: write "
 
+(* The branch `1 -> x` for a line such as `case 1: return x;`. *)
+let branch_of_switch line =
+  let without_break text =
+    let rec cut i =
+      if i + 5 > String.length text then text
+      else if String.sub text i 5 = "break" then String.sub text 0 i
+      else cut (i + 1)
+    in
+    String.trim (cut 0)
+  in
+  let value text =
+    let text = without_break text in
+    let text =
+      if String.ends_with ~suffix:";" text then String.sub text 0 (String.length text - 1) else text
+    in
+    let text =
+      if String.starts_with ~prefix:"return " text then String.sub text 7 (String.length text - 7)
+      else text
+    in
+    if text = "" || String.exists (function ';' | '=' -> true | _ -> false) text then None
+    else Other_notation.expression (String.trim text)
+  in
+  let is_pattern text = text <> "" && String.for_all Basis.Character.is_name text in
+  match String.index_opt line ':' with
+  | None -> None
+  | Some colon -> (
+      let rest = String.sub line (colon + 1) (String.length line - colon - 1) in
+      match (String.split_on_char ' ' (String.sub line 0 colon), value rest) with
+      | [ "case"; pattern ], Some value when is_pattern pattern ->
+          Some (Printf.sprintf "%s -> %s" pattern value)
+      | [ "default" ], Some value -> Some ("_ -> " ^ value)
+      | _ -> None)
+
+(* The branches of the C `switch` at this offset, if each of them, and its value, is on a line of
+   its own and there are only a few. *)
+let branches_of_switch text switch =
+  let rest = String.sub text switch (String.length text - switch) in
+  let rec branches = function
+    | [] -> None
+    | line :: lines -> (
+        match String.trim line with
+        | "}" -> Some []
+        | "" -> branches lines
+        | line ->
+            Option.bind (branch_of_switch line) (fun branch ->
+                Option.map (List.cons branch) (branches lines)))
+  in
+  match String.split_on_char '\n' rest with
+  | _ :: lines -> (
+      match branches lines with
+      | Some (_ :: _ :: _ as all) when List.length all <= 4 -> Some all
+      | _ -> None)
+  | [] -> None
+
 (* The value in the parentheses of a C `switch`. *)
 let of_switch text at =
   let before = String.sub text 0 at in
@@ -125,10 +179,17 @@ let of_switch text at =
     else if i + 6 <= at && String.equal (String.sub before i 6) "switch" then Some i
     else last_switch (i - 1)
   in
-  let value = Option.value (Option.bind (last_switch (at - 6)) inside) ~default:"x" in
-  Printf.sprintf
-    "%s`case %s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`"
-    is_switch value
+  let switch = last_switch (at - 6) in
+  let value = Option.value (Option.bind switch inside) ~default:"x" in
+  match Option.bind switch (branches_of_switch text) with
+  | Some branches ->
+      let quoted = List.map (Printf.sprintf "`%s`") branches in
+      Printf.sprintf "%s`case %s of`, and below it, without braces, %s, each on its own line"
+        is_switch value (Basis.Enumeration.all quoted)
+  | None ->
+      Printf.sprintf
+        "%s`case %s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`"
+        is_switch value
 
 (* The numbers around the colon of a range, as in `(1:5)` *)
 let range text at =

@@ -107,6 +107,7 @@ let on_line text start =
   Option.bind (equal start) (fun equal ->
       let first = blanks text (equal + 1) in
       let first = if first = stop then blanks text (stop + 1) else first in
+      let first = min first (String.length text) in
       let rec last i = if Basis.Character.is_name (char_at text i) then last (i + 1) else i in
       let word = String.sub text first (last first - first) in
       if List.mem word [ "for"; "while" ] && is_head text word first then

@@ -28,10 +28,31 @@ let foreign_word ~expected (found : Ir.name) =
 
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
-let size_operator ~at operator =
-  if String.equal operator "<" then
-    error at "a type has its arguments after spaces, as in `Event Distance`, without `<>`"
-  else error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
+(* The type in the notation of C++ whose `<` is here, in Frob. *)
+let type_in_angles ~text (at : Span.t) =
+  let line =
+    Option.value
+      (List.nth_opt (String.split_on_char '\n' text) (Span.line at.start - 1))
+      ~default:""
+  in
+  let rec start i = if i > 0 && Character.is_name line.[i - 1] then start (i - 1) else i in
+  let sign = Span.column at.start - 1 in
+  if sign > String.length line then None
+  else Option.map fst (Other_type.in_angles line (start sign))
+
+let size_operator ~text ~at operator =
+  if not (String.equal operator "<") then
+    error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
+  else
+    match type_in_angles ~text at with
+    | Some written ->
+        error at "a type has its arguments after spaces, without `<>`"
+        |> Diagnostic.hint
+             (Printf.sprintf "write `%s`%s" written
+                (if String.starts_with ~prefix:"Array n" written then
+                   ", or a number for the size `n`"
+                 else ""))
+    | None -> error at "a type has its arguments after spaces, as in `Event Distance`, without `<>`"
 
 let empty_where at =
   error at "this `where` has no definitions"

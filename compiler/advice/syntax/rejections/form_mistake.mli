@@ -9,7 +9,7 @@ val superclass : at:Span.t -> class_:name -> name -> Diagnostic.t
 val instance_head : Span.t -> Diagnostic.t
 val foreign_word : expected:string -> name -> Diagnostic.t
 val size : at:Span.t -> string -> Diagnostic.t
-val size_operator : at:Span.t -> string -> Diagnostic.t
+val size_operator : text:string -> at:Span.t -> string -> Diagnostic.t
 val empty_where : Span.t -> Diagnostic.t
 
 (** {1 Units} *)

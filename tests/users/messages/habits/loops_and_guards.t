@@ -116,3 +116,51 @@ A test whose label has no quotes; a function with the name `test` is no test:
   warning[W0306]: `Control` is imported but nothing from it is used
     = hint: remove it
   [1]
+
+Types in the notation of C++ and Haskell inside the arguments of a type:
+
+  $ try '' 'f :: SF (vector<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
+  error[E0110]: a type has its arguments after spaces, without `<>`
+    = hint: write `Array n Float`, or a number for the size `n`
+  [1]
+  $ try '' 'f :: SF (list<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
+  error[E0110]: a type has its arguments after spaces, without `<>`
+    = hint: write `Array n Float`, or a number for the size `n`
+  [1]
+  $ try '' 'f :: SF (Array<Float, 4>) Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'
+  error[E0110]: a type has its arguments after spaces, without `<>`
+    = hint: write `Array 4 Float`
+  [1]
+  $ try '' 'f :: SF [Float] Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'
+  error[E0110]: the type of an array cannot be written in brackets
+    = hint: write it with a size or, for any size, a variable: `(Array 4 Float)`, `(Array n Float)`
+  [1]
+
+Two equations for a name; the bracket after the second belongs to the expression around them:
+
+  $ R='main :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR v 0) where'
+  $ try "import Robot\n$R" '    v = 0\n    v = if frontSonar i > 0.5[m] then 0.3[m/s] else 0)' '    v = if frontSonar i > 0.5[m] then 0.3[m/s] else 0)'
+  error[E0212]: `v` is defined twice here
+    = hint: remove `v = 0`: the other equation gives `v` its value at every instant
+  [1]
+  $ try "import Robot\n$R" '    v = 0.3[m/s]\n    v = if bumped i then 0 else v)' '    v = if bumped i then 0 else 0.3[m/s])'
+  error[E0212]: `v` is defined twice here
+    = hint: write one equation, `v = if bumped i then 0 else 0.3[m/s]`: an equation holds at every instant, unlike an assignment
+  [1]
+
+A `switch` of C with its branches; a trial without seeds:
+
+  $ D='data Mode = Idle | Driving\nspeed :: Mode -> Velocity'
+  $ try "$D" 'speed mode = switch (mode) {\n    case Idle: 0\n    case Driving: 0.3[m/s]\n    }' 'speed mode = case mode of\n    Idle -> 0\n    Driving -> 0.3[m/s]'
+  error[E0103]: unexpected character `:`
+    = hint: a choice by values is a `case`: write `case mode of`, and below it, without braces, `Idle -> 0` and `Driving -> 0.3[m/s]`, each on its own line
+  [1]
+  $ try "$D" 'speed mode = switch (mode) {\n    case Idle: return 0;\n    default: return max(0, 0.3[m/s]); break;\n    }' 'speed mode = case mode of\n    Idle -> 0\n    _ -> max 0 0.3[m/s]'
+  error[E0103]: unexpected character `:`
+    = hint: a choice by values is a `case`: write `case mode of`, and below it, without braces, `Idle -> 0` and `_ -> max 0 0.3[m/s]`, each on its own line
+  error[E0110]: expected `=`, `::`, or a parameter after this name, found the end of the definition
+  [1]
+  $ try "import Robot\nimport Trial\n$R" '    v = 0.3[m/s])\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches }' '    v = 0.3[m/s])\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches, seeds = 1 `to` 10 }'
+  error[E0228]: this `Trial` lacks its field `seeds`
+     = hint: give every field a value: add ``seeds = 1 `to` 10``
+  [1]

@@ -228,7 +228,8 @@ Types with arguments, parameters, keyword arguments:
     = hint: a type has its arguments after spaces, without `<>`: write `SF (Event Float) Float`
   [1]
   $ try '' 'f :: SF (Event<Float>) Float\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
-  error[E0110]: a type has its arguments after spaces, as in `Event Distance`, without `<>`
+  error[E0110]: a type has its arguments after spaces, without `<>`
+    = hint: write `Event Float`
   [1]
   $ try '' 'param "speed" :: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
   error[E0110]: the name of a parameter has no quotes
