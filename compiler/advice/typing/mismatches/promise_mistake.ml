@@ -77,6 +77,18 @@ let promised words ~by (place : Span.t) needed d =
            (name by) alone joined)
         d
 
+(* `smaller :: float -> float`, where the variable was meant as a type *)
+let meant_as_a_type (m : promise) d =
+  Option.map
+    (fun type_ ->
+      Diagnostic.hint
+        (Printf.sprintf
+           "`%s` is a type variable, because it starts with a lower-case letter: for the type, \
+            write `%s`"
+           m.variable.name type_)
+        d)
+    (Variable_name.type_meant m.variable.name)
+
 let one words ({ required; _ } as m : promise) =
   let needed = constraint_ words m in
   let error by =
@@ -86,13 +98,14 @@ let one words ({ required; _ } as m : promise) =
   in
   match owner words m with
   | None -> error None
-  | Some { by; place } ->
+  | Some { by; place } -> (
       let by = Some by in
       error by
       |> (if Span.compare place required.at = 0 then Fun.id
           else Diagnostic.label ~at:place (name by))
       |> Required_label.add words required
-      |> promised words ~by place [ needed ]
+      |> fun d ->
+      match meant_as_a_type m d with Some d -> d | None -> promised words ~by place [ needed ] d)
 
 let several words (first : promise) rest =
   let all = first :: rest in
@@ -108,9 +121,13 @@ let several words (first : promise) rest =
       (Printf.sprintf "%s needs `%s`" (Required_label.user words m.required) (constraint_ words m))
       diagnostic
   in
-  List.fold_left label
-    (Diagnostic.error ~code:"E0309" ~at:place "%s does not declare %s" (name by) in_words)
-    all
-  |> promised words ~by place needed
+  let d =
+    List.fold_left label
+      (Diagnostic.error ~code:"E0309" ~at:place "%s does not declare %s" (name by) in_words)
+      all
+  in
+  match List.find_map (fun m -> meant_as_a_type m d) all with
+  | Some d -> d
+  | None -> promised words ~by place needed d
 
 let unpromised words first = function [] -> one words first | rest -> several words first rest

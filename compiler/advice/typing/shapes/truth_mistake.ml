@@ -99,6 +99,16 @@ let hint_to_group ~left name operator =
 
 let grouped_with_an_argument fact =
   match (fact.wanted, fact.expected.because) with
+  (* a function between backquotes, as in "near `implies` v == 0" *)
+  | ( Bool,
+      Parameter
+        { before = Some operator; callee = Some name; head = Some head; given = [ left; _ ]; _ } )
+    when Span.compare left.span head.span < 0 && Show.quote fact.words left.span <> None ->
+      Some
+        (no_truth fact
+           (Printf.sprintf "put parentheses around the comparison: ``%s `%s` (%s %s …)``"
+              (Option.get (Show.quote fact.words left.span))
+              name (raw fact "…") operator))
   | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
       Some (no_truth fact (hint_to_group ~left:(raw fact "…") name operator))
   | _ -> None

@@ -148,3 +148,52 @@ A time step for `derivative`:
   1 error
   [1]
   $ sed 's/ 0.02\[s\]//' step.frob > pasted.frob && frobc check pasted.frob
+
+A comparison after a function between backquotes:
+
+  $ cat > implied.frob <<'FROB'
+  > import Past
+  > main :: SF (Velocity, Distance) Velocity
+  > main = proc (wanted, ahead) -> v where
+  >     near = ahead < 0.3[m]
+  >     v    = if near then 0 else min 0.5[m/s] wanted
+  >     assert "stops for what is near" (near `implies` v == 0)
+  > FROB
+  $ frobc check implied.frob
+  error[E0301]: expected `Bool`, found `Float[m/s]`
+   --> implied.frob:6:53
+    |
+  6 |     assert "stops for what is near" (near `implies` v == 0)
+    |                                           --------- ^
+    |                                           |
+    |                                           argument 2 of `implies` is `Bool`
+    |
+    = hint: put parentheses around the comparison: ``near `implies` (v == …)``
+  
+  1 error
+  [1]
+  $ sed 's/v == 0/(v == 0)/' implied.frob > pasted.frob && frobc check pasted.frob
+
+The name of a type in lower case:
+
+  $ cat > float.frob <<'FROB'
+  > smaller :: float -> float -> float
+  > smaller a b = if a < b then a else b
+  > 
+  > main :: SF (Float, Float) Float
+  > main = proc (a, b) -> smaller a b
+  > FROB
+  $ frobc check float.frob
+  error[E0309]: `<` needs `Ord float`, which the signature of `smaller` does not declare
+   --> float.frob:2:20
+    |
+  1 | smaller :: float -> float -> float
+    |            ----------------------- the signature of `smaller`
+  2 | smaller a b = if a < b then a else b
+    |                    ^
+    |
+    = hint: `float` is a type variable, because it starts with a lower-case letter: for the type, write `Float`
+  
+  1 error
+  [1]
+  $ sed 's/float/Float/g' float.frob > pasted.frob && frobc check pasted.frob
