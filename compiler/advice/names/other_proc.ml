@@ -89,3 +89,30 @@ let of_another (t : Unknown.t) =
              (Printf.sprintf "this `%s` is a signal of a `proc`" t.name.text)
         |> Diagnostic.hint (hint_of_another t signal))
       (signal_of t t.module_.signals)
+
+(* {1 An anonymous function in place of a [proc]} *)
+
+(* `f = \i -> v where` with `i` in an equation below *)
+let of_lambda (t : Unknown.t) =
+  if t.namespace <> Values then None
+  else
+    Option.map
+      (fun ((defined : Syntax.Ir.name), at) ->
+        let x = t.name.text in
+        let signature = Name_in_text.signature ~text:(Unknown.text t) t.name.span in
+        let prefix = defined.text ^ " :: SF " in
+        let is_signal_function =
+          Option.fold signature ~none:(String.equal x "i") ~some:(String.starts_with ~prefix)
+        in
+        Other_meaning.diagnostic t
+        |> Diagnostic.label ~at
+             "this function ends before the `where`, which cannot use its parameter"
+        |>
+        if is_signal_function then fun d ->
+          Diagnostic.hint (Printf.sprintf "for a signal function, write `proc %s -> …`" x) d
+          |> Diagnostic.write at (Printf.sprintf "proc %s" x)
+        else
+          Diagnostic.hint
+            (Printf.sprintf "write the parameter on the left side of the equation: `%s %s = …`"
+               defined.text x))
+      (Ended_proc.lambda_before_where t.module_.visible.syntax t.name)

@@ -10,3 +10,7 @@ val of_an_input : Unknown.t -> Diagnostic.t option
 
 val of_another : Unknown.t -> Diagnostic.t option
 (** The [proc] is in another definition. *)
+
+val of_lambda : Unknown.t -> Diagnostic.t option
+(** The error if the name is the parameter of an anonymous function that ends before the [where] in
+    which the name is used. *)

@@ -102,6 +102,7 @@ let outcome suggestions (t : Unknown.t) =
       report twist;
       of_the_library;
       report Other_proc.of_this;
+      report Other_proc.of_lambda;
       report other_spelling;
       report Other_proc.of_an_input;
     ]

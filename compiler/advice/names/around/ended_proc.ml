@@ -75,6 +75,24 @@ let is_in_second_where (program : program) (name : name) =
   in
   List.exists is_it program.declarations
 
+let lambda_before_where (program : program) (name : name) =
+  let is_it (p : pattern) =
+    match p.desc with Bound x -> String.equal x.text name.text | _ -> false
+  in
+  let of_declaration (d : declaration) =
+    match d.desc with
+    | Binding
+        {
+          left = Name defined;
+          right = { body = Plain { desc = Lambda { parameters = [ p ]; _ }; span }; where };
+          _;
+        }
+      when is_it p && List.exists (fun (d : declaration) -> contains d.span name.span) where ->
+        Some (defined, { span with stop = p.span.stop })
+    | _ -> None
+  in
+  List.find_map of_declaration program.declarations
+
 (* {1 [switch]} *)
 
 let quote ~text (at : Span.t) =

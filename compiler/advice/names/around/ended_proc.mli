@@ -14,6 +14,10 @@ val without_name : Syntax.Ir.program -> Syntax.Ir.name -> hint option
 val is_in_second_where : Syntax.Ir.program -> Syntax.Ir.name -> bool
 (** Is the name in the [where] of a definition whose body is a [proc] that also has a [where]? *)
 
+val lambda_before_where : Syntax.Ir.program -> Syntax.Ir.name -> (Syntax.Ir.name * Span.t) option
+(** The defined name and the place of `\\i`, if the name is the parameter of the anonymous function
+    that a definition consists of, and is used in its [where]. *)
+
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
 (** The hint if the name is an input of the first argument of a [switch], and is used in another
     argument: as a separate argument for the event, or in the next mode. [text]: the source text of

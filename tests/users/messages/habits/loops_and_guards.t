@@ -164,3 +164,14 @@ A `switch` of C with its branches; a trial without seeds:
   error[E0228]: this `Trial` lacks its field `seeds`
      = hint: give every field a value: add ``seeds = 1 `to` 10``
   [1]
+
+An anonymous function in place of a `proc`:
+
+  $ try 'import Robot\nf :: SF RobotInput Distance' 'f = \\i -> 2 * ahead where\n    ahead = frontSonar i' 'f = proc i -> 2 * ahead where\n    ahead = frontSonar i'
+  error[E0205]: unknown name `i`
+    = hint: for a signal function, write `proc i -> …`
+  [1]
+  $ try 'f :: Float -> Float' 'f = \\x -> 2 * y where\n    y = x + 1' 'f x = 2 * y where\n    y = x + 1'
+  error[E0205]: unknown name `x`
+    = hint: write the parameter on the left side of the equation: `f x = …`
+  [1]
