@@ -52,6 +52,24 @@ let apply name arguments =
       Printf.sprintf "use `proc (%s) -> %s %s` to apply it at every instant"
         (String.concat ", " several) name (String.concat " " several)
 
+let rec parameters : Ir.ty -> Ir.ty list * Ir.ty = function
+  | Function (a, b) ->
+      let others, result = parameters b in
+      (a :: others, result)
+  | result -> ([], result)
+
+(* `main x = …`, with the signature of a function *)
+let as_signal_function (d : Ir.definition) =
+  let types, result = parameters d.scheme.ty in
+  let names =
+    match types with [ _ ] -> [ "x" ] | _ -> List.mapi (fun i _ -> Variable_name.nth Type i) types
+  in
+  let tuple = function [ one ] -> one | several -> "(" ^ String.concat ", " several ^ ")" in
+  Printf.sprintf "write `%s :: SF %s %s` and `%s = proc %s -> …`" d.name.name
+    (Source.grouped (tuple (List.map Show.ty types)))
+    (Source.grouped (Show.ty result))
+    d.name.name (tuple names)
+
 (* The place of the output expression. *)
 let rec output_of (program : Ir.program) (e : Ir.expr) =
   let is_it (g : Ir.Global.t) (d : Ir.definition) =
@@ -145,6 +163,7 @@ let refusal program ~closed (d : Ir.definition) =
         (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
         (if sets_output program d d.scheme.ty then
            "to set a robot's output, write `reactimateRobot (proc i -> roMake (setVelTR v omega))`"
+         else if String.equal name "main" && is_closed d then as_signal_function d
          else apply name arguments)
   | Value ->
       refuse

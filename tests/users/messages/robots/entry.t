@@ -78,10 +78,11 @@ The types in the message are those that a signature would have, including units 
   9 | main v = v / 1[m/s]
     | ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: use `arr main` to apply it at every instant
+    = hint: write `main :: SF (Float[m/s]) Float` and `main = proc x -> …`
   
   1 error
   [1]
+  $ sed -e 's/main :: .*/main :: SF Float[m\/s] Float/' -e 's/main v =/main = proc v ->/' typed.frob > pasted.frob && frobc check pasted.frob
   $ frobc compile typed.frob --entry area
   error[E0411]: `area` cannot run: it is a function, `Float[m] -> Float[m] -> Float[m^2]`, not a signal function
    --> typed.frob:3:1
