@@ -119,7 +119,7 @@ void run(Server &server, CameraPort *cameras, const Options &options, std::int64
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
     // Without a link, the printed name is the only way to find the device.
     if (!plug(server, options, tell) && options.link.empty())
-        throw WrongUse(std::string("cannot write standard output: ") + std::strerror(errno));
+        throw WrongUse(std::string("cannot write to standard output: ") + std::strerror(errno));
     if (cameras != nullptr)
         for (const std::string &address : cameras->addresses())
             std::printf("camera: %s\n", address.c_str());

@@ -53,15 +53,6 @@
 #define FROB_BRANCH(condition) (condition)
 #endif
 
-/* The absolute value, without a call of the C library where the compiler offers that. */
-#ifdef __GNUC__
-#define FROB_FABS(x) __builtin_fabs(x)
-#define FROB_FABSF(x) __builtin_fabsf(x)
-#else
-#define FROB_FABS(x) fabs(x)
-#define FROB_FABSF(x) fabsf(x)
-#endif
-
 /* ---- Truth values */
 
 /* a && b and a || b, for operands that would make a C compiler warn that the result is constant. */
@@ -342,7 +333,12 @@ static inline double frob_limit_above_zero(double x, double y)
     if (FROB_BRANCH(y != y)) {
         return y;
     }
-    const double low = -FROB_FABS(most), high = y < most ? y : most;
+    const double high = y < most ? y : most;
+#ifdef __GNUC__
+    const double low = -__builtin_fabs(most); /* never calls the C library */
+#else
+    const double low = -fabs(most);
+#endif
     return high > low ? high : low;
 }
 
@@ -569,7 +565,12 @@ static inline float frob_limit_above_zerof(float x, float y)
     if (FROB_BRANCH(y != y)) {
         return y;
     }
-    const float low = -FROB_FABSF(most), high = y < most ? y : most;
+    const float high = y < most ? y : most;
+#ifdef __GNUC__
+    const float low = -__builtin_fabsf(most);
+#else
+    const float low = -fabsf(most);
+#endif
     return high > low ? high : low;
 }
 

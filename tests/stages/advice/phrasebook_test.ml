@@ -19,6 +19,8 @@ let as_field (row : Phrasebook.row) =
 
 let program (row : Phrasebook.row) =
   match row.place with
+  (* Directly after `=`, this word begins a loop of another language. *)
+  | Value when row.word = "while" -> in_proc "(while)"
   | Value | Robot | Constructor -> in_proc row.word
   | Call | Reading | Controller -> in_proc (applied row)
   | Speed -> in_proc (Printf.sprintf "roMake (%s)" (applied row))
