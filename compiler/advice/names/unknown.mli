@@ -9,7 +9,7 @@ type t = {
   names : string list Lazy.t;  (** the names that are visible there, including local ones *)
   locals : string list Lazy.t;
   signals : Proc_signals.t list Lazy.t;
-      (** of [proc]s in the definition; the ones in scope are also among the locals *)
+      (** the signals of all [proc]s in the definition; those in scope are also among the locals *)
   is_in : Resolve.Interface.names -> bool;  (** Is the unknown name one of these? *)
 }
 

@@ -64,7 +64,7 @@ let unexpected_character ~text colons ~at ~character ~offset ~is_first =
           |> Option.fold instead ~none:Fun.id ~some:(Diagnostic.write at))
       else None
     in
-    (diagnostic, if is_colon then Character_hint.of_each_line hint @ colons else colons)
+    (diagnostic, if is_colon then Colon_hint.of_each_line hint @ colons else colons)
 
 let of_problem ~at : Lexical_fact.problem -> Diagnostic.t option = function
   | Unexpected_character _ -> None

@@ -1,7 +1,7 @@
 open Basis
 
 type t = {
-  mutable text : string;  (** of the file that is being parsed *)
+  mutable text : string;  (** the text of the file that is being parsed *)
   mutable told : Diagnostic.t list;
   mutable colons : Lexical_mistake.colons;
 }

@@ -1,10 +1,10 @@
 (** The facts that a stage of the compiler reports.
 
-    A stage reports what is wrong as a value of its own type of facts, with spans and the trees and
-    types involved, and without any text. The library [advice] turns each fact into a diagnostic. It
-    does this as soon as the fact is reported, so the diagnostic describes the state of the compiler
-    at that time. For example, type inference need not copy the types in its facts, although it
-    later changes their variables. *)
+    Each stage has a type of facts. A fact says what is wrong, with the spans, trees and types
+    involved, but without any text. The library [advice] turns each fact into a diagnostic. It does
+    this as soon as the fact is reported, so the diagnostic describes the state of the compiler at
+    that time. For example, type inference need not copy the types in its facts, although it later
+    changes their variables. *)
 
 type 'fact t
 (** The place to which a stage reports its facts. *)

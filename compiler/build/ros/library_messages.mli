@@ -1,4 +1,5 @@
 (** The records of the library for messages that are parts of other messages. *)
 
 val all : ((string * string) * (string * string * string)) list
-(** By package and name: the module, the name to import, and the type. *)
+(** For each message, given by its package and name: the module that has its record, the name to
+    import, and the type. *)

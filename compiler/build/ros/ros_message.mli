@@ -11,4 +11,5 @@ val check :
   Typing.Ir.ty ->
   Typing.Ir.Global.t ->
   unit
-(** [type_]: for example [geometry_msgs/msg/Twist]; [named]: where the program names it. *)
+(** [type_]: for example [geometry_msgs/msg/Twist]; [named]: the place in the program that names it.
+*)

@@ -28,7 +28,7 @@ let require condition = plain (Ir.Assign (valid, Binary (And, valid, condition))
 type t = {
   v : Program_names.t;
   has : bool array;
-  names : string array;  (** of the functions, by node *)
+  names : string array;  (** names of the functions, by node *)
 }
 
 (* The number of the running mode is one of the constants. *)

@@ -54,7 +54,7 @@ let take locations =
       locations := rest;
       location
 
-(* As in "wall_follow.frob:12". *)
+(* The file and the line of a place: "wall_follow.frob:12". *)
 let line_of ({ file; start; _ } : Basis.Span.t) =
   sprintf "%s:%d" (Filename.basename file) (Basis.Span.line start)
 

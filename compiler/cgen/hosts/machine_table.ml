@@ -9,7 +9,7 @@ type t = {
   within : (int * int) option;
 }
 
-(* Longer arrays of machines are omitted, because so many columns would not be readable. *)
+(* The table omits longer arrays of machines, because nobody can read so many columns. *)
 let longest_array = 64
 
 type search = {

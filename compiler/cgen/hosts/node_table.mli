@@ -1,9 +1,9 @@
 (** The topics of a ROS 2 node, for its host. *)
 
 type topic = {
-  field : string;  (** of the program's input or output *)
+  field : string;  (** the name of the field in the program's input or output *)
   name : string;  (** before remapping: ["cmd_vel"] *)
-  type_ : string;  (** of its messages: ["geometry_msgs/msg/Twist"] *)
+  type_ : string;  (** the type of its messages: ["geometry_msgs/msg/Twist"] *)
   is_counted : bool;  (** the field is an event of a [Counted] *)
   is_command : bool;  (** a message of zeros stops what it controls *)
 }

@@ -85,7 +85,7 @@ let new_array (t : Unknown.t) =
 
 let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name
 
-(* What a function of the library returns. *)
+(* The kind of value that this function of the library returns. *)
 let container word =
   match word with
   | "keyPressed" | "edge" | "edgeJust" | "falling" | "when" | "after" | "every" | "now" | "never"

@@ -4,4 +4,4 @@ open Basis
 open Syntax.Rejection
 
 val diagnostic : clause -> clause -> clause list -> Diagnostic.t
-(** With a fix that writes the [case]. *)
+(** The message about a function that is defined by several clauses. Its fix writes a [case]. *)

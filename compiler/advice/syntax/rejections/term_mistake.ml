@@ -47,7 +47,7 @@ let operator ~at (name : Ir.name) = error at "a pattern cannot bind the operator
 
 let empty_array at =
   error at "no array matches `[]`, because every array has at least one element"
-  |> Diagnostic.hint Character_hint.of_elements
+  |> Diagnostic.hint Colon_hint.of_elements
 
 let application at =
   error at "a function cannot be applied in a pattern"

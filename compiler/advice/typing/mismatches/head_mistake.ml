@@ -24,7 +24,7 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
 type fact = {
   words : Show.words;
   head : Resolve.Ir.expr;
-  position : int;  (** of the argument, counted from 1 *)
+  position : int;  (** position of the argument, counted from 1 *)
   argument : Resolve.Ir.expr;
   at : Span.t;  (** the argument *)
   left : Type.t;  (** the type of the head after the arguments before this one *)

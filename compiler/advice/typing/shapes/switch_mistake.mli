@@ -12,7 +12,7 @@ val with_an_event : string -> string
 (** The pair of this output and an event. *)
 
 val ends_it : string -> string
-(** How to end a mode with this output: by a pair with an event. *)
+(** The hint that says how to end a mode with this output: pair it with an event. *)
 
 val goes_on : Expected.t -> bool
 (** Is the expected type the function to the next mode, which takes the event's value? *)

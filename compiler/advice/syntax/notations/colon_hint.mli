@@ -1,0 +1,12 @@
+(** Hints about a colon, which begins a block, a branch, a slice or a type in other languages. *)
+
+type t = { hint : string option; instead : string option  (** the text to write instead *) }
+
+val of_colon : string -> int -> t
+(** The hint for the colon at this offset of the text. *)
+
+val of_elements : string
+(** The hint that suggests a replacement for a function that takes a list apart. *)
+
+val of_each_line : string option -> string option list
+(** The hints that are superfluous for later colons, once this hint has been given for a colon. *)

@@ -1,0 +1,25 @@
+let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
+
+let ending text at is_part =
+  let rec start i = if i > 0 && is_part text.[i - 1] then start (i - 1) else i in
+  let first = start at in
+  String.sub text first (at - first)
+
+let line_start text at =
+  match String.rindex_from_opt text (max 0 (at - 1)) '\n' with
+  | Some i when i < at -> i + 1
+  | Some _ | None -> 0
+
+let end_of_line text at =
+  Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
+
+let without_closing text =
+  let rec last i depth =
+    if i >= String.length text then i
+    else
+      match text.[i] with
+      | '(' -> last (i + 1) (depth + 1)
+      | ')' -> if depth = 0 then i else last (i + 1) (depth - 1)
+      | _ -> last (i + 1) depth
+  in
+  String.trim (String.sub text 0 (last 0 0))

@@ -1,0 +1,16 @@
+(** The parts of a text around an offset. *)
+
+val char_at : string -> int -> char
+(** The character at this offset; a null character outside the text. *)
+
+val ending : string -> int -> (char -> bool) -> string
+(** The longest run of characters that ends before this offset and satisfies the predicate. *)
+
+val line_start : string -> int -> int
+(** The offset at which the line of this offset begins. *)
+
+val end_of_line : string -> int -> int
+(** The offset at which the line of this offset ends. *)
+
+val without_closing : string -> string
+(** The text up to the first closing bracket that has no partner, without spaces at the ends. *)
