@@ -57,9 +57,9 @@ static void step(void *s, const void *params, int64_t dt_ns, double dt, const vo
 
 static bool is_damaged;
 
-static bool is_valid(const void *state)
+static bool is_valid(const void *s)
 {
-    (void)state;
+    (void)s;
     return !is_damaged;
 }
 
