@@ -288,10 +288,10 @@ static inline double frob_at_least(double x, double limit)
 }
 
 /* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
- * after #else are equivalent, but gcc would translate them to a branch. */
+ * after #else are equivalent, but gcc would translate them to a branch for x86. */
 static inline double frob_clamp(double x, double low, double high)
 {
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__)
     const double lower = x < high ? x : high;
     if (FROB_BRANCH(x != x)) {
         return x;
@@ -329,17 +329,11 @@ static inline double frob_limit(double x, double y)
  * y). If x is -0.0, the result is -0.0, as for 0.0. */
 static inline double frob_limit_above_zero(double x, double y)
 {
-    const double most = 0.0 > x ? 0.0 : x;
-    if (FROB_BRANCH(y != y)) {
-        return y;
+    if (FROB_BRANCH(!(x > 0.0))) {
+        return x <= 0.0 ? y == y ? -0.0 : y : x;
     }
-    const double high = y < most ? y : most;
-#ifdef __GNUC__
-    const double low = -__builtin_fabs(most); /* never calls the C library */
-#else
-    const double low = -fabs(most);
-#endif
-    return high > low ? high : low;
+    const double high = x < y ? x : y;
+    return -x > high ? -x : high;
 }
 
 /* A zero or NaN is returned unchanged. */
@@ -520,10 +514,10 @@ static inline float frob_at_leastf(float x, float limit)
 }
 
 /* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
- * after #else are equivalent, but gcc would translate them to a branch. */
+ * after #else are equivalent, but gcc would translate them to a branch for x86. */
 static inline float frob_clampf(float x, float low, float high)
 {
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__)
     const float lower = x < high ? x : high;
     if (FROB_BRANCH(x != x)) {
         return x;
@@ -561,17 +555,11 @@ static inline float frob_limitf(float x, float y)
  * y). If x is -0.0, the result is -0.0, as for 0.0. */
 static inline float frob_limit_above_zerof(float x, float y)
 {
-    const float most = 0.0f > x ? 0.0f : x;
-    if (FROB_BRANCH(y != y)) {
-        return y;
+    if (FROB_BRANCH(!(x > 0.0f))) {
+        return x <= 0.0f ? y == y ? -0.0f : y : x;
     }
-    const float high = y < most ? y : most;
-#ifdef __GNUC__
-    const float low = -__builtin_fabsf(most);
-#else
-    const float low = -fabsf(most);
-#endif
-    return high > low ? high : low;
+    const float high = x < y ? x : y;
+    return -x > high ? -x : high;
 }
 
 /* A zero or NaN is returned unchanged. */
