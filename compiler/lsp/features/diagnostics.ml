@@ -18,14 +18,12 @@ let page_uri code =
   in
   Option.bind (Explain.find code) of_page
 
-let known : (string, string option) Hashtbl.t = Hashtbl.create 16
-
-let link code =
-  match Hashtbl.find_opt known code with
+let link (ws : Workspace.t) code =
+  match Hashtbl.find_opt ws.explanations code with
   | Some uri -> uri
   | None ->
       let uri = page_uri code in
-      Hashtbl.replace known code uri;
+      Hashtbl.replace ws.explanations code uri;
       uri
 
 let text (d : Diagnostic.t) =
@@ -41,10 +39,10 @@ let related ws (a : Analysis.t) ((at : Span.t), message) : Json.t =
 
 let labels (d : Diagnostic.t) = List.map (fun (l : Diagnostic.label) -> (l.at, l.text)) d.labels
 
-let make ~range ~severity ~message ?code ~related () : Json.t =
+let make ws ~range ~severity ~message ?code ~related () : Json.t =
   let of_code code : (string * Json.t) list =
     let description =
-      match link code with
+      match link ws code with
       | Some uri -> [ ("codeDescription", Json.Object [ ("href", String uri) ]) ]
       | None -> []
     in
@@ -79,13 +77,13 @@ let import_of text file =
 let of_diagnostic ws (a : Analysis.t) (d : Diagnostic.t) =
   let severity = severity d in
   if String.equal d.at.file a.shown || String.equal d.at.file a.path then
-    make
+    make ws
       ~range:(Workspace.span_range ws a.sources d.at)
       ~severity ~message:(text d) ~code:d.code
       ~related:(List.map (related ws a) (labels d))
       ()
   else
-    make
+    make ws
       ~range:(Workspace.range ws a.text (import_of (Text.contents a.text) d.at.file))
       ~severity
       ~message:(Printf.sprintf "in %s: %s" (Filename.basename d.at.file) (text d))
@@ -96,7 +94,7 @@ let of_diagnostic ws (a : Analysis.t) (d : Diagnostic.t) =
 let parameters ws (doc : Document.t) : Json.t =
   let of_analysis (a : Analysis.t) =
     let fault message =
-      make ~range:(Workspace.range ws a.text (0, 0)) ~severity:1 ~message ~related:[] ()
+      make ws ~range:(Workspace.range ws a.text (0, 0)) ~severity:1 ~message ~related:[] ()
     in
     List.map (of_diagnostic ws a) a.diagnostics @ Option.to_list (Option.map fault a.fault)
   in

@@ -163,10 +163,10 @@ let is_free ws (doc : Document.t) tree name =
 
 (* {1 The change} *)
 
-let checked ws (doc : Document.t) text =
+let checked (ws : Workspace.t) (doc : Document.t) text =
   let a = Workspace.check ws ~path:doc.path text in
   let is_error (d : Diagnostic.t) = d.severity = Error in
-  match (View.of_analysis a, a.typed) with
+  match (View.of_analysis ws.declared a, a.typed) with
   | Some view, Some _ when a.fault = None && not (List.exists is_error a.diagnostics) -> Some view
   | _ -> None
 

@@ -10,8 +10,8 @@ let contains text word =
   in
   n > 0 && from 0
 
-let in_analysis symbol (a : Analysis.t) =
-  match View.of_analysis a with
+let in_analysis (ws : Workspace.t) symbol (a : Analysis.t) =
+  match View.of_analysis ws.declared a with
   | None -> []
   | Some view ->
       let is_it (o : Index.occurrence) = Index.same o.symbol symbol in
@@ -21,7 +21,7 @@ let in_analysis symbol (a : Analysis.t) =
 let in_file ws (symbol : Index.symbol) path =
   match Workspace.read ws path with
   | Ok text when contains text symbol.name ->
-      Option.fold (Workspace.analysis_of ws path) ~none:[] ~some:(in_analysis symbol)
+      Option.fold (Workspace.analysis_of ws path) ~none:[] ~some:(in_analysis ws symbol)
   | Ok _ | Error _ -> []
 
 let of_symbol ws (doc : Document.t) params =

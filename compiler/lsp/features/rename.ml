@@ -65,8 +65,8 @@ let errors (a : Analysis.t) =
 
 (* Numbers the meaning of each occurrence. The numbers do not depend on names, so they can be
    compared before and after renaming. *)
-let meaning (a : Analysis.t) =
-  match View.of_analysis a with
+let meaning (ws : Workspace.t) (a : Analysis.t) =
+  match View.of_analysis ws.declared a with
   | None -> []
   | Some view ->
       let all = Index.all (View.index view) in
@@ -89,7 +89,7 @@ let check ws files name =
   in
   let one (path, ((a : Analysis.t), _)) =
     let after = Analysis.check ~library:ws.library ~read ~path (List.assoc path texts) in
-    if errors after <> errors a || meaning after <> meaning a then
+    if errors after <> errors a || meaning ws after <> meaning ws a then
       Error
         (Printf.sprintf "`%s` already means something else where %s is used" name
            (Filename.basename path))

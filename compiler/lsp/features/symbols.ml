@@ -120,16 +120,9 @@ let matches query name =
   in
   go 0 0
 
-(* Syntax trees of files by path, cached because files rarely change. *)
-let trees : (string, string * program option) Hashtbl.t = Hashtbl.create 64
-
-let tree_of path text =
-  match Hashtbl.find_opt trees path with
-  | Some (before, tree) when String.equal before text -> tree
-  | Some _ | None ->
-      let tree = Syntax.Parse.program (Facts.ignored ()) ~file:path text in
-      Hashtbl.replace trees path (text, tree);
-      tree
+let tree_of (ws : Workspace.t) path text =
+  Text_cache.find ws.trees ~path text (fun _ ->
+      Syntax.Parse.program (Facts.ignored ()) ~file:path text)
 
 let most_found = 500
 
@@ -153,7 +146,7 @@ let of_workspace ws query : Json.t =
               ("location", Workspace.location ws sources s.name.span);
             ]
         in
-        let tops = Option.fold (tree_of path text) ~none:[] ~some:of_tree in
+        let tops = Option.fold (tree_of ws path text) ~none:[] ~some:of_tree in
         let module_ = Filename.remove_extension (Filename.basename path) in
         List.map json (List.concat_map (all module_) tops)
   in

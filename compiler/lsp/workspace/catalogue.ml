@@ -1,6 +1,4 @@
-open Basis
-
-type entry = { name : string; space : Mentions.space; module_ : string }
+type entry = Exports.entry = { name : string; space : Mentions.space; module_ : string }
 
 type import = {
   of_module : string;
@@ -43,64 +41,15 @@ let imports tokens =
 
 (* {1 Modules} *)
 
-(* Maps each name that an import list may contain to the entries it imports. *)
-let groups module_ (tree : Syntax.Ir.program) =
-  let entry space (name : Syntax.Ir.name) = { name = name.text; space; module_ } in
-  let value (name : Syntax.Ir.name) = (name.text, [ entry Mentions.Value name ]) in
-  let constructor (c : Syntax.Ir.constructor) =
-    entry Mentions.Constructor c.name
-    ::
-    (match c.fields with
-    | Positional _ -> []
-    | Named fields -> List.map (fun (f, _) -> entry Mentions.Field f) fields)
-  in
-  let declaration (d : Syntax.Ir.declaration) =
-    match d.desc with
-    | Signature _ | Instance _ | Claim _ | Check _ | Foreign (Foreign_include _) -> []
-    | Binding { left = Name n | Function_name { name = n; _ }; _ } -> [ value n ]
-    | Binding { left = Pattern _; _ } -> []
-    | Type_alias { name; _ } | Foreign (Foreign_type { name; _ }) ->
-        [ (name.text, [ entry Type name ]) ]
-    | Data { name; constructors; _ } ->
-        [ (name.text, entry Type name :: List.concat_map constructor constructors) ]
-    | Base_unit name | Scaled_unit { name; _ } -> [ (name.text, [ entry Unit name ]) ]
-    | Class { name; members; _ } ->
-        let methods =
-          List.concat_map
-            (fun (d : Syntax.Ir.declaration) ->
-              match d.desc with Signature s -> s.names | _ -> [])
-            members
-        in
-        [ (name.text, entry Class name :: List.map (entry Mentions.Value) methods) ]
-    | Primitive s -> List.map value s.names
-    | Foreign (Foreign_value { name; _ }) | Parameter { name; _ } -> [ value name ]
-  in
-  List.concat_map declaration tree.declarations
-
-type parsed = { groups : (string * entry list) list; tree : Syntax.Ir.program }
-
-let known : (string, string * parsed option) Hashtbl.t = Hashtbl.create 32
-
-let parsed ws path module_ =
+let parsed (ws : Workspace.t) path module_ =
   match Workspace.read ws path with
   | Error _ -> None
-  | Ok text -> (
-      match Hashtbl.find_opt known path with
-      | Some (before, parsed) when String.equal before text -> parsed
-      | before ->
-          let file = Filename.basename (Filename.dirname path) ^ "/" ^ Filename.basename path in
-          let tree =
-            match Prepared.Library.tree ~file text with
-            | Some tree -> Some tree
-            | None -> Syntax.Parse.program (Facts.ignored ()) ~file:path text
-          in
-          let parsed = Option.map (fun tree -> { groups = groups module_ tree; tree }) tree in
+  | Ok text ->
+      Text_cache.find ws.exports ~path text (fun before ->
+          match Exports.of_text ~module_ ~path text with
           (* A module with syntax errors keeps its previous exports. *)
-          let parsed =
-            match (parsed, before) with None, Some (_, was) -> was | parsed, _ -> parsed
-          in
-          Hashtbl.replace known path (text, parsed);
-          parsed)
+          | None -> Option.join before
+          | exports -> exports)
 
 let path_of ws ~directory module_ =
   let beside = Filename.concat directory (module_ ^ ".frob") in
@@ -114,7 +63,7 @@ let rec groups_of ws ~directory ~on_the_way module_ =
   else
     match parsed ws path module_ with
     | None -> []
-    | Some { groups; tree } -> (
+    | Some { Exports.groups; tree } -> (
         match Option.bind tree.header (fun h -> h.exports) with
         | None -> groups
         | Some names ->
@@ -153,7 +102,8 @@ let in_scope ws (doc : Document.t) imports =
   let own =
     match Document.names doc with
     | Some seen ->
-        List.concat_map snd (groups (View.program seen.view).main_module (View.tree seen.view))
+        List.concat_map snd
+          (Exports.groups (View.program seen.view).main_module (View.tree seen.view))
     | None -> []
   in
   let imported i =

@@ -1,6 +1,6 @@
 (** The names in scope in a source text, and those that it could import. *)
 
-type entry = { name : string; space : Mentions.space; module_ : string  (** declaring module *) }
+type entry = Exports.entry = { name : string; space : Mentions.space; module_ : string }
 
 type import = {
   of_module : string;

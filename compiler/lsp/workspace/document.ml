@@ -47,11 +47,11 @@ let is_whole = function Some { whole; _ } -> whole | None -> false
 
 type found = { analysis : Analysis.t; whole_view : View.t option; partial_view : View.t option }
 
-let found t ~partial (a : Analysis.t) =
-  let whole_view = View.of_analysis a in
+let found t ~declared ~partial (a : Analysis.t) =
+  let whole_view = View.of_analysis declared a in
   let named = Option.is_some whole_view || is_whole t.named in
   let typed = Option.is_some a.typed || is_whole t.typed in
-  let partial_view = if named && typed then None else View.of_analysis (partial a) in
+  let partial_view = if named && typed then None else View.of_analysis declared (partial a) in
   { analysis = a; whole_view; partial_view }
 
 let prepare { whole_view; partial_view; _ } =

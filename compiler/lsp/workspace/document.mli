@@ -32,7 +32,12 @@ type found = {
 }
 (** The analysis of the current text. *)
 
-val found : t -> partial:(Analysis.t -> Analysis.t) -> Analysis.t -> found
+val found :
+  t ->
+  declared:Mentions.declared Text_cache.t ->
+  partial:(Analysis.t -> Analysis.t) ->
+  Analysis.t ->
+  found
 (** Does not change the document. *)
 
 val prepare : found -> unit

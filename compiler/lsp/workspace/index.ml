@@ -19,38 +19,18 @@ let same a b = Span.compare a.at b.at = 0 && String.equal a.name b.name
 
 (* {1 Declarations of modules} *)
 
-type declared = (Mentions.space * string * string option, Span.t) Hashtbl.t
-
-let declared_by (mentions : Mentions.mention list) : declared =
-  let table = Hashtbl.create 64 in
-  let add : Mentions.mention -> unit = function
-    | Declares (space, name, record) -> Hashtbl.replace table (space, name.text, record) name.span
-    | Binds _ | Signs _ | Uses _ | Selects _ | Imports _ | Exports _ | Local _ -> ()
-  in
-  List.iter add mentions;
-  table
-
-(* Cached, because the same modules are needed again after each change of a program. *)
-let remembered : (string, string * declared) Hashtbl.t = Hashtbl.create 32
-
-let declared_in sources file =
+let declared_in cache sources file : Mentions.declared =
   match Source.text sources file with
   | None -> Hashtbl.create 1
-  | Some text -> (
-      match Hashtbl.find_opt remembered file with
-      | Some (of_text, declared) when String.equal of_text text -> declared
-      | Some _ | None ->
+  | Some text ->
+      Text_cache.find cache ~path:file text (fun _ ->
           let tree =
             match Prepared.Library.tree ~file text with
             | Some tree -> Some tree
             | None -> Syntax.Parse.program (Facts.ignored ()) ~file text
           in
-          let declared =
-            Option.fold tree ~none:(Hashtbl.create 1) ~some:(fun tree ->
-                declared_by (Mentions.of_program tree))
-          in
-          Hashtbl.replace remembered file (text, declared);
-          declared)
+          Option.fold tree ~none:(Hashtbl.create 1) ~some:(fun tree ->
+              Mentions.declared (Mentions.of_program tree)))
 
 (* {1 Results of name resolution} *)
 
@@ -196,8 +176,10 @@ type lookup = {
   sources : Source.t;
   meant : meant;
   records : string Place_table.t;
-  own : declared;  (** the declarations of the text itself *)
-  tables : (string, declared) Hashtbl.t;  (** those of other modules, read when first needed *)
+  own : Mentions.declared;  (** the declarations of the text itself *)
+  tables : (string, Mentions.declared) Hashtbl.t;
+      (** those of other modules, read when first needed *)
+  cache : Mentions.declared Text_cache.t;
 }
 
 let module_named lookup name =
@@ -212,7 +194,7 @@ let declared lookup module_ =
     | None ->
         let table =
           Option.fold (module_named lookup module_) ~none:(Hashtbl.create 1)
-            ~some:(fun (m : Resolve.Ir.module_) -> declared_in lookup.sources m.file)
+            ~some:(fun (m : Resolve.Ir.module_) -> declared_in lookup.cache lookup.sources m.file)
         in
         Hashtbl.replace lookup.tables module_ table;
         table
@@ -348,7 +330,7 @@ let occurrences lookup : Mentions.mention -> occurrence list = function
   | Exports name -> here name (exported lookup lookup.main name.text)
   | Local _ -> []
 
-let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
+let of_analysis cache (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
   match a.resolved with
   | None -> [||]
   | Some program ->
@@ -361,8 +343,9 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
           sources = a.sources;
           meant = meant_by program ~main;
           records = Option.fold typed ~none:(Place_table.create 1) ~some:(records ~main);
-          own = declared_by mentions;
+          own = Mentions.declared mentions;
           tables = Hashtbl.create 16;
+          cache;
         }
       in
       let all = Array.of_list (List.concat_map (occurrences lookup) mentions) in

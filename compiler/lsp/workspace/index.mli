@@ -21,9 +21,14 @@ type symbol = {
 type occurrence = { place : Span.t; symbol : symbol; declares : bool }
 type t
 
-val of_analysis : Analysis.t -> typed:Typing.Ir.program option -> Syntax.Ir.program -> t
+val of_analysis :
+  Mentions.declared Text_cache.t ->
+  Analysis.t ->
+  typed:Typing.Ir.program option ->
+  Syntax.Ir.program ->
+  t
 (** Builds the index from the analysis and tree of a text. [typed], from the same text, determines
-    the records of fields. *)
+    the records of fields. The cache contains the declarations of other modules. *)
 
 val all : t -> occurrence list
 (** In source order. *)

@@ -301,3 +301,15 @@ let of_program (program : program) =
   let signed = binders program.declarations in
   List.iter (top add signed) program.declarations;
   !found
+
+type declared = (space * string * string option, Span.t) Hashtbl.t
+
+let declared mentions : declared =
+  let table = Hashtbl.create 64 in
+  let add = function
+    | Declares (space, name, record) ->
+        Hashtbl.replace table (space, name.Syntax.Ir.text, record) name.span
+    | Binds _ | Signs _ | Uses _ | Selects _ | Imports _ | Exports _ | Local _ -> ()
+  in
+  List.iter add mentions;
+  table

@@ -25,3 +25,9 @@ val of_program : program -> mention list
 
 val patterns : pattern -> name list
 (** The variables in a pattern. *)
+
+type declared = (space * string * string option, Basis.Span.t) Hashtbl.t
+(** Maps the space and name of each declaration to the place of the name. The third part is the
+    constructor of a field. *)
+
+val declared : mention list -> declared

@@ -8,11 +8,11 @@ type t = {
   index : Index.t Lazy.t;
 }
 
-let of_analysis (a : Analysis.t) =
+let of_analysis cache (a : Analysis.t) =
   match (a.resolved, a.tree) with
   | Some program, Some tree ->
       let facts = lazy (Option.map (Place_types.of_program ~main:program.main_module) a.typed) in
-      let index = lazy (Index.of_analysis a ~typed:a.typed tree) in
+      let index = lazy (Index.of_analysis cache a ~typed:a.typed tree) in
       Some { analysis = a; program; tree; facts; index }
   | _ -> None
 

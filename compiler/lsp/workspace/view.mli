@@ -5,8 +5,8 @@ open Basis
 
 type t
 
-val of_analysis : Analysis.t -> t option
-(** [None] if name resolution failed. *)
+val of_analysis : Mentions.declared Text_cache.t -> Analysis.t -> t option
+(** [None] if name resolution failed. The cache is that of {!Index.of_analysis}. *)
 
 val analysis : t -> Analysis.t
 val tree : t -> Syntax.Ir.program

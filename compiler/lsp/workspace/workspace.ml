@@ -8,6 +8,10 @@ type t = {
   mutable roots : string list;
   mutable inlay_hints : bool;
   mutable snippets : bool;
+  trees : Syntax.Ir.program option Text_cache.t;
+  exports : Exports.t option Text_cache.t;
+  declared : Mentions.declared Text_cache.t;
+  explanations : (string, string option) Hashtbl.t;
 }
 
 let create ?(disk = Build.Program_file.files.read) ~library () =
@@ -19,6 +23,10 @@ let create ?(disk = Build.Program_file.files.read) ~library () =
     roots = [];
     inlay_hints = false;
     snippets = false;
+    trees = Text_cache.create ();
+    exports = Text_cache.create ();
+    declared = Text_cache.create ();
+    explanations = Hashtbl.create 16;
   }
 
 let document t uri = Hashtbl.find_opt t.documents uri
@@ -33,7 +41,7 @@ let check t ~path text = Analysis.check ~library:t.library ~read:(read t) ~path 
 
 let analyse t (d : Document.t) =
   let partial = Analysis.partial ~library:t.library ~read:(read t) in
-  Document.found d ~partial (check t ~path:d.path (Text.contents d.text))
+  Document.found d ~declared:t.declared ~partial (check t ~path:d.path (Text.contents d.text))
 
 let look t (d : Document.t) = if d.changed then Document.looked_at d (analyse t d)
 

@@ -10,6 +10,11 @@ type t = {
   mutable roots : string list;
   mutable inlay_hints : bool;
   mutable snippets : bool;  (** whether the editor supports snippets *)
+  trees : Syntax.Ir.program option Text_cache.t;  (** syntax trees, by path *)
+  exports : Exports.t option Text_cache.t;  (** by path *)
+  declared : Mentions.declared Text_cache.t;  (** declarations, by the file name in spans *)
+  explanations : (string, string option) Hashtbl.t;
+      (** the URIs of pages that explain codes, by code *)
 }
 
 val create : ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t

@@ -43,10 +43,15 @@ let load t folder =
     Array.iter load (Sys.readdir folder)
 
 let find = Hashtbl.find_opt
-let count = ref 0
 
 let fresh folder =
-  incr count;
   let now = Int64.of_float (Unix.gettimeofday () *. 1e6) in
   let host = String.map (function '/' | '\000' -> '-' | c -> c) (Unix.gethostname ()) in
-  Filename.concat folder (Printf.sprintf "%s-%Lx-%d-%d%s" host now (Unix.getpid ()) !count suffix)
+  let rec create number =
+    let name = Printf.sprintf "%s-%Lx-%d-%d%s" host now (Unix.getpid ()) number suffix in
+    let path = Filename.concat folder name in
+    match Unix.openfile path [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] 0o644 with
+    | descriptor -> (path, descriptor)
+    | exception Unix.Unix_error (EEXIST, _, _) -> create (number + 1)
+  in
+  create 1

@@ -18,5 +18,6 @@ val load_file : t -> string -> unit
 val find : t -> string -> string list option
 (** The cells of the run with this key. *)
 
-val fresh : string -> string
-(** The path of a new file in the folder, which no other process uses. *)
+val fresh : string -> string * Unix.file_descr
+(** Creates a file in the folder, and opens it for writing. Raises [Unix.Unix_error] if that is not
+    possible. *)

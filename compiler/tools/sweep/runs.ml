@@ -75,9 +75,8 @@ let start (t : Setup.t) (resources : Resources.t) ~folder numbers =
       list;
     ]
   in
-  let rows_file = Rows.fresh folder in
-  let opened path = Unix.openfile path [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] 0o644 in
-  let rows = opened rows_file and complaints = opened errors in
+  let rows_file, rows = Rows.fresh folder in
+  let complaints = Unix.openfile errors [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] 0o644 in
   let pid =
     Child.start Ends_with_us resources.simulator arguments ~stdin:Unix.stdin ~stdout:rows
       ~stderr:complaints

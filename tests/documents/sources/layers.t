@@ -31,3 +31,12 @@ report into messages, `build` computes the result of a request, `tools` implemen
   [1]
   $ uses lsp | grep -w build
   build
+
+No module has a mutable table of its own: state is in values that functions are given.
+
+  $ tables() { grep -rnE '^let [a-z_]+( *:[^=]*)? *= *(lazy *\(?)?[A-Za-z_.]*(create|Array\.make)' --include='*.ml' "$1"; }
+  $ echo 'let known : (string, int) Hashtbl.t = Hashtbl.create 16' > lib/typing/known.ml
+  $ tables lib
+  lib/typing/known.ml:1:let known : (string, int) Hashtbl.t = Hashtbl.create 16
+  $ tables ../../../compiler
+  [1]

@@ -1,0 +1,10 @@
+(** Values computed from the texts of files. The same files are needed again after each change of a
+    program, and most of them have not changed. *)
+
+type 'a t
+
+val create : unit -> 'a t
+
+val find : 'a t -> path:string -> string -> ('a option -> 'a) -> 'a
+(** The value for this text of the file. If the text has changed, the function computes the value,
+    and its argument is the value for the previous text. *)
