@@ -65,33 +65,6 @@ let front ?(seen = ignore) (r : Request.t) sink sources =
 
 (* {1 From Core to Flow} *)
 
-let lint flow =
-  Flow.Lint.program flow;
-  Flow.Initialization.check flow
-
-(* Specializes the program, and checks the rules for all programs before any pass moves an
-   equation, so that messages refer to equations as they were written. *)
-let specialize ~options ~default ~name ~entry sink ~sources ~(written : Typing.Ir.definition) core
-    marks =
-  let options = { options with Specialize.Context.marks } and span = written.span in
-  let* flow =
-    Specialize.Of_core.program ~options ~default (Advice.Of_specialize.into sink) ~name ~entry core
-  in
-  let facts = Advice.Of_flow.into ~sources sink in
-  Flow.Extent.check facts ~entry:span flow;
-  Flow.Causality.check facts ~entry:span flow;
-  if Diagnostic.has_errors sink then None
-  else Some (Flow.Instantaneous_loops.program facts ~entry:span flow)
-
-(* A program that draws is specialized again with room for its marks, once their number is known. *)
-let with_marks r sink ~written ~specialized (plain : Flow.Ir.program) =
-  if plain.marks = 0 then Some plain
-  else
-    let* counted = specialized (Some 1) in
-    let* marks = Drawing.bound sink written counted in
-    if not (Drawing.is_shown r) then Some { plain with marks }
-    else match marks with 0 -> Some plain | 1 -> Some counted | _ -> specialized (Some marks)
-
 let node sink front ~written (flow : Flow.Ir.program) =
   match flow.rate with
   | None -> Some None
@@ -110,10 +83,12 @@ let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition)
       let name = C_file.name r.file in
       let* default = Params.defaults sink core in
       let* core = Operator.declared options sink front.typed ~name ~entry core in
-      let specialized = specialize ~options ~default ~name ~entry sink ~sources ~written core in
-      let* flow = specialized None in
-      let* flow = with_marks r sink ~written ~specialized flow in
-      let* flow = stage r sink Specialize ~lint ~print:Flow.Print.program flow in
+      let* flow =
+        Specialization.program r sink sources ~options ~default ~name ~entry ~written core
+      in
+      let* flow =
+        stage r sink Specialize ~lint:Specialization.lint ~print:Flow.Print.program flow
+      in
       let* _ = node sink front ~written flow in
       Some ((core, entry), flow)
 
@@ -123,7 +98,7 @@ let optimize r sink flow =
   let after = Request.each_pass r Flow.Print.program in
   let optimized = Flow.Optimize.program ~after flow in
   let* optimized = stage r sink Passes ~lint:ignore ~print:(fun _ _ -> ()) optimized in
-  stage r sink Flow ~lint ~print:Flow.Print.program optimized
+  stage r sink Flow ~lint:Specialization.lint ~print:Flow.Print.program optimized
 
 let lower r sink flow =
   let print = Step.Print.program in

@@ -41,9 +41,6 @@ val to_flow :
     [written] is the entry as written in the source, and the last argument is the program closed for
     a robot, with its entry. The result contains the same program with the fields of its console. *)
 
-val lint : Flow.Ir.program -> unit
-(** Checks the invariants of Flow between two stages. *)
-
 (** {1 From Flow to C} *)
 
 val optimize : Request.t -> Diagnostic.sink -> Flow.Ir.program -> Flow.Ir.program option

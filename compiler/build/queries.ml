@@ -98,7 +98,7 @@ let observed (r : Request.t) sink p ~asserts names =
     if asserts then Probe.Observed.claims ~shown:is_shown ~margin:p.margin causal else []
   in
   let flow = { flow with claims } in
-  if r.options.lint then Pipeline.lint flow;
+  if r.options.lint then Specialization.lint flow;
   Some { p with flow }
 
 let checked sink sources (r : Request.t) =
