@@ -113,6 +113,7 @@ type in_types =
       of_units : bool;  (** the number of unit arguments is wrong, and not that of types *)
       expected : int;
       found : int;
+      text : string;  (** the text of the file *)
     }
   | Representation_without_parameter of { name : name; owner : string }
   | Size_not_a_number of { at : Span.t; alias : string option }
@@ -165,13 +166,23 @@ and c_meaning = Reserved_by_c | In_c_headers | Of_generated_c | Main_function
 
 (** {1 Warnings} *)
 
-type variable = { name : string; at : Span.t }
+type variable = {
+  name : string;
+  at : Span.t;
+  is_parameter : bool;  (** of a function with a name *)
+  zero : Span.t option;
+      (** a literal 0 that commands the speed that a variable with this name usually stands for *)
+}
 
 type warning =
   | Hides_local of { outer : Ir.Local.t; inner : Ir.Local.t }
   | Hides_parameter of { param : name; inner : Ir.Local.t }
-  | Unused_equation of { at : Span.t; name : string option; circle : string list }
-      (** [name]: [None] for a pattern; [circle]: the names that use only each other *)
+  | Unused_equation of {
+      at : Span.t;
+      name : string option;  (** [None] for a pattern *)
+      circle : string list;  (** the names that use only each other *)
+      zero : Span.t option;  (** as in {!variable} *)
+    }
   | Unused_variables of variable * variable list  (** of one pattern *)
   | Unused_import of Ir.idle
   | Deprecated of {

@@ -47,6 +47,27 @@ let typed_left t =
   in
   List.find_map rule Typed_left.rules
 
+let has_word word text =
+  let word_or_blank c = if Character.is_name c then c else ' ' in
+  List.mem word (String.split_on_char ' ' (String.map word_or_blank text))
+
+(* `total :: List[float] -> float`. The names in the brackets are not reported, because the type
+   before them is. *)
+let type_of_another_language (t : Unknown.t) =
+  let text = Unknown.text t and span = t.name.span in
+  let at = Text_place.offset text span.start in
+  match (t.namespace, Other_type.signature text at) with
+  | Types, Some signature when not (has_word t.name.text signature) ->
+      Some
+        (Report
+           (Unknown.diagnostic t
+           |> Diagnostic.hint ("write " ^ Option.get (Other_type.of_signature text at))))
+  | Units, Some signature
+    when Other_type.changed text at <> None
+         && ((not (has_word t.name.text signature)) || Character.is_upper t.name.text.[0]) ->
+      Some Silent
+  | _ -> None
+
 let class_ (t : Unknown.t) =
   if t.namespace = Types && Visible.is_known t.module_.visible Interface.classes t.name.text then
     Some Class_as_type
@@ -95,6 +116,7 @@ let outcome suggestions (t : Unknown.t) =
       unit_without_brackets;
       of_a_reported_definition;
       typed_left;
+      type_of_another_language;
       report Unknown_unit.diagnostic;
       report Of_another_language.controller;
       report of_a_qualified_import;

@@ -14,10 +14,22 @@ let parameter_missing (name : Syntax.Ir.name) ~owner ~is_unit =
 
 let counted n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
 
-let hint_of_builtin name ~found =
+(* `Array 4 Distance` for `Array Distance` *)
+let of_elements ~text (at : Span.t) =
+  let start = Text_place.offset text at.start in
+  let stop = min (String.length text) (Text_place.offset text at.stop) in
+  match Other_type.of_text (String.sub text start (max 0 (stop - start))) with
+  | Some written when String.starts_with ~prefix:"Array n " written ->
+      "Array 4" ^ String.sub written 7 (String.length written - 7)
+  | Some _ | None -> "Array 4 Float"
+
+let hint_of_builtin name ~found ~text at =
   match name with
   | "Array" when found > 2 -> Some "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
-  | "Array" -> Some "write the size and the type of the elements, as in `Array 4 Float`"
+  | "Array" ->
+      Some
+        (Printf.sprintf "write the size and the type of the elements, as in `%s`"
+           (of_elements ~text at))
   | "SF" when found > 2 -> Some "combine several inputs in a tuple, as in `SF (a, b) c`"
   | "SF" ->
       Some
@@ -30,7 +42,7 @@ let hint_of_builtin name ~found =
       Some "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
   | _ -> None
 
-let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found at =
+let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in
   let noun = if of_units then "unit argument" else "type argument" in
   let diagnostic =
@@ -38,7 +50,13 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found at =
       found
   in
   let is_builtin = Interface.is_builtin tycon in
-  match if is_builtin then hint_of_builtin name ~found else None with
+  let hint =
+    match Other_type.changed text (Text_place.offset text at.start) with
+    | Some signature -> Some ("write " ^ signature)
+    | None when is_builtin -> hint_of_builtin name ~found ~text at
+    | None -> None
+  in
+  match hint with
   | Some hint -> Diagnostic.hint hint diagnostic
   | None when of_units && expected = 1 && found = 0 ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
@@ -131,8 +149,8 @@ let twice what (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
 
 let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
   | Parameter_missing { name; owner; is_unit } -> parameter_missing name ~owner ~is_unit
-  | Wrong_arity { at; tycon; of_units; expected; found } ->
-      wrong_arity tycon ~of_units ~expected ~found at
+  | Wrong_arity { at; tycon; of_units; expected; found; text } ->
+      wrong_arity tycon ~of_units ~expected ~found ~text at
   | Representation_without_parameter { name; owner } ->
       Diagnostic.error ~code:"E0222" ~at:name.span
         "`%s` can be a Float or an Int, and `%s` has no parameter to choose between them" name.text

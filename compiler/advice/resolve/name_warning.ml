@@ -3,7 +3,16 @@ open Resolve
 
 (* {1 Unused names} *)
 
-let unused_equation ~at ~circle name =
+(* `setVelTR v 0` beside an unused `omega` *)
+let instead_of_zero name zero d =
+  match zero with
+  | Some zero ->
+      Diagnostic.label ~at:zero "this is 0" d
+      |> Diagnostic.hint (Printf.sprintf "write `%s` in place of this 0" name)
+      |> Diagnostic.write zero name
+  | None -> d
+
+let unused_equation ~at ~circle ~zero name =
   let pronoun = if name = None then "them" else "it" in
   Diagnostic.warning ~code:"W0304" ~at "%s here, but nothing uses %s"
     (match name with
@@ -16,6 +25,7 @@ let unused_equation ~at ~circle name =
      | names ->
          let names = List.map (Printf.sprintf "`%s`") names in
          Diagnostic.note (Enumeration.all names ^ " use only each other"))
+  |> instead_of_zero (Option.value name ~default:"") zero
   |> Diagnostic.hint
        (match name with
        | None -> "use one of them in an output, or remove the equation"
@@ -32,8 +42,15 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
   match others with
   | [] ->
       Diagnostic.warning ~code:"W0305" ~at:first.at "`%s` is never used" first.name
-      |> Diagnostic.hint (Printf.sprintf "replace it by `_` or `_%s`" first.name)
-      |> Diagnostic.fix ~safe:true
+      |> instead_of_zero first.name first.zero
+      |> Diagnostic.hint
+           (Printf.sprintf
+              (if first.zero <> None then "if it is unused on purpose, replace it by `_` or `_%s`"
+               else if first.is_parameter then
+                 "use it in the definition; if it is unused on purpose, replace it by `_` or `_%s`"
+               else "replace it by `_` or `_%s`")
+              first.name)
+      |> Diagnostic.fix ~safe:(first.zero = None)
            (Printf.sprintf "write `_%s`" first.name)
            [ (first.at, "_" ^ first.name) ]
   | _ ->
@@ -96,7 +113,7 @@ let diagnostic : Fact.warning -> Diagnostic.t = function
         inner.name
       |> Diagnostic.label ~at:param.span "setting this parameter has no effect where it is hidden"
       |> Diagnostic.hint "give one of them another name"
-  | Unused_equation { at; name; circle } -> unused_equation ~at ~circle name
+  | Unused_equation { at; name; circle; zero } -> unused_equation ~at ~circle ~zero name
   | Unused_variables (first, others) -> unused_variables first others
   | Unused_import idle -> unused_import idle
   | Deprecated { name; at; text; is_visible } -> deprecated name ~at ~text ~is_visible

@@ -94,19 +94,6 @@ let claim found =
             |> cured found (written text "\"keeps off the wall\"")))
   | _ -> None
 
-(* The type of a value, guessed from its source text. *)
-let type_of value =
-  let inside =
-    match (String.index_opt value '[', String.rindex_opt value ']') with
-    | Some first, Some last when last = String.length value - 1 && first > 0 ->
-        Some (String.sub value first (last - first + 1))
-    | _ -> None
-  in
-  match (value, inside) with
-  | ("True" | "False"), _ -> "Bool"
-  | _, Some unit_ -> "Float" ^ unit_
-  | _ -> "Float"
-
 (* `param gain = 0.5`, without a type *)
 let param found =
   match (first_word found, found.token.token, found.before) with
@@ -114,7 +101,7 @@ let param found =
       let value, (_, stop) = code_between found found.token.stop.pos_cnum (snd (line found)) in
       if value = "" || not (is_short value) then None
       else
-        let text = Printf.sprintf "param %s :: %s = %s" name (type_of value) value in
+        let text = Other_parameter.declaration ~name value in
         Some
           (error found
              ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
@@ -133,7 +120,7 @@ let param_name found =
       match String.index_opt rest '=' with
       | Some 0 ->
           let value = String.trim (String.sub rest 1 (String.length rest - 1)) in
-          Some (Printf.sprintf "%s :: %s = %s" name (type_of value) value)
+          Some (Printf.sprintf "%s :: %s = %s" name (Other_parameter.type_of value) value)
       | Some _ | None -> None
   in
   let written =
@@ -166,6 +153,25 @@ let param_name found =
       error found ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum) "%s" what
       |> instead found ~at:(first, stop) ("param " ^ text))
     written
+
+(* `param("speed", 0.3[m/s])` in an expression *)
+let param_call found =
+  match (found.token.token, found.before) with
+  | PARAM, Some _ when first_word_of_line found <> "param" ->
+      let bol = found.token.start.pos_bol and stop = found.token.stop.pos_cnum in
+      Option.map
+        (fun (name, declaration) ->
+          let d =
+            error found
+              ~at:(found.token.start.pos_cnum, stop)
+              "a parameter is declared at the top level"
+          in
+          let at = found.token.start.pos_cnum in
+          if Other_parameter.is_its_definition found.text at name then
+            instead found ~at:(bol, end_of_line found stop) declaration d
+          else Diagnostic.hint (Other_parameter.hint found.text at (name, declaration)) d)
+        (Other_parameter.of_arguments found.text stop)
+  | _ -> None
 
 (* `let d = e` among the equations of a `where` *)
 let let_equation found =
@@ -289,6 +295,7 @@ let diagnostic found =
       claim;
       param;
       param_name;
+      param_call;
       let_equation;
       constraints;
       foreign_import;

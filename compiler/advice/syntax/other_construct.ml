@@ -457,17 +457,23 @@ let type_in_brackets found =
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       error found "the type of an array cannot be written in brackets"
       |> Diagnostic.hint
-           "write the type of the elements, and a size or, for any size, a variable: `Array 4 \
-            Float`, `Array n Float`"
+           (match Other_type.of_signature found.text found.token.start.pos_cnum with
+           | Some signature -> "write " ^ signature
+           | None ->
+               "write the type of the elements, and a size or, for any size, a variable: `Array 4 \
+                Float`, `Array n Float`")
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | QUALIFIED_UPPER _; _ }
     when names_before found "::" && Option.fold (in_brackets found) ~none:false ~some:is_a_type ->
       let element = Option.get (in_brackets found) in
       error found "the type of an array cannot be written in brackets"
       |> Diagnostic.hint
-           (Printf.sprintf
-              "write it with a size or, for any size, a variable: `(Array 4 %s)`, `(Array n %s)`"
-              element element)
+           (match Other_type.of_signature found.text found.token.start.pos_cnum with
+           | Some signature -> "write " ^ signature
+           | None ->
+               Printf.sprintf
+                 "write it with a size or, for any size, a variable: `(Array 4 %s)`, `(Array n %s)`"
+                 element element)
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
       error found "a `[` is not allowed here"

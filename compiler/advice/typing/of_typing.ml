@@ -63,7 +63,7 @@ let diagnostic sources (fact : Typing.Fact.t) =
       Annotation_mistake.scaled_unit environment places measure
   | Array_size { at; size; largest } -> Annotation_mistake.array_size ~at size ~largest
   | Wrong_kind { environment; at; wanted; found } ->
-      Annotation_mistake.wrong_kind environment ~at wanted found
+      Annotation_mistake.wrong_kind sources environment ~at wanted found
   | Too_large { at; construct } -> Mistake.too_large ~at construct
   | Exponent_too_large at -> Mistake.exponent_too_large ~at
 

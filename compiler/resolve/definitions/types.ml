@@ -70,7 +70,7 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
   let units_right = units = tycon.unit_arity || (units = 0 && tycon.units_optional) in
   let types_right = types = tycon.type_arity in
   let wrong ~of_units expected found =
-    report scope (Wrong_arity { at; tycon; of_units; expected; found })
+    report scope (Wrong_arity { at; tycon; of_units; expected; found; text = scope.visible.text })
   in
   if not units_right then wrong ~of_units:true tycon.unit_arity units;
   if not types_right then wrong ~of_units:false tycon.type_arity types;

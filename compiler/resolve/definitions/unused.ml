@@ -12,7 +12,33 @@ type found = {
   of_local : int Int_table.t;
   mutable told : int list; (* vertices whose values hosts report; they count as used *)
   mutable reads : (int * int) list; (* pairs of a reading vertex and the local variable it reads *)
+  mutable parameters : Span.t list; (* the patterns of the parameters of functions *)
+  mutable zeros : (string list * Span.t) list;
+      (* literal zeros in commands, with the usual names for a variable in that place *)
 }
+
+let names_of_speeds = [ "v"; "vel"; "speed"; "velocity"; "linear"; "forward" ]
+
+let names_of_turns =
+  [ "omega"; "w"; "turn"; "turning"; "turnRate"; "rotation"; "angular"; "steer"; "steering"; "yaw" ]
+
+let is_zero (e : Ir.expr) =
+  match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
+
+(* The literal zeros in `setVelTR v 0`. *)
+let zeros (e : Ir.expr) =
+  match Walk.application e with
+  | { desc = Global { name = "setVelTR"; _ }; _ }, [ v; omega ] ->
+      List.filter
+        (fun (_, (e : Ir.expr)) -> is_zero e)
+        [ (names_of_speeds, v); (names_of_turns, omega) ]
+      |> List.map (fun (names, (e : Ir.expr)) -> (names, e.span))
+  | _ -> []
+
+let zero_for found name =
+  match List.filter (fun (names, _) -> List.mem name names) found.zeros with
+  | [ (_, at) ] -> Some at
+  | _ -> None
 
 let add found vertex =
   let number = found.count in
@@ -31,7 +57,9 @@ let add_pattern found needs (pattern : Ir.pattern) =
 let rec expr found reader (e : Ir.expr) =
   match e.desc with
   | Local local -> found.reads <- (reader, local.id) :: found.reads
-  | _ -> Walk.expr (visitor found reader) e
+  | _ ->
+      found.zeros <- zeros e @ found.zeros;
+      Walk.expr (visitor found reader) e
 
 (* Is this an equation such as [error = meanOf x], whose value `frobc test` reports? *)
 and is_measured (b : Ir.binding) =
@@ -42,6 +70,7 @@ and is_measured (b : Ir.binding) =
 
 and binding found (b : Ir.binding) =
   let number = found.count in
+  found.parameters <- List.map (fun (p : Ir.pattern) -> p.span) b.parameters @ found.parameters;
   (match b.name with
   | Top (g, at) -> ignore (add found { name = g.name; at; kind = Equation; needs = [] })
   | Inner local ->
@@ -58,15 +87,33 @@ and visitor found reader : Walk.visitor =
   { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
 
 (* The unread variables of one pattern; many of them are reported together. *)
-let report_variables report vertices =
-  let variables = List.map (fun v : Fact.variable -> { name = v.name; at = v.at }) vertices in
+let report_variables report found vertices =
+  let variable { name; at; kind; _ } : Fact.variable =
+    let is_parameter =
+      match kind with
+      | Variable whole -> List.exists (fun at -> Span.compare at whole = 0) found.parameters
+      | Equation -> false
+    in
+    { name; at; is_parameter; zero = zero_for found name }
+  in
+  let variables = List.map variable vertices in
   match variables with
   | first :: (_ :: _ :: _ :: _ as others) -> report (Fact.Unused_variables (first, others))
   | few -> List.iter (fun variable -> report (Fact.Unused_variables (variable, []))) few
 
 (* Reports the unused names in one definition. *)
 let of_definition report ~is_mentioned (b : Ir.binding) =
-  let found = { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] } in
+  let found =
+    {
+      vertices = [];
+      count = 0;
+      of_local = Int_table.create 16;
+      told = [];
+      reads = [];
+      parameters = [];
+      zeros = [];
+    }
+  in
   binding found b;
   let vertices = Array.of_list (List.rev found.vertices) in
   let graph = Array.map (fun v -> v.needs) vertices in
@@ -104,7 +151,8 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
           let circle =
             if Graph.is_cyclic graph members then List.filter_map name_of members else []
           in
-          report (Fact.Unused_equation { at = v.at; name = name v; circle })
+          report
+            (Fact.Unused_equation { at = v.at; name = name v; circle; zero = zero_for found v.name })
       | Variable _ -> if not (is_mentioned v.at) then unread := number :: !unread
   in
   List.iter report_component components;
@@ -117,7 +165,7 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   in
   List.sort (fun a b -> Int.compare b a) !unread
   |> List.fold_left by_pattern []
-  |> List.iter (report_variables report)
+  |> List.iter (report_variables report found)
 
 (* A module may be imported only for its instances, or, if it is not in the library, for the
    instances of the modules that it imports. *)

@@ -13,8 +13,11 @@ let nth kind k =
   if round = 0 then letter else letter ^ string_of_int round
 
 let type_meant name =
-  match String.capitalize_ascii name with
-  | ( "Float" | "Double" | "Int" | "Integer" | "Bool" | "String" | "Time" | "Distance" | "Velocity"
-    | "Acceleration" | "Angle" ) as type_ ->
-      Some type_
+  match String.lowercase_ascii name with
+  | ( "float" | "double" | "int" | "integer" | "bool" | "string" | "time" | "distance" | "velocity"
+    | "acceleration" | "angle" ) as name ->
+      Some (String.capitalize_ascii name)
+  | "angularvelocity" -> Some "AngularVelocity"
+  | "boolean" -> Some "Bool"
+  | "str" -> Some "String"
   | _ -> None

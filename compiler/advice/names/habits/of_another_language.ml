@@ -165,8 +165,41 @@ let c_declaration t =
       |> Diagnostic.hint hint)
     (Unknown.c_declaration t)
 
+(* `get_param("speed", 0.3)`, `rospy.get_param("~speed")` or `nh.param("speed", 0.3)` *)
+let parameter (t : Unknown.t) =
+  let text = Unknown.text t in
+  let reads word =
+    List.mem word
+      [
+        "get_param";
+        "getParam";
+        "get_parameter";
+        "declare_parameter";
+        "param";
+        "parameter";
+        "getparam";
+      ]
+  in
+  let stop = Text_place.offset text t.name.span.stop in
+  let is_name = Character.is_name in
+  let rec last i = if is_name (Text_place.char_at text i) then last (i + 1) else i in
+  let after =
+    if reads t.name.text then Some stop
+    else if Text_place.char_at text stop = '.' then
+      let next = last (stop + 1) in
+      if reads (String.sub text (stop + 1) (next - stop - 1)) then Some next else None
+    else None
+  in
+  if t.namespace <> Values then None
+  else
+    Option.map
+      (fun found ->
+        explained t (Other_parameter.hint text (Text_place.offset text t.name.span.start) found))
+      (Option.bind after (Other_parameter.of_arguments text))
+
 let rules =
   [
+    parameter;
     member;
     integral;
     operator;

@@ -185,6 +185,44 @@ let if_in_a_guard found =
       Some (Printf.sprintf "a guard needs no `if`: use `| %s = …`" (String.concat " " condition))
   | _ -> None
 
+(* `| x < 0 = 1, x > 1 = 2`, and `| x > 0, x < 1 = 2` as in Haskell *)
+let separated_guards found =
+  let bol = found.token.start.pos_bol and at = found.token.start.pos_cnum in
+  let sign = if innermost_block found.context = Of then " -> " else " = " in
+  let split text =
+    Option.map
+      (fun i ->
+        let n = String.length sign in
+        (String.sub text 0 i, String.sub text (i + n) (String.length text - i - n)))
+      (Other_type.find sign text)
+  in
+  let line = String.sub found.text bol (at - bol) in
+  match (found.token.token, String.rindex_opt line '|') with
+  | COMMA, Some bar
+    when (not (in_brackets found.context)) && Option.is_none (Other_type.find "||" line) -> (
+      let first = between found (bol + bar + 1) at in
+      let rest = between found (at + 1) (end_of_line found at) in
+      let is_alone name = name <> "" && String.for_all Basis.Character.is_name name in
+      match (split first, split rest) with
+      | _ when rest = "" -> Some "remove the comma at the end of the line"
+      | _ when Other_type.mentions "<-" first || Other_type.mentions "<-" rest ->
+          Some "a guard is a condition: to match a pattern, use `case`"
+      | None, Some (second, value) ->
+          Some
+            (Printf.sprintf "join two conditions with `&&`: `| %s && %s%s%s`" first second sign
+               value)
+      | Some _, Some _ ->
+          Some
+            (Printf.sprintf "put each guard on a line of its own, without a comma: `| %s`, `| %s`"
+               first rest)
+      | Some (name, number), None when String.equal sign " = " && is_alone name ->
+          Some
+            (Printf.sprintf
+               "compare with `==`, and join conditions with `&&`: `| %s == %s && %s = …`" name
+               number rest)
+      | _ -> None)
+  | _ -> None
+
 let otherwise found =
   match (found.token.token, found.before) with
   | ELSE, _

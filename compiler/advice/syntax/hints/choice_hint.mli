@@ -21,6 +21,9 @@ val in_braces : Found.rule
 val if_in_a_guard : Found.rule
 (** [| if x > 0 = 1], a guard with an [if]. *)
 
+val separated_guards : Found.rule
+(** Guards, or the conditions of one guard, with a comma between them. *)
+
 val otherwise : Found.rule
 (** A guard with `else`. *)
 

@@ -120,6 +120,7 @@ let declarations =
       Choice_hint.when_for_if;
       Choice_hint.double_arrow;
       Choice_hint.if_in_a_guard;
+      Choice_hint.separated_guards;
       Choice_hint.membership;
       Equation_hint.split_by_value;
       Equation_hint.outside_do;
@@ -134,6 +135,7 @@ let declarations =
       capital;
       Choice_hint.branch;
       Type_hint.with_parameters;
+      Type_hint.in_another_notation;
       Type_hint.contexts;
       Type_hint.split_arrow;
       Type_hint.parameters;
@@ -275,8 +277,8 @@ let else_if found =
 (* The `std::` of which this token is the `::`. *)
 let namespace found =
   match (found.token.token, found.before) with
-  | DOUBLE_COLON, Some ({ token = LOWER _; _ } as before)
-    when is_adjacent found before && Basis.Character.is_name (after found) ->
+  | DOUBLE_COLON, Some ({ token = LOWER _ | UPPER _; _ } as before)
+    when is_adjacent found before && Basis.Character.is_lower (after found) ->
       Some (before.start.pos_cnum, found.token.stop.pos_cnum)
   | _ -> None
 

@@ -31,11 +31,26 @@ let with_parameters found =
     when Other_type.in_angles found.text start.pos_cnum <> None ->
       let text, _ = Option.get (Other_type.in_angles found.text start.pos_cnum) in
       Some
-        (Printf.sprintf "a type has its arguments after spaces, without `<>`: write `%s`%s" text
-           (if String.starts_with ~prefix:"Array n" text then ", or a number for the size `n`"
-            else ""))
+        ("a type has its arguments after spaces, without `<>`: write "
+        ^ Option.value
+            (Other_type.of_signature found.text found.token.start.pos_cnum)
+            ~default:(Printf.sprintf "`%s`" text))
   | OPERATOR "<", Some { token = LOWER ("vector" | "array" | "list" | "deque"); _ } ->
       Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
+  | _ -> None
+
+(* `event float`, with a lower-case letter, or `float[]` *)
+let in_another_notation found =
+  match (found.token.token, found.before) with
+  | (UPPER _ | LOWER _ | NUMBER _ | LPAREN), Some { token = LOWER name; _ }
+    when Other_type.known name <> None || Other_type.is_of_elements name ->
+      Option.map
+        (fun signature -> "start a type with a capital letter: write " ^ signature)
+        (Other_type.changed found.text found.token.start.pos_cnum)
+  | RBRACKET, Some { token = UNIT_BRACKET; _ } ->
+      Option.map
+        (fun signature -> "for an array, write " ^ signature)
+        (Other_type.changed found.text found.token.start.pos_cnum)
   | _ -> None
 
 (* `HasSonar i => DiffDrive o => SF i o`, as in Haskell *)
@@ -69,7 +84,8 @@ let parameters found =
 
 let capital found =
   match (found.token.token, found.before) with
-  | DOUBLE_COLON, Some { token = UPPER _; _ } ->
+  | DOUBLE_COLON, Some ({ token = UPPER _; _ } as before)
+    when not (is_adjacent found before && Basis.Character.is_lower (after found)) ->
       Some "start the name of a value with a lower-case letter"
   | _ -> None
 
@@ -113,7 +129,9 @@ let of_a_namespace found (before : Layout.token) =
   in
   let name = forward first in
   let stop = if char_at found name = '(' then close name 0 else name in
-  Other_notation.expression (String.sub text first (stop - first))
+  match Other_notation.expression (String.sub text first (stop - first)) with
+  | Some text when not (Other_type.mentions "::" text) -> Some text
+  | Some _ | None -> None
 
 let misplaced found =
   let general = "put the expression and its type in parentheses: `(e :: T)`" in
@@ -124,12 +142,15 @@ let misplaced found =
   match found.before with
   | Some { token = LOWER _; _ } when hyphenated line <> None ->
       Printf.sprintf "a name cannot contain `-`: write `%s`" (Option.get (hyphenated line))
-  | Some ({ token = LOWER _; _ } as before)
+  | Some ({ token = LOWER _ | UPPER _; _ } as before)
     when is_adjacent found before && Basis.Character.is_lower (after found) ->
       let prefix = written found before in
       Option.fold (of_a_namespace found before)
         ~none:
-          (Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`" prefix)
+          (if Basis.Character.is_upper prefix.[0] then
+             Printf.sprintf "write a name in a module as `%s.name`, or `name` alone" prefix
+           else
+             Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`" prefix)
         ~some:(fun text ->
           Printf.sprintf "write `%s`, without `%s::`%s" text prefix
             (if String.starts_with ~prefix:"clamp " text then "; it needs `import Control`" else ""))

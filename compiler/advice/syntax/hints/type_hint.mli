@@ -3,6 +3,9 @@
 val with_parameters : Found.rule
 (** [vector<float>], as in C++. *)
 
+val in_another_notation : Found.rule
+(** [event float], with a lower-case letter, or [float[]]. *)
+
 val contexts : Found.rule
 (** Two contexts with a [=>] each, as in Haskell. *)
 

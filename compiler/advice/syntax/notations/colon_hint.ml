@@ -202,6 +202,8 @@ let seeds text at =
       | _ -> None)
   | _ -> None
 
+let of_types = "put `::` before a type"
+
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
   let start = definition_start text at in
@@ -226,7 +228,7 @@ let of_field text at =
         | None -> name ^ " = …"
       in
       { hint = Some (Printf.sprintf "set a field with `=`: `%s`" fields); instead = Some " =" }
-  | _ -> { hint = Some "put `::` before a type"; instead = None }
+  | _ -> { hint = Some of_types; instead = None }
 
 let of_class =
   "Frob has no objects: declare a record with `data`, and define functions of it at the top level"
@@ -297,6 +299,20 @@ let typed_parameter text start at =
       (fun (typed : Typed_equation.t) ->
         Printf.sprintf "write `param %s :: %s = %s`" typed.name typed.type_ typed.value)
       (Typed_equation.of_colon (String.sub line n (String.length line - n)))
+
+(* `f : distance -> bool`, with one colon *)
+let typed_as_in_elm text start at =
+  let name = String.sub text start (at - start) in
+  let is_alone = Other_type.is_a_name (String.trim name) in
+  let is_top = is_alone && char_at text start <> ' ' in
+  match Other_type.of_signature text at with
+  | Some signature
+    when is_alone
+         && line_of_brace text at = None
+         && char_at text (at + 1) = ' '
+         && (is_top || String.exists Basis.Character.is_upper signature) ->
+      Some (Printf.sprintf "%s: %s" of_types signature)
+  | Some _ | None -> if is_top && splits_a_list text at then Some of_types else None
 
 let typed_equation text start at =
   match Typed_equation.of_colon (String.sub text start (end_of_line text at - start)) with
@@ -391,6 +407,8 @@ let of_colon text at =
   | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
+  | _ when typed_as_in_elm text start at <> None ->
+      { hint = typed_as_in_elm text start at; instead = None }
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
       hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
   | "param" :: _ when typed_parameter text start at <> None ->

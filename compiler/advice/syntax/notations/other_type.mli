@@ -1,5 +1,35 @@
 (** Types in the notation of C++, Java and Python, in Frob. *)
 
+val known : string -> string option
+(** The type of Frob with this name, which may be a type of another language, or in other letters:
+    [Float] for [double], and [Distance] for [distance]. *)
+
+val is_of_elements : string -> bool
+(** Is this a name of arrays or lists, such as [vector]? *)
+
 val in_angles : string -> int -> (string * int) option
 (** [Array 4 Float] for [Array<Float, 4>] or [std::array<float, 4>] at this offset, and the offset
     after it. *)
+
+val of_text : string -> string option
+(** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. A type of Frob keeps
+    its meaning. [None] if the text contains anything unknown. *)
+
+val is_a_name : string -> bool
+(** Is this the name of a value? *)
+
+val signature : string -> int -> string option
+(** The signature on the line around this offset, in Frob: [f :: Array n Float -> Bool] for
+    [f : List[float] -> bool]. [None] if the line is not a whole signature. *)
+
+val of_signature : string -> int -> string option
+(** The same for a hint: in quotes, and with what to write for the size of an array. *)
+
+val changed : string -> int -> string option
+(** {!of_signature}, unless the signature is already in Frob. *)
+
+val find : string -> string -> int option
+(** The offset of the first text in the second. *)
+
+val mentions : string -> string -> bool
+(** Does the second text contain the first? *)

@@ -10,6 +10,19 @@ let line_start text at =
   | Some i when i < at -> i + 1
   | Some _ | None -> 0
 
+let start_of_line text line =
+  let rec go start n =
+    if n <= 1 then start
+    else
+      match String.index_from_opt text start '\n' with
+      | Some i -> go (i + 1) (n - 1)
+      | None -> String.length text
+  in
+  go 0 line
+
+let offset text position =
+  start_of_line text (Basis.Span.line position) + Basis.Span.column position - 1
+
 let end_of_line text at =
   Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
 

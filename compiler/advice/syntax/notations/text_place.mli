@@ -9,6 +9,12 @@ val ending : string -> int -> (char -> bool) -> string
 val line_start : string -> int -> int
 (** The offset at which the line of this offset begins. *)
 
+val start_of_line : string -> int -> int
+(** The offset at which the line with this number, counted from 1, begins. *)
+
+val offset : string -> Basis.Span.position -> int
+(** The offset of this position. *)
+
 val end_of_line : string -> int -> int
 (** The offset at which the line of this offset ends. *)
 

@@ -28,17 +28,15 @@ let foreign_word ~expected (found : Ir.name) =
 
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
-(* The type in the notation of C++ whose `<` is here, in Frob. *)
+(* The type in the notation of C++ whose `<` is here, or the whole signature, in Frob. *)
 let type_in_angles ~text (at : Span.t) =
-  let line =
-    Option.value
-      (List.nth_opt (String.split_on_char '\n' text) (Span.line at.start - 1))
-      ~default:""
-  in
-  let rec start i = if i > 0 && Character.is_name line.[i - 1] then start (i - 1) else i in
-  let sign = Span.column at.start - 1 in
-  if sign > String.length line then None
-  else Option.map fst (Other_type.in_angles line (start sign))
+  let sign = Text_place.offset text at.start in
+  let rec start i = if i > 0 && Character.is_name text.[i - 1] then start (i - 1) else i in
+  if sign > String.length text then None
+  else
+    match Other_type.of_signature text sign with
+    | Some signature -> Some signature
+    | None -> Option.map (fun (t, _) -> "`" ^ t ^ "`") (Other_type.in_angles text (start sign))
 
 let size_operator ~text ~at operator =
   if not (String.equal operator "<") then
@@ -47,11 +45,7 @@ let size_operator ~text ~at operator =
     match type_in_angles ~text at with
     | Some written ->
         error at "a type has its arguments after spaces, without `<>`"
-        |> Diagnostic.hint
-             (Printf.sprintf "write `%s`%s" written
-                (if String.starts_with ~prefix:"Array n" written then
-                   ", or a number for the size `n`"
-                 else ""))
+        |> Diagnostic.hint ("write " ^ written)
     | None -> error at "a type has its arguments after spaces, as in `Event Distance`, without `<>`"
 
 let empty_where at =
@@ -63,12 +57,17 @@ let empty_where at =
 
 let error at format = Diagnostic.error ~code:"E0119" ~at format
 
-let number_in_unit ~at digits =
-  error at "the number `%s` cannot be part of a unit, only `1` can" digits
-  |> Diagnostic.hint
-       (Printf.sprintf
-          "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
-          digits)
+let number_in_unit ~text ~(at : Span.t) digits =
+  match Other_type.signature text (Text_place.offset text at.start) with
+  | Some signature when Other_type.mentions ("Array " ^ digits) signature ->
+      error at "the brackets after a type contain a unit, not the size of an array"
+      |> Diagnostic.hint (Printf.sprintf "write `%s`" signature)
+  | Some _ | None ->
+      error at "the number `%s` cannot be part of a unit, only `1` can" digits
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
+              digits)
 
 let exponent_not_whole ~at digits =
   error at "the exponent `%s` of a unit is not a whole number" digits

@@ -14,7 +14,7 @@ val empty_where : Span.t -> Diagnostic.t
 
 (** {1 Units} *)
 
-val number_in_unit : at:Span.t -> string -> Diagnostic.t
+val number_in_unit : text:string -> at:Span.t -> string -> Diagnostic.t
 val exponent_not_whole : at:Span.t -> string -> Diagnostic.t
 val exponent_too_large : Span.t -> Diagnostic.t
 val exponent_over_zero : Span.t -> Diagnostic.t

@@ -8,7 +8,7 @@ let diagnostic ~text (reason : Syntax.Rejection.t) =
   | Foreign_word { expected; found } -> Form_mistake.foreign_word ~expected found
   | Size_not_whole { at; digits } -> Form_mistake.size ~at digits
   | Size_operator { at; operator } -> Form_mistake.size_operator ~text ~at operator
-  | Number_in_unit { at; digits } -> Form_mistake.number_in_unit ~at digits
+  | Number_in_unit { at; digits } -> Form_mistake.number_in_unit ~text ~at digits
   | Exponent_not_whole { at; digits } -> Form_mistake.exponent_not_whole ~at digits
   | Exponent_too_large at -> Form_mistake.exponent_too_large at
   | Exponent_over_zero at -> Form_mistake.exponent_over_zero at

@@ -126,6 +126,12 @@ let parentheses ({ words; call; mistake } as fact) =
   let all = List.length arguments in
   let type_at i = snd (List.nth arguments (i - 1)) in
   (* arguments on separate lines are more likely statements that lack a `do` *)
+  (* Is this argument a tuple with a part for each parameter of the function before it? *)
+  let separates_arguments i =
+    match (fst (List.nth arguments (i - 1))).desc with
+    | Tuple (_ :: _ as parts) -> List.compare_length_with parts (arity (type_at (i - 1))) = 0
+    | _ -> false
+  in
   let in_one_line =
     let (last : Resolve.Ir.expr), _ = List.nth arguments (all - 1) in
     Span.line head.span.start = Span.line last.span.stop
@@ -139,23 +145,41 @@ let parentheses ({ words; call; mistake } as fact) =
           | Local x -> Option.is_none (Show.definition words x)
           | _ -> true
         in
-        is_defined_as_a_function && Argument_order.may_be ~wanted:parameter (type_at (failed + 1))
+        is_defined_as_a_function
+        && (Argument_order.may_be ~wanted:parameter (type_at (failed + 1))
+           || separates_arguments (failed + 1))
     | _ -> false
   in
   let rec applied i =
     if i = 0 then None
     else
       let n = arity (type_at i) in
-      if n > 0 && i < all then Some (i, min n (all - i)) else applied (i - 1)
+      if n > 0 && i < all then Some (i, if separates_arguments (i + 1) then 1 else min n (all - i))
+      else applied (i - 1)
   in
   let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
   let texts = List.map (fun (e, _) -> quote e) arguments in
+  (* `setVelTR(v, omega)`, where the function takes no tuple *)
+  let without_commas i text =
+    match (Type.expand (type_at i), fst (List.nth arguments i)) with
+    | Function (parameter, _), { desc = Tuple (_ :: _ as parts); _ }
+      when (match Type.expand parameter with Tuple _ -> false | _ -> true)
+           && List.compare_length_with parts (arity (type_at i)) <= 0 -> (
+        let of_part (e : Resolve.Ir.expr) =
+          Option.bind (Show.quote words e.span) Other_notation.expression
+        in
+        match List.map of_part parts with
+        | parts when List.mem None parts -> text
+        | parts -> String.concat " " (List.map (fun p -> Source.grouped (Option.get p)) parts))
+    | _ -> text
+  in
   match (applied failed, quote head) with
   | Some (i, n), Some name
     when (all > call.takes || takes_the_next)
          && in_one_line && is_about_the_argument fact
          && not (List.mem None texts) ->
       let texts = List.map Option.get texts in
+      let texts = List.mapi (fun j text -> if j = i then without_commas i text else text) texts in
       let within = List.filteri (fun j _ -> j + 1 >= i && j + 1 <= i + n) texts in
       let inner = String.concat " " within in
       let before = List.filteri (fun j _ -> j + 1 < i) texts in

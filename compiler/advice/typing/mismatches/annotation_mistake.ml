@@ -28,7 +28,7 @@ let array_size ~at size ~largest =
   Diagnostic.error ~code:"E0333" ~at "the size of an array must be from 1 to %d, not %d" largest
     size
 
-let wrong_kind environment ~at (wanted : Type.kind) found =
+let wrong_kind sources environment ~(at : Span.t) (wanted : Type.kind) found =
   let shown = Show.quoted (words environment) found in
   let error format = Diagnostic.error ~code:"E0330" ~at format in
   match (wanted, Type.expand found) with
@@ -39,4 +39,10 @@ let wrong_kind environment ~at (wanted : Type.kind) found =
   | Of_types, _ -> error "expected a type, found the size %s" shown
   | Of_sizes, _ ->
       error "expected the size of an array, found the type %s" shown
-      |> Diagnostic.hint "write the size first, as in `Array 4 Float`"
+      |> Diagnostic.hint
+           (match
+              Option.bind (Source.text sources at.file) (fun text ->
+                  Other_type.changed text (Text_place.offset text at.start))
+            with
+           | Some signature -> "write the size first: " ^ signature
+           | None -> "write the size first, as in `Array 4 Float`")

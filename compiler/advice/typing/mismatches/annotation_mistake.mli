@@ -11,4 +11,4 @@ val scaled_unit : Environment.t -> Span.t list -> Units.t -> Diagnostic.t
 (** The scaled unit is written at all of these places. *)
 
 val array_size : at:Span.t -> int -> largest:int -> Diagnostic.t
-val wrong_kind : Environment.t -> at:Span.t -> Type.kind -> Type.t -> Diagnostic.t
+val wrong_kind : Source.t -> Environment.t -> at:Span.t -> Type.kind -> Type.t -> Diagnostic.t

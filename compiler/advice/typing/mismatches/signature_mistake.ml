@@ -65,8 +65,13 @@ let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
   |>
   match Variable_name.type_meant variable.name with
   | Some type_ ->
+      let meant =
+        Option.bind (Show.owner words variable) (fun ({ place; _ } : Show.owned) ->
+            Option.bind (Show.quote words place) Other_type.of_text)
+      in
       hint
-        (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s" type_
+        (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s"
+           (Option.value meant ~default:type_)
            kind)
   | None -> (
       match (Show.owner words variable, instead) with

@@ -34,6 +34,13 @@ let rec is_a_signal (e : Resolve.Ir.expr) =
 let has_signal e =
   match List.rev (arguments_of e) with last :: _ -> is_a_signal last | [] -> false
 
+(* `delay(0, x)`, whose initial value and signal form one tuple. *)
+let in_one_tuple (e : Resolve.Ir.expr) =
+  match (Plain_name.of_head e, arguments_of e) with
+  | Some name, [ { desc = Tuple ([ _; _ ] as parts); _ } ] when has_initial_value name ->
+      Some (name, parts)
+  | _ -> None
+
 (* [f 1 x], where [f 1 y x] was meant. *)
 let signal_in_place_of_an_argument words name arguments =
   match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
@@ -62,7 +69,7 @@ let meant words (subject : Resolve.Ir.expr option) =
   | Some { desc = Local x; _ } -> (
       match Show.definition words x with
       | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
-        when Plain_name.of_head e <> None && has_signal e ->
+        when Plain_name.of_head e <> None && (has_signal e || in_one_tuple e <> None) ->
           Some e
       | Some ({ desc = Global _; _ } as e) -> Some e
       | _ -> subject)
@@ -82,6 +89,12 @@ let rec initial t =
   | Bool -> "False"
   | Data { arguments = [ value ]; _ } when Environment.is_event t -> initial value
   | _ -> "x0"
+
+(* The argument in the notation of Frob *)
+let rewritten words (e : Resolve.Ir.expr) =
+  match Show.quote words e.span with
+  | Some text -> Source.grouped (Option.value (Other_notation.expression text) ~default:text)
+  | None -> "…"
 
 let hint_to_run words subject input d =
   let where =
@@ -105,6 +118,10 @@ let hint_to_run words subject input d =
           "`%s` keeps the value of an event, as in `%s x0 e`, but `%s` has a value at every \
            instant: write `%s` alone"
           name name x.name (argument only)
+    | Some _, _ when Option.bind subject in_one_tuple <> None ->
+        let name, parts = Option.get (Option.bind subject in_one_tuple) in
+        Printf.sprintf "write the arguments without parentheses and commas: `%s`"
+          (String.concat " " (name :: List.map (rewritten words) parts))
     | Some name, [ only ] when has_initial_value name ->
         let start = initial input in
         Printf.sprintf "`%s` takes an initial value before its signal: write `%s %s %s`" name name

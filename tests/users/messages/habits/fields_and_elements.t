@@ -96,13 +96,13 @@ Records and arrays in the syntax of other languages.
   > main = proc a -> sum a
   > FROB
   $ frobc check array_type_c.frob
-  error[E0119]: the number `4` cannot be part of a unit, only `1` can
+  error[E0119]: the brackets after a type contain a unit, not the size of an array
    --> array_type_c.frob:1:18
     |
   1 | main :: SF Float[4] Float
     |                  ^
     |
-    = hint: write a power as `m^2`; an array of 4 elements has the type `Array 4 Float`
+    = hint: write `main :: SF (Array 4 Float) Float`
   
   1 error
   [1]

@@ -160,7 +160,7 @@ A type in lower case is a variable. If that does no harm, it is a warning:
   5 | half x = x / 2
     |          ^
     |
-    = hint: if you meant the type, write `Float`; a lower-case name means any representation
+    = hint: if you meant the type, write `Float[m] -> Float[m]`; a lower-case name means any representation
   
   warning[W0302]: `float` is a type variable here, so it means any type
    --> lower_case.frob:1:10

@@ -121,19 +121,19 @@ Types in the notation of C++ and Haskell inside the arguments of a type:
 
   $ try '' 'f :: SF (vector<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
   error[E0110]: a type has its arguments after spaces, without `<>`
-    = hint: write `Array n Float`, or a number for the size `n`
+    = hint: write `f :: SF (Array 4 Float) Float`, if 4 is the number of elements
   [1]
   $ try '' 'f :: SF (list<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
   error[E0110]: a type has its arguments after spaces, without `<>`
-    = hint: write `Array n Float`, or a number for the size `n`
+    = hint: write `f :: SF (Array 4 Float) Float`, if 4 is the number of elements
   [1]
   $ try '' 'f :: SF (Array<Float, 4>) Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'
   error[E0110]: a type has its arguments after spaces, without `<>`
-    = hint: write `Array 4 Float`
+    = hint: write `f :: SF (Array 4 Float) Float`
   [1]
   $ try '' 'f :: SF [Float] Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'
   error[E0110]: the type of an array cannot be written in brackets
-    = hint: write it with a size or, for any size, a variable: `(Array 4 Float)`, `(Array n Float)`
+    = hint: write `f :: SF (Array 4 Float) Float`, if 4 is the number of elements
   [1]
 
 Two equations for a name; the bracket after the second belongs to the expression around them:

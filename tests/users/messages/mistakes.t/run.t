@@ -684,7 +684,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | average :: [Float] -> Float
     |            ^
     |
-    = hint: write the type of the elements, and a size or, for any size, a variable: `Array 4 Float`, `Array n Float`
+    = hint: write `average :: Array n Float -> Float`, or a number for the size `n`
   
   1 error
   # 059_list_range.frob

@@ -26,7 +26,7 @@ Declarations with the punctuation or the capitals of another language.
   1 | f : Float -> Float
     |   ^
     |
-    = hint: put `::` before a type
+    = hint: put `::` before a type: `f :: Float -> Float`
   
   1 error
   [1]

@@ -67,7 +67,7 @@ A type in lower case is a variable.
   2 | f x = x + 1
     |       ^
     |
-    = hint: if you meant the type, write `Float`; a lower-case name means any type
+    = hint: if you meant the type, write `Float -> Float`; a lower-case name means any type
   
   1 error
   [1]

@@ -82,7 +82,7 @@ hint replaces it.
   [1]
   $ try '[Float] -> Float' 'f xs = sum xs' 'f xs = sum xs' 'Array n Float -> Float'
   error[E0110]: the type of an array cannot be written in brackets
-    = hint: write the type of the elements, and a size or, for any size, a variable: `Array 4 Float`, `Array n Float`
+    = hint: write `f :: Array n Float -> Float`, or a number for the size `n`
   [1]
   $ try 'SF (Event Int) (Event Int)' 'f = proc e -> filter (\n -> n > 3) e' 'f = proc e -> filterEvent (\n -> n > 3) e'
   error[E0205]: unknown name `filter`
