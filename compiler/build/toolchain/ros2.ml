@@ -4,11 +4,12 @@ let ( / ) = Filename.concat
 let variable = "AMENT_PREFIX_PATH"
 let tried = [ ("9.2.", "Jazzy"); ("10.1.", "Kilted") ]
 
-(* The packages that the host uses, and their libraries. *)
+(* The packages that the host uses, and the libraries that it is linked with. It loads those of the
+   other packages when a program needs them. *)
 let needed =
   [
     ("rcl", [ "rcl" ]);
-    ("rcl_lifecycle", [ "rcl_lifecycle" ]);
+    ("rcl_lifecycle", []);
     ("rcl_yaml_param_parser", [ "rcl_yaml_param_parser" ]);
     ("rmw", [ "rmw" ]);
     ("rcutils", [ "rcutils" ]);
@@ -16,13 +17,10 @@ let needed =
     ("geometry_msgs", [ "geometry_msgs__rosidl_typesupport_c"; "geometry_msgs__rosidl_generator_c" ]);
     ("nav_msgs", [ "nav_msgs__rosidl_typesupport_c"; "nav_msgs__rosidl_generator_c" ]);
     ("sensor_msgs", [ "sensor_msgs__rosidl_typesupport_c"; "sensor_msgs__rosidl_generator_c" ]);
-    ( "diagnostic_msgs",
-      [ "diagnostic_msgs__rosidl_typesupport_c"; "diagnostic_msgs__rosidl_generator_c" ] );
+    ("diagnostic_msgs", []);
     ("std_msgs", [ "std_msgs__rosidl_typesupport_c"; "std_msgs__rosidl_generator_c" ]);
-    ( "visualization_msgs",
-      [ "visualization_msgs__rosidl_typesupport_c"; "visualization_msgs__rosidl_generator_c" ] );
-    ( "lifecycle_msgs",
-      [ "lifecycle_msgs__rosidl_typesupport_c"; "lifecycle_msgs__rosidl_generator_c" ] );
+    ("visualization_msgs", []);
+    ("lifecycle_msgs", []);
     ("rosgraph_msgs", [ "rosgraph_msgs__rosidl_typesupport_c"; "rosgraph_msgs__rosidl_generator_c" ]);
     ( "rcl_interfaces",
       [ "rcl_interfaces__rosidl_typesupport_c"; "rcl_interfaces__rosidl_generator_c" ] );

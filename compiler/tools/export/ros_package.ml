@@ -25,10 +25,13 @@ let dependencies =
     "visualization_msgs";
   ]
 
+(* Packages whose libraries the node loads itself, if the program needs them. *)
+let loaded_late = [ "diagnostic_msgs"; "lifecycle_msgs"; "rcl_lifecycle"; "visualization_msgs" ]
+
 let is_of_messages package =
   String.ends_with ~suffix:"_msgs" package || String.ends_with ~suffix:"_interfaces" package
 
-let lines one = String.concat "\n" (List.map one dependencies)
+let lines ?(packages = dependencies) one = String.concat "\n" (List.map one packages)
 
 (* The packages of the messages on topics of the program's own, whose libraries the node loads when it
    starts, and the names of all topics. *)
@@ -78,6 +81,10 @@ let libraries package =
       package package
   else Printf.sprintf "  %s::%s" package package
 
+let headers package =
+  let target = if is_of_messages package then package ^ "__rosidl_generator_c" else package in
+  Printf.sprintf "  $<TARGET_PROPERTY:%s::%s,INTERFACE_INCLUDE_DIRECTORIES>" package target
+
 let build_file name =
   Printf.sprintf
     {|cmake_minimum_required(VERSION 3.8)
@@ -92,7 +99,9 @@ find_package(ament_cmake REQUIRED)
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.c)
 add_executable(${PROJECT_NAME} ${sources})
-target_include_directories(${PROJECT_NAME} PRIVATE src)
+target_include_directories(${PROJECT_NAME} PRIVATE src
+  # The node loads the libraries of these packages when it needs them.
+%s)
 target_compile_definitions(${PROJECT_NAME} PRIVATE _GNU_SOURCE)
 # Other options change the results of floating-point operations.
 target_compile_options(${PROJECT_NAME} PRIVATE -std=gnu11 -ffp-contract=off -fno-strict-aliasing)
@@ -106,7 +115,10 @@ ament_package()
 |}
     (package_of name)
     (lines (Printf.sprintf "find_package(%s REQUIRED)"))
-    (lines libraries)
+    (lines ~packages:loaded_late headers)
+    (lines
+       ~packages:(List.filter (fun package -> not (List.mem package loaded_late)) dependencies)
+       libraries)
 
 let launch_file name node =
   Printf.sprintf

@@ -6,17 +6,22 @@
 #include <rcl/error_handling.h>
 #include <rosidl_runtime_c/string_functions.h>
 
+#include "late.h"
 #include "parts.h"
 
+#define DIAGNOSTIC(function) LATE("diagnostic_msgs__rosidl_generator_c", function)
+
 bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
-                       const rcl_node_t *node)
+                       const rcl_node_t *node, char *why, size_t room)
 {
     rcl_publisher_options_t options = rcl_publisher_get_default_options();
     d->count = program->claim_count;
     if (d->count == 0)
         return true;
-    if (!diagnostic_msgs__msg__DiagnosticArray__init(&d->message) ||
-        !diagnostic_msgs__msg__DiagnosticStatus__Sequence__init(&d->message.status, d->count))
+    if (!late_messages("diagnostic_msgs", why, room) ||
+        !DIAGNOSTIC(diagnostic_msgs__msg__DiagnosticArray__init)(&d->message) ||
+        !DIAGNOSTIC(diagnostic_msgs__msg__DiagnosticStatus__Sequence__init)(&d->message.status,
+                                                                            d->count))
         return false;
     for (size_t i = 0; i < d->count; i++) {
         char name[2 * ROS_NAME + 4];
@@ -29,7 +34,7 @@ bool diagnostics_start(struct diagnostics *d, const struct frob_program *program
     }
     d->publisher = rcl_get_zero_initialized_publisher();
     return rcl_publisher_init(&d->publisher, node,
-                              ROSIDL_GET_MSG_TYPE_SUPPORT(diagnostic_msgs, msg, DiagnosticArray),
+                              late_message_type("diagnostic_msgs", "DiagnosticArray"),
                               "/diagnostics", &options) == RCL_RET_OK;
 }
 

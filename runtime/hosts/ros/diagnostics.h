@@ -15,9 +15,9 @@ struct diagnostics {
     diagnostic_msgs__msg__DiagnosticArray message;
 };
 
-/* Returns false if rcl reports an error. */
+/* Returns false if that is impossible. Then `why` explains it, or is empty if rcl reports an error. */
 bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
-                       const rcl_node_t *node);
+                       const rcl_node_t *node, char *why, size_t room);
 
 /* Takes the verdict on an assertion, and publishes all of them after the last one. */
 void diagnostics_take(struct diagnostics *d, const struct ros_claim *claim);

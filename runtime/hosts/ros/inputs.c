@@ -121,7 +121,6 @@ bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool u
 {
     const size_t own = program->node != NULL ? program->node->input_count : 0;
     size_t sensors = 0;
-    memset(inputs, 0, sizeof *inputs);
     tf_start(&inputs->tf);
     inputs->each = (struct input *)calloc(own + ROS_SENSORS_MOST + ROS_CONTROLS_MOST + OTHERS_MOST,
                                           sizeof *inputs->each);

@@ -68,8 +68,8 @@ struct inputs {
     int64_t clock_ns; /* newest time of /clock; accessed atomically */
 };
 
-/* Determines the inputs of a program. Returns false if that is impossible; then `why` explains it.
- */
+/* Determines the inputs of a program. `inputs` is zero; it is large, and most of its pages are never
+ * used. Returns false if that is impossible; then `why` explains it. */
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
                bool has_joystick, char *why, size_t room);
 

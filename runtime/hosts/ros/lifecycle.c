@@ -15,13 +15,33 @@
 #include <rcl/error_handling.h>
 #include <rosidl_runtime_c/string_functions.h>
 
+#include "late.h"
 #include "messages.h"
 
-bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int socket,
-                     void (*rest)(void *context), void *context)
+#define MACHINE(function) LATE("rcl_lifecycle", function)
+#define MESSAGE(function) LATE("lifecycle_msgs__rosidl_generator_c", function)
+
+static bool start_machine(struct lifecycle *l, rcl_node_t *node)
 {
+    static const char package[] = "lifecycle_msgs";
     rcl_lifecycle_state_machine_options_t options =
-        rcl_lifecycle_get_default_state_machine_options();
+        MACHINE(rcl_lifecycle_get_default_state_machine_options)();
+    const rosidl_service_type_support_t *transitions =
+        late_service_type(package, "GetAvailableTransitions");
+    options.initialize_default_states = true;
+    options.enable_com_interface = true;
+    options.allocator = rcl_get_default_allocator();
+    l->machine = MACHINE(rcl_lifecycle_get_zero_initialized_state_machine)();
+    return MACHINE(rcl_lifecycle_state_machine_init)(
+               &l->machine, node, late_message_type(package, "TransitionEvent"),
+               late_service_type(package, "ChangeState"), late_service_type(package, "GetState"),
+               late_service_type(package, "GetAvailableStates"), transitions, transitions,
+               &options) == RCL_RET_OK;
+}
+
+bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int socket,
+                     void (*rest)(void *context), void *context, char *why, size_t room)
+{
     memset(l, 0, sizeof *l);
     pthread_mutex_init(&l->lock, NULL);
     l->is_managed = is_managed;
@@ -31,18 +51,11 @@ bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int
     l->context = context;
     if (!is_managed)
         return true;
-    options.initialize_default_states = true;
-    options.enable_com_interface = true;
-    options.allocator = rcl_get_default_allocator();
-    l->machine = rcl_lifecycle_get_zero_initialized_state_machine();
-    return rcl_lifecycle_state_machine_init(
-               &l->machine, node, ROSIDL_GET_MSG_TYPE_SUPPORT(lifecycle_msgs, msg, TransitionEvent),
-               ROSIDL_GET_SRV_TYPE_SUPPORT(lifecycle_msgs, srv, ChangeState),
-               ROSIDL_GET_SRV_TYPE_SUPPORT(lifecycle_msgs, srv, GetState),
-               ROSIDL_GET_SRV_TYPE_SUPPORT(lifecycle_msgs, srv, GetAvailableStates),
-               ROSIDL_GET_SRV_TYPE_SUPPORT(lifecycle_msgs, srv, GetAvailableTransitions),
-               ROSIDL_GET_SRV_TYPE_SUPPORT(lifecycle_msgs, srv, GetAvailableTransitions),
-               &options) == RCL_RET_OK;
+    if (late_library("rcl_lifecycle") == NULL) {
+        snprintf(why, room, "this ROS 2 has no package rcl_lifecycle: install it");
+        return false;
+    }
+    return late_messages("lifecycle_msgs", why, room) && start_machine(l, node);
 }
 
 size_t lifecycle_services(const struct lifecycle *l)
@@ -107,8 +120,8 @@ static const rcl_lifecycle_transition_t *wanted(struct lifecycle *l,
     const rcl_lifecycle_transition_t *found;
     char name[80];
     const bool has_label = request->label.data != NULL && request->label.data[0] != '\0';
-    found = has_label ? rcl_lifecycle_get_transition_by_label(state, request->label.data)
-                      : rcl_lifecycle_get_transition_by_id(state, request->id);
+    found = has_label ? MACHINE(rcl_lifecycle_get_transition_by_label)(state, request->label.data)
+                      : MACHINE(rcl_lifecycle_get_transition_by_id)(state, request->id);
     if (found != NULL)
         return found;
     rcl_reset_error();
@@ -127,9 +140,10 @@ static bool change(struct lifecycle *l, const lifecycle_msgs__msg__Transition *r
     if (id == lifecycle_msgs__msg__Transition__TRANSITION_DEACTIVATE ||
         id == lifecycle_msgs__msg__Transition__TRANSITION_ACTIVE_SHUTDOWN)
         set_active(l, false);
-    if (rcl_lifecycle_trigger_transition_by_id(&l->machine, (uint8_t)id, true) != RCL_RET_OK ||
-        rcl_lifecycle_trigger_transition_by_label(
-            &l->machine, rcl_lifecycle_transition_success_label, true) != RCL_RET_OK) {
+    if (MACHINE(rcl_lifecycle_trigger_transition_by_id)(&l->machine, (uint8_t)id, true) !=
+            RCL_RET_OK ||
+        MACHINE(rcl_lifecycle_trigger_transition_by_label)(&l->machine, "transition_success",
+                                                           true) != RCL_RET_OK) {
         fprintf(stderr, "error: the state of the node did not change: %s\n",
                 rcl_get_error_string().str);
         rcl_reset_error();
@@ -152,7 +166,7 @@ static bool set_state(lifecycle_msgs__msg__State *message, const rcl_lifecycle_s
 static bool set_transitions(lifecycle_msgs__msg__TransitionDescription__Sequence *answer,
                             const rcl_lifecycle_transition_t *transitions, size_t count)
 {
-    if (!lifecycle_msgs__msg__TransitionDescription__Sequence__init(answer, count))
+    if (!MESSAGE(lifecycle_msgs__msg__TransitionDescription__Sequence__init)(answer, count))
         return false;
     for (size_t i = 0; i < count; i++) {
         lifecycle_msgs__msg__TransitionDescription *d = &answer->data[i];
@@ -195,7 +209,7 @@ static bool answer_states(struct lifecycle *l, const union message *request,
 {
     const rcl_lifecycle_transition_map_t *map = &l->machine.transition_map;
     lifecycle_msgs__msg__State__Sequence *states = &response->states_response.available_states;
-    bool ok = lifecycle_msgs__msg__State__Sequence__init(states, map->states_size);
+    bool ok = MESSAGE(lifecycle_msgs__msg__State__Sequence__init)(states, map->states_size);
     (void)request;
     for (unsigned i = 0; ok && i < map->states_size; i++)
         ok = set_state(&states->data[i], &map->states[i]);
@@ -220,16 +234,16 @@ static bool answer_graph(struct lifecycle *l, const union message *request, unio
                            map->transitions_size);
 }
 
-#define SERVICE_FUNCTIONS(Name, name)                                                    \
-    static bool init_##name(union message *request, union message *response)             \
-    {                                                                                    \
-        return lifecycle_msgs__srv__##Name##_Request__init(&request->name##_request) &&  \
-               lifecycle_msgs__srv__##Name##_Response__init(&response->name##_response); \
-    }                                                                                    \
-    static void fini_##name(union message *request, union message *response)             \
-    {                                                                                    \
-        lifecycle_msgs__srv__##Name##_Request__fini(&request->name##_request);           \
-        lifecycle_msgs__srv__##Name##_Response__fini(&response->name##_response);        \
+#define SERVICE_FUNCTIONS(Name, name)                                                             \
+    static bool init_##name(union message *request, union message *response)                      \
+    {                                                                                             \
+        return MESSAGE(lifecycle_msgs__srv__##Name##_Request__init)(&request->name##_request) &&  \
+               MESSAGE(lifecycle_msgs__srv__##Name##_Response__init)(&response->name##_response); \
+    }                                                                                             \
+    static void fini_##name(union message *request, union message *response)                      \
+    {                                                                                             \
+        MESSAGE(lifecycle_msgs__srv__##Name##_Request__fini)(&request->name##_request);           \
+        MESSAGE(lifecycle_msgs__srv__##Name##_Response__fini)(&response->name##_response);        \
     }
 
 SERVICE_FUNCTIONS(ChangeState, change)
@@ -272,5 +286,6 @@ void lifecycle_take(struct lifecycle *l, size_t service)
 
 bool lifecycle_end(struct lifecycle *l, rcl_node_t *node)
 {
-    return !l->is_managed || rcl_lifecycle_state_machine_fini(&l->machine, node) == RCL_RET_OK;
+    return !l->is_managed ||
+           MACHINE(rcl_lifecycle_state_machine_fini)(&l->machine, node) == RCL_RET_OK;
 }

@@ -26,10 +26,10 @@ struct lifecycle {
     bool is_active;
 };
 
-/* Starts in the state `unconfigured` if the node is managed. Returns false if rcl reports an
- * error. */
+/* Starts in the state `unconfigured` if the node is managed. Returns false if that is impossible.
+ * Then `why` explains it, or is empty if rcl reports an error. */
 bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int socket,
-                     void (*rest)(void *context), void *context);
+                     void (*rest)(void *context), void *context, char *why, size_t room);
 
 /* Number of services that the node waits for: LIFECYCLE_SERVICES or 0. */
 size_t lifecycle_services(const struct lifecycle *l);

@@ -1,12 +1,13 @@
 #include "mapping.h"
 
 #include <ctype.h>
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <rosidl_typesupport_introspection_c/field_types.h>
+
+#include "late.h"
 
 #define TYPE(name) rosidl_typesupport_introspection_c__ROS_TYPE_##name
 
@@ -17,25 +18,6 @@ static const char introspection[] = "rosidl_typesupport_introspection_c";
 
 /* ---- Types of messages */
 
-/* Loads the type support of a package from the prefixes of this ROS 2. */
-static void *load(const char *package)
-{
-    const char *prefixes = getenv("AMENT_PREFIX_PATH"), *prefix = prefixes;
-    char path[1024];
-    void *library;
-    while (prefix != NULL && *prefix != '\0') {
-        const size_t length = strcspn(prefix, ":");
-        snprintf(path, sizeof path, "%.*s/lib/lib%s__rosidl_typesupport_c.so", (int)length, prefix,
-                 package);
-        library = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-        if (library != NULL)
-            return library;
-        prefix += length + (prefix[length] == ':' ? 1 : 0);
-    }
-    snprintf(path, sizeof path, "lib%s__rosidl_typesupport_c.so", package);
-    return dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-}
-
 static const members_type *members_of(const rosidl_message_type_support_t *support)
 {
     const rosidl_message_type_support_t *found =
@@ -45,24 +27,14 @@ static const members_type *members_of(const rosidl_message_type_support_t *suppo
 
 bool message_type_find(struct message_type *type, const char *name, char *why, size_t room)
 {
-    char package[128], symbol[400];
+    char package[128];
     const char *last = strrchr(name, '/');
-    const rosidl_message_type_support_t *(*handle)(void) = NULL;
-    void *library;
     memset(type, 0, sizeof *type);
     type->name = name;
     snprintf(package, sizeof package, "%.*s", (int)strcspn(name, "/"), name);
-    library = load(package);
-    if (library == NULL) {
-        snprintf(why, room, "this ROS 2 has no messages of the package %s: install it", package);
+    if (!late_messages(package, why, room))
         return false;
-    }
-    snprintf(symbol, sizeof symbol,
-             "rosidl_typesupport_c__get_message_type_support_handle__%s__msg__%s", package,
-             last + 1);
-    *(void **)&handle = dlsym(library, symbol);
-    if (handle != NULL)
-        type->support = handle();
+    type->support = late_message_type(package, last + 1);
     type->members = members_of(type->support);
     if (type->members == NULL)
         snprintf(why, room, "the package %s of this ROS 2 has no message %s", package, last + 1);

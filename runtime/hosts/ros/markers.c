@@ -10,6 +10,7 @@
 #include <visualization_msgs/msg/marker.h>
 
 #include "drawing.h"
+#include "late.h"
 #include "topics.h"
 
 typedef visualization_msgs__msg__Marker marker_type;
@@ -23,16 +24,23 @@ enum { SIDES = 36, POINTS_MOST = SIDES + 1 };
 /* Sizes in metres. */
 static const double line_width = 0.02, head_width = 0.06, cross_size = 0.05, text_height = 0.12;
 
-bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node)
+#define VISUALIZATION(function) LATE("visualization_msgs__rosidl_generator_c", function)
+
+bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
+                   char *why, size_t room)
 {
     rcl_publisher_options_t options = rcl_publisher_get_default_options();
     m->drawing = drawing_of(program);
     if (m->drawing == NULL)
         return true;
+    if (!late_messages("visualization_msgs", why, room))
+        return false;
     m->room = drawing_room(m->drawing);
     m->output = (char *)calloc(1, program->output_size + 1);
-    if (m->output == NULL || !visualization_msgs__msg__MarkerArray__init(&m->message) ||
-        !visualization_msgs__msg__Marker__Sequence__init(&m->message.markers, m->room))
+    if (m->output == NULL ||
+        !VISUALIZATION(visualization_msgs__msg__MarkerArray__init)(&m->message) ||
+        !VISUALIZATION(visualization_msgs__msg__Marker__Sequence__init)(&m->message.markers,
+                                                                        m->room))
         return false;
     for (size_t i = 0; i < m->room; i++) {
         marker_type *marker = &m->message.markers.data[i];
@@ -44,8 +52,8 @@ bool markers_start(struct markers *m, const struct frob_program *program, const 
     options.qos.depth = 1;
     m->publisher = rcl_get_zero_initialized_publisher();
     return rcl_publisher_init(&m->publisher, node,
-                              ROSIDL_GET_MSG_TYPE_SUPPORT(visualization_msgs, msg, MarkerArray),
-                              "~/markers", &options) == RCL_RET_OK;
+                              late_message_type("visualization_msgs", "MarkerArray"), "~/markers",
+                              &options) == RCL_RET_OK;
 }
 
 /* ---- Shapes */

@@ -20,8 +20,9 @@ struct markers {
     visualization_msgs__msg__MarkerArray message;
 };
 
-/* Returns false if rcl reports an error. */
-bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node);
+/* Returns false if that is impossible. Then `why` explains it, or is empty if rcl reports an error. */
+bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
+                   char *why, size_t room);
 
 /* Takes a drawing and publishes it, if another node subscribes. */
 void markers_take(struct markers *m, const struct ros_marks *marks, const struct tf *tf);

@@ -201,20 +201,29 @@ static bool advertise_instants(struct node *n)
            advertise_text(n, &n->instants, "~/instants", INSTANTS_KEPT);
 }
 
+/* Tells the supervisor that a part of the node cannot start: because of `why`, or if it is empty,
+ * with the reason that rcl reports. */
+static bool lacks(const struct node *n, const char *what, const char *why)
+{
+    if (why[0] != '\0')
+        refuse_because(n, what, why);
+    else
+        refuse(n, what);
+    return false;
+}
+
 static bool diagnose(struct node *n)
 {
-    if (diagnostics_start(&n->diagnostics, n->options->program, &n->node))
-        return true;
-    refuse(n, "cannot publish /diagnostics");
-    return false;
+    char why[ROS_REASON] = "";
+    return diagnostics_start(&n->diagnostics, n->options->program, &n->node, why, sizeof why) ||
+           lacks(n, "cannot publish /diagnostics", why);
 }
 
 static bool mark(struct node *n)
 {
-    if (markers_start(&n->markers, n->options->program, &n->node))
-        return true;
-    refuse(n, "cannot publish ~/markers");
-    return false;
+    char why[ROS_REASON] = "";
+    return markers_start(&n->markers, n->options->program, &n->node, why, sizeof why) ||
+           lacks(n, "cannot publish ~/markers", why);
 }
 
 static void rest(void *of)
@@ -224,11 +233,10 @@ static void rest(void *of)
 
 static bool manage(struct node *n)
 {
-    if (lifecycle_start(&n->lifecycle, n->options->is_managed, &n->node, n->options->socket, rest,
-                        n))
-        return true;
-    refuse(n, "cannot be a managed node");
-    return false;
+    char why[ROS_REASON] = "";
+    return lifecycle_start(&n->lifecycle, n->options->is_managed, &n->node, n->options->socket,
+                           rest, n, why, sizeof why) ||
+           lacks(n, "cannot be a managed node", why);
 }
 
 /* Tells the supervisor the name of a topic of the program's own. */

@@ -1,25 +1,13 @@
 #include "tf.h"
 
-#include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
 
-typedef const rosidl_message_type_support_t *type_function(void);
+#include "late.h"
 
 const rosidl_message_type_support_t *tf_type(void)
 {
-    void *library = dlopen("libtf2_msgs__rosidl_typesupport_c.so", RTLD_NOW);
-    void *symbol =
-        library != NULL
-            ? dlsym(library,
-                    "rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__"
-                    "TFMessage")
-            : NULL;
-    type_function *function;
-    if (symbol == NULL)
-        return NULL;
-    memcpy(&function, &symbol, sizeof function);
-    return function();
+    return late_message_type("tf2_msgs", "TFMessage");
 }
 
 /* Copies the name of a frame. If the message has none, keeps the present one. */
@@ -33,7 +21,6 @@ static void copy_name(char name[ROS_FRAME], const rosidl_runtime_c__String *from
 
 void tf_start(struct tf *tf)
 {
-    memset(tf, 0, sizeof *tf);
     snprintf(tf->odometry, sizeof tf->odometry, "odom");
     snprintf(tf->robot, sizeof tf->robot, "base_link");
 }

@@ -27,6 +27,7 @@ struct tf {
 /* Returns NULL if tf2_msgs is not installed. */
 const rosidl_message_type_support_t *tf_type(void);
 
+/* `tf` is zero. */
 void tf_start(struct tf *tf);
 
 /* Takes the names of the robot's frames from its odometry. */

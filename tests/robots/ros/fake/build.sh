@@ -57,32 +57,43 @@ header sensor_msgs sensor_msgs/msg/laser_scan.h
 header sensor_msgs sensor_msgs/msg/imu.h
 cp "$sources/fake_ros.h" "$sources/fake_lifecycle.h" "$prefix/include/rcl/"
 gcc -shared -fPIC -O1 -o "$prefix/lib/librcl.so" "$sources/fake_ros.c" "$sources/fake_lifecycle.c" -lm
-for library in rcl_lifecycle lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs__rosidl_generator_c \
-    rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
+for library in rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs__rosidl_typesupport_c \
     geometry_msgs__rosidl_generator_c nav_msgs__rosidl_typesupport_c nav_msgs__rosidl_generator_c \
     sensor_msgs__rosidl_typesupport_c sensor_msgs__rosidl_generator_c \
     rosgraph_msgs__rosidl_typesupport_c rosgraph_msgs__rosidl_generator_c \
     rcl_interfaces__rosidl_typesupport_c rcl_interfaces__rosidl_generator_c \
-    diagnostic_msgs__rosidl_typesupport_c diagnostic_msgs__rosidl_generator_c \
-    visualization_msgs__rosidl_typesupport_c visualization_msgs__rosidl_generator_c \
     std_msgs__rosidl_typesupport_c std_msgs__rosidl_generator_c; do
     echo | gcc -shared -fPIC -x c - -o "$prefix/lib/lib$library.so"
 done
-# The types of messages that programs use for topics of their own.
-for package in std_msgs geometry_msgs; do
-    case $package in std_msgs) types="Bool String" ;; *) types=Twist ;; esac
-    for name in $types; do
-        handle=rosidl_typesupport_c__get_message_type_support_handle__${package}__msg__$name
-        printf '%s\n' "const rosidl_message_type_support_t *$handle(void);" \
-            "const rosidl_message_type_support_t *$handle(void) { return &fake_${package}_$name; }"
-    done >"$prefix/types.c"
-    gcc -shared -fPIC -I"$sources" -include fake_ros.h -x c \
-        -o "$prefix/lib/lib${package}__rosidl_typesupport_c.so" "$prefix/types.c"
+# The libraries that the host loads at run time. All functions are in librcl.so, but those for types
+# are in libraries of their packages. A type is a word PACKAGE/KIND/NAME.
+late() { # late LIBRARY [TYPE]...
+    library=$1
+    shift
+    echo '#include <fake_ros.h>' >"$prefix/late.c"
+    for type in "$@"; do
+        package=${type%%/*} name=${type##*/} kind=message fake=${type%%/*}_${type##*/}
+        case $type in */srv/*) kind=service fake=${package}_srv_$name ;; esac
+        folder=${type%/*} folder=${folder#*/}
+        handle=rosidl_typesupport_c__get_${kind}_type_support_handle__${package}__${folder}__$name
+        printf '%s\n' "const void *$handle(void);" \
+            "const void *$handle(void) { return &fake_$fake; }" >>"$prefix/late.c"
+    done
+    gcc -shared -fPIC -I"$sources" -o "$prefix/lib/lib$library.so" "$prefix/late.c" \
+        -Wl,--no-as-needed -L"$prefix/lib" -lrcl
+}
+late std_msgs__rosidl_typesupport_c std_msgs/msg/Bool std_msgs/msg/String
+late geometry_msgs__rosidl_typesupport_c geometry_msgs/msg/Twist
+late tf2_msgs__rosidl_typesupport_c tf2_msgs/msg/TFMessage
+late diagnostic_msgs__rosidl_typesupport_c diagnostic_msgs/msg/DiagnosticArray
+late visualization_msgs__rosidl_typesupport_c visualization_msgs/msg/MarkerArray
+late lifecycle_msgs__rosidl_typesupport_c lifecycle_msgs/msg/TransitionEvent \
+    lifecycle_msgs/srv/ChangeState lifecycle_msgs/srv/GetState \
+    lifecycle_msgs/srv/GetAvailableStates lifecycle_msgs/srv/GetAvailableTransitions
+for package in diagnostic_msgs visualization_msgs lifecycle_msgs; do
+    late ${package}__rosidl_generator_c
 done
-# The only library that the host opens at run time; the program opens it in the same folder.
-echo 'const void *rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage(void)
-{ static const char *const type = "tf2_msgs/msg/TFMessage"; return &type; }' |
-    gcc -shared -fPIC -x c - -o "$prefix/lib/libtf2_msgs__rosidl_typesupport_c.so"
+late rcl_lifecycle
 for package in rcl rosidl_typesupport_introspection_c rcl_lifecycle lifecycle_msgs rcl_yaml_param_parser rmw rcutils rosidl_runtime_c geometry_msgs nav_msgs sensor_msgs rosgraph_msgs \
     rcl_interfaces std_msgs diagnostic_msgs visualization_msgs; do
     : >"$prefix/share/ament_index/resource_index/packages/$package"

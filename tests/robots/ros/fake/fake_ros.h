@@ -551,6 +551,7 @@ extern const rosidl_message_type_support_t fake_visualization_msgs_MarkerArray;
 extern const rosidl_message_type_support_t fake_std_msgs_Empty;
 extern const rosidl_message_type_support_t fake_geometry_msgs_TwistStamped;
 extern const rosidl_message_type_support_t fake_nav_msgs_Odometry;
+extern const rosidl_message_type_support_t fake_tf2_msgs_TFMessage;
 extern const rosidl_message_type_support_t fake_sensor_msgs_LaserScan;
 extern const rosidl_message_type_support_t fake_sensor_msgs_Imu;
 extern const rosidl_message_type_support_t fake_std_msgs_Bool;

@@ -41,9 +41,10 @@ def percentile(values, share):
 
 
 def memory(process):
-    """The proportional set size of a process, in MB."""
+    """The proportional set size of a process, and its resident set size, in MB."""
     with open(f"/proc/{process}/smaps_rollup", encoding="utf-8") as file:
-        return next(int(line.split()[1]) for line in file if line.startswith("Pss:")) / 1024
+        sizes = {line.split()[0]: int(line.split()[1]) / 1024 for line in list(file)[1:]}
+    return sizes["Pss:"], sizes["Rss:"]
 
 
 def build_empty_node():
@@ -61,7 +62,9 @@ def build_empty_node():
     return executable
 
 
-def empty_node_memory():
+def memories(process):
+    """The memory of a process and of an empty node, at the same moment, so that both share the pages
+    of libraries with the same processes."""
     with subprocess.Popen(
         [os.path.join(nodes.FOLDER, "with"), build_empty_node()],
         stdin=subprocess.PIPE,
@@ -69,9 +72,9 @@ def empty_node_memory():
     ) as node:
         node.stdout.readline()
         time.sleep(1)
-        size = memory(node.pid)
+        sizes = memory(process), memory(node.pid)
         node.stdin.close()
-    return size
+    return sizes
 
 
 def wall_at(distance):
@@ -128,7 +131,7 @@ def measure_node():
     )
     measure_scans(base)
     base.until(lambda: len(numbers) >= INSTANTS, "the instants arrive", 60 + INSTANTS / 300)
-    own, empty = memory(run.children()[1]), empty_node_memory()
+    own, empty = memories(run.children()[1])
     _, errors = run.end()
     last = max(numbers)
     first = min(numbers)
@@ -136,7 +139,11 @@ def measure_node():
         f"instants on ~/instants (reliable): {len(set(numbers))}, "
         f"lost {last - first + 1 - len(set(numbers))}"
     )
-    print(f"memory of the node's process: {own:.1f} MB; of an empty rcl node: {empty:.1f} MB")
+    for k, kind in enumerate(["proportional", "resident"]):
+        print(
+            f"memory of the node's process ({kind}): {own[k]:.1f} MB; of an empty rcl node: "
+            f"{empty[k]:.1f} MB; difference: {own[k] - empty[k]:.1f} MB"
+        )
     print(errors, end="")
     while nodes.OPEN:
         nodes.OPEN.pop()()

@@ -509,13 +509,13 @@ def test_simulator_and_program():
     assert 0.6 < distance(summary) < 2, (summary, output, errors)
 
 
-def test_package():
-    """colcon builds an exported package, and its node drives a robot."""
+def colcon_build(program):
+    """Exports a program as a package, builds it with colcon, and returns its executable."""
     workspace = os.path.join(FOLDER, "workspace")
     shutil.rmtree(workspace, ignore_errors=True)
-    package = os.path.join(workspace, "src", "ahead")
+    package = os.path.join(workspace, "src", program)
     subprocess.run(
-        [FROBC, "export", os.path.join(FOLDER, "ahead.frob"), "--ros2", package], check=True
+        [FROBC, "export", os.path.join(FOLDER, program + ".frob"), "--ros2", package], check=True
     )
     prefix = os.environ["AMENT_PREFIX_PATH"]
     built = subprocess.run(
@@ -532,11 +532,20 @@ def test_package():
         },
     )
     assert built.returncode == 0, built.stdout[-2000:] + built.stderr[-2000:]
-    share = os.path.join(workspace, "install", "ahead", "share", "ahead")
-    assert os.path.exists(os.path.join(share, "launch", "ahead.launch.py"))
+    share = os.path.join(workspace, "install", program, "share", program)
+    assert os.path.exists(os.path.join(share, "launch", program + ".launch.py"))
+    return os.path.join(workspace, "install", program, "lib", program, program)
+
+
+# `frobc run` has units in its options, and an executable has not.
+EXECUTABLE_PATIENT = ["--patience", "1", "--set", "late=1"]
+
+
+def test_package():
+    """colcon builds an exported package, and its node drives a robot."""
+    node = colcon_build("ahead")
     base = robot()
-    node = os.path.join(workspace, "install", "ahead", "lib", "ahead", "ahead")
-    run = Run("--patience", "1", "--set", "late=1", patient=False, executable=node)
+    run = Run(*EXECUTABLE_PATIENT, patient=False, executable=node)
     base.until_driving()
     run.end()
     base.until_stopped()
