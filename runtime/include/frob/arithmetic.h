@@ -7,16 +7,16 @@
  * -ffp-contract=fast), and so do some settings of a processor's control registers (rounding mode,
  * flush to zero). Any library in the process may have changed these registers.
  *
- * The checks are in a header and have no C file, because their result is valid only for the
- * options that they are compiled with and for the thread that calls them:
+ * The checks are in a header rather than a C file, because their result is valid only for the
+ * options with which they are compiled, and for the thread that calls them:
  *
  *   #include <frob/arithmetic.h>
  *   if (frob_arithmetic_faults() != 0)
  *       do not move
  *
  * The program's table for hosts (<frob/program.h>) calls it, compiled with the program's options.
- * Before a robot may move, hosts call both that copy and their own. A call takes a few dozen
- * operations, touches no memory but its stack, and uses nothing of the C library but memcpy. */
+ * Before a robot may move, hosts call both that copy and their own. A call performs a few dozen
+ * operations, accesses only memory on the stack, and uses only memcpy from the C library. */
 #ifndef FROB_ARITHMETIC_H
 #define FROB_ARITHMETIC_H
 
@@ -31,7 +31,7 @@ extern "C" {
 /* The faults that can be found. Each is one bit. */
 enum frob_arithmetic_fault {
     FROB_ARITHMETIC_FORMAT = 1,      /* double is not binary64 */
-    FROB_ARITHMETIC_ROUNDING = 2,    /* does not round to nearest */
+    FROB_ARITHMETIC_ROUNDING = 2,    /* does not round to the nearest number */
     FROB_ARITHMETIC_PRECISION = 4,   /* keeps more than 53 bits of a result */
     FROB_ARITHMETIC_CONTRACTION = 8, /* rounds a product and a sum only once */
     FROB_ARITHMETIC_ALGEBRA = 16,    /* reorders operations, replaces divisions */
@@ -99,7 +99,8 @@ static inline unsigned frob_arithmetic_faults(void)
             faults |= FROB_ARITHMETIC_CONTRACTION;
     }
     {
-        /* A bit lost in a sum must stay lost, and 3 / 10 differs from 3 times 0.1. */
+        /* A bit that is lost in a sum must not be restored, and 3 / 10 must differ from 3 times
+         * 0.1. */
         const double lost = (half_ulp + one) - one, tenth = three / 10.0;
         const double sum = (half_ulp + half_ulp) + one, other = half_ulp + (half_ulp + one);
         if (!frob_arithmetic_is(lost, 0.0) || !frob_arithmetic_is(tenth, 0.3) ||
@@ -172,8 +173,8 @@ static inline unsigned frob_arithmetic_float_faults(void)
 }
 
 /* Describes the faults and how to fix them, as the end of a sentence that starts with "the
- * arithmetic". If there are several, names the one that may have caused the others. Returns an
- * empty text for 0. */
+ * arithmetic". If there are several faults, names the one that may have caused the others. Returns
+ * an empty text for 0. */
 static inline const char *frob_arithmetic_reason(unsigned faults)
 {
     if ((faults & FROB_ARITHMETIC_FORMAT) != 0)

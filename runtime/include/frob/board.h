@@ -1,5 +1,6 @@
-/* frob/board.h -- simulates the robot's end of the serial line for a user-defined robot, for `frobc
- * serve`: how the robot's own computer reacts to the bytes it receives.
+/* frob/board.h -- the interface for simulating the robot's end of the serial line for a
+ * user-defined robot. `frobc serve` uses it to determine how the robot's own computer reacts to the
+ * bytes that it receives.
  *
  * A board is a constant table in a C file passed with `--with`, next to the body (<frob/body.h>).
  * For the robot `rover` it is
@@ -29,8 +30,8 @@ struct frob_board {
     uint32_t rate;     /* bit rate of the line */
     size_t size;       /* bytes of the board's memory, which is all zero at power-on */
 
-    /* Passes the body's sensor readings from `now_ns` on, as the robot's input struct.
-     * Each event is passed once. */
+    /* Passes the body's sensor readings at the time `now_ns`, as the robot's input struct. Each
+     * event is passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
     /* Handles a received byte. The time is that of the last `sense` or `advance`. */

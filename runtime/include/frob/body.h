@@ -5,9 +5,10 @@
  *
  *   const struct frob_body frob_rover_body = { .robot = "rover", … };
  *
- * Use designated initializers (C, and C++ from C++20 on): then the table stays correct when a later
- * version adds members, because omitted members are zero. If members are initialized by position, C
- * compilers warn about omitted members, and a member added in the middle shifts the rest.
+ * Use designated initializers (in C, or in C++ since C++20). With these, the table stays correct
+ * when a later version adds members, because omitted members are zero. If members are initialized
+ * by position, C compilers warn about omitted members, and a member added in the middle shifts the
+ * rest.
  *
  * A body is round and has two wheels and rangers that fire one after the other. It may also have
  * sensors that look down at the floor, and photocells that measure the light of lamps. The robot's
@@ -40,16 +41,16 @@ struct frob_senses {
     double x_m, y_m, heading_rad; /* odometry; the origin is the starting pose */
     double left_m_s, right_m_s;   /* measured wheel speeds */
     bool left_stalled, right_stalled;
-    /* Something touches the front or the rear half of the body. */
+    /* Whether something touches the front or the rear half of the body. */
     bool pressed_ahead, pressed_behind;
     double battery_v;
-    /* One reading for each ranger: the range of an echo that arrived since the last instant, or
+    /* One reading for each ranger: the range of an echo that has arrived since the last instant, or
      * NaN. */
     const double *echoes_m;
     /* One reading for each floor sensor: the fraction of its light that the floor reflects,
      * from 0 (black, or no floor) to 1 (white), with noise. */
     const double *floor;
-    const double *light_lux; /* one reading for each photocell: illuminance */
+    const double *light_lux; /* one reading for each photocell: the illuminance */
 };
 
 struct frob_body {
@@ -61,19 +62,19 @@ struct frob_body {
     double wheel_radius_m;
     double wheel_separation_m;
     double wheel_force_n; /* maximum force of a wheel on the floor */
-    double count_m;       /* distance per encoder count; 0: continuous */
+    double count_m;       /* distance per encoder count; 0 for a continuous reading */
     double battery_v;     /* initial voltage, unless the world file sets it */
 
     /* Limits that the firmware applies to commands, unless the world file sets them. */
     double speed_m_s, turn_rad_s, acceleration_m_s2, turn_acceleration_rad_s2;
 
-    const struct frob_seat *rangers; /* at least one, in firing order */
+    const struct frob_seat *rangers; /* the rangers, at least one, in firing order */
     size_t ranger_count;
     double half_angle_rad; /* half the opening angle of each ranger's beam */
     /* Nearer obstacles read as `nearest_m`; farther ones return no echo. */
     double nearest_m, farthest_m;
     double resolution_m; /* 0: continuous */
-    double period_s;     /* from the firing of one ranger to the next */
+    double period_s;     /* time from the firing of one ranger to that of the next */
     /* Indices of the rangers that point most nearly to the left, ahead and to the right; for
      * pictures. */
     size_t left, ahead, right;
@@ -88,7 +89,7 @@ struct frob_body {
     /* Optional sensors. The body has none if these members are omitted. */
     const struct frob_spot *floor_sensors;
     size_t floor_sensor_count;
-    double floor_spot_m; /* diameter of the spot that each sees, at least 0.001 */
+    double floor_spot_m; /* diameter of the spot that each sensor sees, at least 0.001 */
     const struct frob_seat *photocells;
     size_t photocell_count;
 

@@ -13,12 +13,13 @@
 extern "C" {
 #endif
 
-/* Returns the length of the camera's label in a control's label: the whole label of a camera; for
- * tags (frob/tags.h) the part before " tags"; 0 for a control without a camera. */
+/* Returns the length of the camera's label within a control's label. For a camera, this is the
+ * whole label; for tags (frob/tags.h), the part before " tags"; for other controls, 0. */
 size_t frob_camera_label(const struct frob_control *control);
 
-/* Sets the camera's event for this instant: the frame, and its age at the time `now_ns`; no event
- * if `image` is NULL. The image and its pixels must stay valid until the end of the instant. */
+/* Sets the camera's event for this instant to the frame and its age at the time `now_ns`. Sets no
+ * event if `image` is NULL. The image and its pixels must stay valid until the end of the
+ * instant. */
 void frob_camera_give(const struct frob_control *camera, void *input,
                       const struct frob_image *image, int64_t now_ns);
 

@@ -14,10 +14,12 @@ extern "C" {
  * `probe.follow.pose.x`, and `in.sonar` to `in.sonar[3]`. */
 struct frob_column {
     const char *name;
-    const char *unit; /* "m/s"; "" if dimensionless or unknown */
+    const char *unit; /* the unit, such as "m/s"; "" if the column is dimensionless or its unit
+                       * is unknown */
     /* For a probe: whether it is an event. Other probes may also be absent at some instants. */
     int is_event;
-    /* For a probe: the signal function that it belongs to, as in its name; else "". */
+    /* For a probe: the signal function that contains it, as it appears in its name; otherwise
+     * "". */
     const char *instance;
     const char *own;  /* for a probe: its name in that signal function */
     const char *file; /* for a probe: its source file, without folders */

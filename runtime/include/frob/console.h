@@ -20,8 +20,8 @@ extern "C" {
  * input has no field for keys. */
 void frob_console_key(const struct frob_program *program, void *input, int32_t key);
 
-/* Initializes the console: no events, no button held down, knobs and toggles at their initial
- * values. */
+/* Initializes the console: no event occurs, no button is held down, and knobs and toggles have
+ * their initial values. */
 void frob_console_start(const struct frob_program *program, void *input);
 
 /* Returns the index of the control with this label, or `control_count` if there is none. */

@@ -43,7 +43,7 @@ struct frob_frame_name frob_frame_name_of(const struct frob_image *image);
 size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD_ROOM]);
 
 /* Fills in the image from a file of `size` bytes in memory. The image's pixels point into that
- * memory. Returns NULL, or an error message: a static text whose subject is "it". */
+ * memory. Returns NULL, or an error message, which is a static text about "it". */
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
 /* Finds the frames that cells name. `find` returns an image that is valid until the end of the

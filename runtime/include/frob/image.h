@@ -1,4 +1,4 @@
-/* frob/image.h -- a camera image: its pixels, when it was taken, and from where.
+/* frob/image.h -- a camera image: its pixels, and the time and place at which it was taken.
  *
  * A host (the simulator, a robot's camera, a replay) fills in such a struct and passes its address
  * to the program for one instant. The program passes it on to the kernels of <frob/vision.h>, or to
@@ -52,7 +52,7 @@ struct frob_camera {
 
 struct frob_image {
     int32_t width, height; /* pixels, 0 … FROB_IMAGE_SIDE */
-    /* Bytes from one row to the next: at least the size of a row. For depths a multiple of
+    /* Bytes from one row to the next: at least the size of a row and, for depths, a multiple of
      * sizeof(float). */
     int32_t stride;
     enum frob_image_format format;
@@ -60,8 +60,8 @@ struct frob_image {
     const void *pixels;
     /* The middle of the exposure, on the clock of the program's time. */
     int64_t captured_ns;
-    /* Frame number since the camera started, from 0. Frames that did not reach the program count
-     * too. */
+    /* Frame number since the camera started, from 0. Frames that did not reach the program also
+     * count. */
     uint32_t number;
     struct frob_camera camera;
 };

@@ -18,13 +18,13 @@ extern "C" {
  * previous reading. */
 struct frob_imu {
     double rate_radps[3];        /* turn rate around each axis */
-    double acceleration_mps2[3]; /* including gravity: 9.81 upwards at rest */
-    double heading_rad;          /* from a magnetometer; NaN if there is none */
+    double acceleration_mps2[3]; /* acceleration, including gravity: 9.81 upwards at rest */
+    double heading_rad;          /* heading from a magnetometer; NaN if there is none */
     int64_t taken_ns;            /* time of the last measurement */
     uint32_t number;             /* counts the measurements */
 };
 
-/* Sets the event of this instant: the reading, and its age at the time `now_ns`; no event if
+/* Sets the event of this instant to the reading and its age at the time `now_ns`. Sets no event if
  * `reading` is NULL. */
 void frob_imu_give(const struct frob_control *imu, void *input, const struct frob_imu *reading,
                    int64_t now_ns);

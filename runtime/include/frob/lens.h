@@ -25,9 +25,9 @@ struct frob_lens {
 
 void frob_image_lens(const struct frob_image *image, struct frob_lens *result);
 
-/* Returns a key that distinguishes the images of about the same time: images of one camera by their
- * number and capture time, images of several cameras also by projection and pose. It does not read
- * pixels, and is the same on every machine. */
+/* Returns a key that distinguishes images from approximately the same time. It distinguishes images
+ * of one camera by their number and capture time, and images of several cameras also by projection
+ * and pose. It does not read pixels, and is the same on every machine. */
 int32_t frob_image_key(const struct frob_image *image);
 
 #ifdef __cplusplus

@@ -19,27 +19,28 @@ extern "C" {
 /* One scan of a device. Ray i has the bearing first_rad + i * step_rad: relative to the robot's
  * heading, positive to the left. step_rad is positive, and the rays cover at most one turn. */
 struct frob_scan {
-    /* Distances from the device. Infinity, or more than farthest_m: nothing is in range. NaN, or
-     * less than nearest_m: the distance is unknown. */
+    /* Distances from the device. Infinity, or a distance above farthest_m, means that nothing is in
+     * range. NaN, or a distance below nearest_m, means that the distance is unknown. */
     const double *ranges_m;
     size_t count;
     double first_rad, step_rad;
     double nearest_m, farthest_m; /* the device's range */
-    double x_m, y_m;              /* its position on the robot: ahead, and to the left */
-    int64_t taken_ns;             /* when it measured the scan */
-    uint32_t number;              /* counts the scans, including lost ones */
+    double x_m, y_m;              /* its position on the robot, ahead of the centre and to the
+                                   * left */
+    int64_t taken_ns;             /* time at which the device measured the scan */
+    uint32_t number;              /* number of the scan, counting lost ones */
 };
 
 /* Returns the length of the lidar's name in a control's label; 0 if the control is not a lidar. */
 size_t frob_lidar_label(const struct frob_control *control);
 
-/* Sets the lidar's event for this instant: the scan, and its age at the time `now_ns`; no event if
- * `scan` is NULL.
+/* Sets the lidar's event for this instant to the scan and its age at the time `now_ns`. Sets no
+ * event if `scan` is NULL.
  *
  * Direction k of n has the bearing k * 360 / n degrees, and covers the sector of 360 / n degrees
  * around it. Its distance is the smallest one among the rays in the sector, and among the rays that
- * are at most half a step_rad away from its bearing. So no object is lost if the device has more
- * rays than the program has directions, and no direction is empty if the device has fewer. */
+ * are at most half a step_rad away from its bearing. Therefore no object is lost if the device has
+ * more rays than the program has directions, and no direction is empty if the device has fewer. */
 void frob_lidar_give(const struct frob_control *lidar, void *input, const struct frob_scan *scan,
                      int64_t now_ns);
 

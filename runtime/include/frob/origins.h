@@ -1,5 +1,5 @@
-/* frob/origins.h -- which signals the values of a trace's columns are computed from: one step back
- * along the equations of the program.
+/* frob/origins.h -- the signals from which the values of a trace's columns are computed: one step
+ * back along the equations of the program.
  *
  * `frobc view` builds such a table into the program's shared object. Hosts look up the symbol
  * `frob_origins`; it may be missing. */
@@ -16,31 +16,35 @@ enum {
 };
 
 enum {
-    FROB_FIRST = -1, /* only the first instant of the signal function that contains the signal */
-    FROB_ENTRY = -2  /* the instant when the mode that has the signal as a parameter began */
+    FROB_FIRST = -1, /* the source matters only in the first instant of the signal function that
+                      * contains the signal */
+    FROB_ENTRY = -2  /* the source was read when the mode whose parameter is the signal began */
 };
 
 struct frob_source {
     const char *column; /* a column, or the common start of several names, such as `in.sonar` */
-    int back;           /* how many instants earlier, 0 for the same one, or one of the values
-                          * above */
+    int back;           /* number of instants earlier, 0 for the same instant, or one of the values
+                         * above */
     /* The source applies only in one mode of this machine; "" if it always applies. */
     const char *machine;
-    /* The number of that mode, which must run at the source's instant. With FROB_ENTRY it is
-     * instead the mode that ran before the current one began, or FROB_ANY or FROB_BEFORE. */
+    /* The number of that mode, which must run at the source's instant. For FROB_ENTRY, it is
+     * instead the number of the mode that ran before the current one began, or FROB_ANY or
+     * FROB_BEFORE. */
     int mode;
 };
 
 /* A transition of a machine from one mode to another. */
 struct frob_transition {
     int from, target;                  /* mode numbers; `from` may be FROB_ANY or FROB_BEFORE */
-    const char *label;                 /* the event that triggers it, if known; else "" */
-    int delayed;                       /* the old mode still runs at the instant of the event */
-    int at_once;                       /* it can happen at the first instant of the old mode */
+    const char *label;                 /* the event that triggers it; "" if it is not known */
+    int delayed;                       /* whether the old mode still runs at the instant of the
+                                        * event */
+    int at_once;                       /* whether it can happen at the first instant of the old
+                                        * mode */
     const char *file;                  /* source file, without folders */
     unsigned line, last;               /* first and last line of its source, from 1 */
-    const struct frob_source *sources; /* sources of its event, in the form of an origin's
-                                          sources */
+    const struct frob_source *sources; /* the sources of its event, in the form of an origin's
+                                        * sources */
 };
 
 struct frob_origin {
@@ -49,7 +53,7 @@ struct frob_origin {
     const char *file;
     unsigned line, last;
     const struct frob_source *sources; /* ends with a source whose column is NULL; or NULL */
-    /* If the column is a machine's running mode: its transitions. The array ends with one whose
+    /* If the column is a machine's running mode, its transitions. The array ends with one whose
      * label is NULL. */
     const struct frob_transition *transitions;
 };

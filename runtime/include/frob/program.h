@@ -23,7 +23,7 @@ enum frob_kind {
     FROB_FLOAT,   /* double */
     FROB_SINGLE,  /* float */
     FROB_ROUNDED, /* double, rounded by the program to the nearest float */
-    FROB_PRODUCT, /* tuple, record or () */
+    FROB_PRODUCT, /* a tuple, a record, or () */
     FROB_SUM,     /* uint8_t tag, and slots for the arguments of the constructors */
     FROB_ARRAY,   /* like a tuple; the elements are the fields of its only constructor */
     FROB_IMAGE    /* const struct frob_image * (frob/image.h), valid during the instant */
@@ -38,8 +38,8 @@ struct frob_field {
 };
 
 struct frob_constructor {
-    const char *name; /* as in the source: "Just"; NULL for a tuple or array */
-    int is_record;    /* fields are written {name = value} in Frob */
+    const char *name; /* the name in the source, such as "Just"; NULL for a tuple or array */
+    int is_record;    /* whether the fields are written {name = value} in Frob */
     size_t count;     /* number of fields */
     const struct frob_field *fields;
 };
@@ -47,16 +47,16 @@ struct frob_constructor {
 /* A value inside the input or output struct. */
 struct frob_value {
     enum frob_kind kind;
-    size_t offset; /* of the bool, int32_t, double, float or pointer, or of the sum's tag */
-    int is_event;  /* a sum of type `Event a`: constructor 0 is NoEvent */
+    size_t offset; /* place of the bool, int32_t, double, float or pointer, or of the sum's tag */
+    int is_event;  /* whether it is a sum of type `Event a`, in which constructor 0 is NoEvent */
     /* Number of constructors: 1 for a product or array, which store no tag. */
     size_t count;
     const struct frob_constructor *constructors;
 };
 
-/* A state machine of which one mode runs at a time: a switch or a task. */
+/* A state machine, which runs one mode at a time: a switch or a task. */
 struct frob_machine {
-    const char *name;         /* from the source; unique in the program */
+    const char *name;         /* name from the source; unique in the program */
     size_t offset;            /* offset, in the state struct, of the running mode's number */
     size_t size;              /* size of that number: 1 (uint8_t) or 4 (int32_t) */
     size_t count;             /* number of modes */
@@ -69,7 +69,7 @@ struct frob_machine {
 
 enum frob_control_kind {
     FROB_BUTTON, /* an event of () */
-    FROB_HOLD,   /* a bool: a button is held down */
+    FROB_HOLD,   /* a bool: whether a button is held down */
     FROB_KNOB,   /* a number from `least` to `most` */
     FROB_TOGGLE, /* a bool */
     FROB_MAP,    /* an event of a position: two numbers, in metres, in the frame of odometry */
@@ -92,21 +92,22 @@ struct frob_control {
     double least, most;             /* range of a knob; 0 and 1 if the value is a bool */
     double first;                   /* initial value of a knob or toggle */
     const struct frob_value *value; /* its part of the input */
-    const char *place;              /* that requests it: "wall_follow.frob:12" */
+    const char *place;              /* place in the source that requests it:
+                                     * "wall_follow.frob:12" */
 };
 
 /* A parameter of the program, which is fixed when a run starts. */
 struct frob_param {
     const char *name;               /* "kTurn", or "M.kTurn" for one of another module */
-    const char *unit;               /* as in the source: "1/m", "1"; "" for a truth value */
-    const struct frob_value *value; /* bool, int32_t, double or float; in the parameter struct */
+    const char *unit;               /* the unit in the source: "1/m", "1"; "" for a truth value */
+    const struct frob_value *value; /* a bool, int32_t, double or float in the parameter struct */
 };
 
 /* An assertion in the program; see `assert` in the language reference. */
 struct frob_claim {
     const char *label; /* "keeps off the wall" */
-    /* Its column in a trace, without `probe.`, if the trace has one:
-     * "wallFollow.assert keeps off the wall". */
+    /* Its column in a trace (if the trace has one), without `probe.`: "wallFollow.assert keeps off
+     * the wall". */
     const char *column;
     const char *place; /* "wall_follow.frob:12" */
     int is_assumption;
@@ -118,20 +119,20 @@ struct frob_claim {
 
 /* A topic of a ROS 2 node. */
 struct frob_topic {
-    const char *field; /* of the program's input or output, which are records */
+    const char *field; /* field of the program's input or output, which are records */
     const char *name;  /* before remapping: "cmd_vel" */
     const char *type;  /* "geometry_msgs/msg/Twist" */
-    int is_counted;    /* the value is an event of a Counted */
-    int is_command;    /* a message of zeros stops what it controls */
+    int is_counted;    /* whether the value is an event of a Counted */
+    int is_command;    /* whether a message of zeros stops what the topic controls */
 };
 
-/* The texts of an enumeration in messages of ROS 2. */
+/* The texts by which messages of ROS 2 represent an enumeration. */
 struct frob_texts {
     /* The constructors of a value of this type in the program's input or output. Each value has a
      * table of its own, which identifies it. */
     const struct frob_constructor *constructors;
-    const char *type;         /* from the source: "Mode" */
-    const char *const *texts; /* one for each constructor */
+    const char *type;         /* name from the source: "Mode" */
+    const char *const *texts; /* one text for each constructor */
 };
 
 /* A program that is a ROS 2 node with topics of its own. */
@@ -157,17 +158,18 @@ struct frob_program {
      * seconds, dt_ns / 1e9. Both must be 0 in the first instant after a reset. */
     void (*step)(void *state, const void *params, int64_t dt_ns, double dt, const void *input,
                  void *output);
-    /* Whether the number of each running mode is one that exists. If not, memory was damaged: hosts
-     * bring the robot to rest, and call no step before the next reset. */
+    /* Returns whether the number of each running mode is one that exists. If not, memory was
+     * damaged. In that case, hosts stop the robot, and do not call a step before the next reset. */
     bool (*is_valid)(const void *state);
-    /* frob_arithmetic_faults, compiled with the program's options; checks floats too if the program
-     * computes with them. */
+    /* frob_arithmetic_faults, compiled with the program's options. It also checks floats if the
+     * program computes with them. */
     unsigned (*arithmetic)(void);
-    /* For a program that ends: an event within the output that occurs when it ends and at each
-     * later instant, with the program's result; else NULL. The robot's output struct is at the
+    /* For a program that ends, an event within the output that occurs when it ends and at each
+     * later instant, with the program's result; otherwise NULL. The robot's output struct is at the
      * beginning of the output. */
     const struct frob_value *result;
-    const struct frob_machine *machines; /* a machine that is part of another one comes after it */
+    const struct frob_machine *machines; /* the machines; a machine that is part of another one
+                                          * comes after it */
     size_t machine_count;
     /* Inner signals, as a record within the output struct; NULL if there are none. */
     const struct frob_value *probes;
@@ -181,15 +183,16 @@ struct frob_program {
     size_t params_size; /* size of the parameter struct */
     const struct frob_param *params;
     size_t param_count;
-    /* Assertions that the program was compiled to check; none otherwise. */
+    /* The assertions, if the program was compiled to check them; otherwise none. */
     const struct frob_claim *claims;
     size_t claim_count;
-    const struct frob_node *node; /* NULL for a program without topics of its own */
+    const struct frob_node *node; /* the topics; NULL for a program without topics of its own */
 };
 
 #define FROB_PROGRAM_ABI 14u
 
-/* What hosts say of a state that is not valid, after the name of the program or of its process. */
+/* The end of a host's message about an invalid state, after the name of the program or of its
+ * process. */
 #define FROB_DAMAGED_STATE                                                               \
     "the number of a running mode does not exist; if the program calls functions in C, " \
     "check that they write only to their own memory"

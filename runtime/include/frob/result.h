@@ -1,7 +1,7 @@
-/* frob/result.h -- whether a program has ended, and its result.
+/* frob/result.h -- determines whether a program has ended, and its result.
  *
- * A program that is a task ends when the task ends. From that step on the robot is at rest, and the
- * output contains the task's result. */
+ * A program that is a task ends when the task ends. From that step on, the robot is at rest, and
+ * the output contains the task's result. */
 #ifndef FROB_RESULT_H
 #define FROB_RESULT_H
 

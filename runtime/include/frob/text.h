@@ -16,7 +16,7 @@ struct frob_text {
     char *data;
     size_t capacity; /* size of data, with the NUL; at least 1 */
     size_t length;
-    bool full; /* some text did not fit */
+    bool full; /* whether some text did not fit */
 };
 
 /* Returns an empty text in the given buffer. */

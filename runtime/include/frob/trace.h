@@ -1,5 +1,5 @@
-/* frob/trace.h -- a program's inputs and outputs as the columns and rows of a CSV trace (quoted as
- * in RFC 4180).
+/* frob/trace.h -- writes a program's inputs and outputs as the columns and rows of a CSV trace
+ * (quoted as in RFC 4180).
  *
  * The first column is `time`, in seconds with nine decimals. It is followed by one column for each
  * scalar, sum or event, named by its path: `in`, `in.1`, `in.odometry.position.x`, `in.sonar[0]`,
@@ -25,24 +25,25 @@ typedef void frob_column_visitor(void *context, const char *name, const struct f
 void frob_trace_columns(const struct frob_value *value, const char *root,
                         frob_column_visitor *visit, void *context);
 
-/* Contents of a trace's rows, besides the time. */
+/* The contents of a trace's rows, in addition to the time. */
 enum frob_trace_parts { FROB_TRACE_IN = 1, FROB_TRACE_OUT = 2, FROB_TRACE_MODES = 4 };
 
 /* Appends the header line, with its line feed. */
 void frob_trace_header(struct frob_text *text, const struct frob_program *program, unsigned parts);
 
-/* Appends one row, with its line feed. `time_ns` is relative to any instant that the caller
- * chooses. in and out may be NULL if they are not in `parts`. Does not write modes; use
+/* Appends one row, with its line feed. `time_ns` is relative to an instant that the caller chooses.
+ * `in` and `out` may be NULL if they are not in `parts`. Does not write modes; use
  * frob_trace_row_with_modes for that. */
 void frob_trace_row(struct frob_text *text, const struct frob_program *program, unsigned parts,
                     int64_t time_ns, const void *in, const void *out);
 
-/* Appends one row as above, and the modes, which it reads from the program's state. */
+/* Appends one row in the same way, followed by the modes, which it reads from the program's
+ * state. */
 void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program *program,
                                unsigned parts, int64_t time_ns, const void *in, const void *out,
                                const void *state);
 
-/* Returns the number of the mode of machine `i` that runs, from the program's state; -1 while the
+/* Returns the number of the mode in which machine `i` is, from the program's state; -1 while the
  * machine does not exist. */
 int32_t frob_trace_mode(const struct frob_program *program, size_t i, const void *state);
 

@@ -8,8 +8,8 @@
  * otherwise with IEEE doubles in a fixed order.
  *
  * Any argument is safe, including NaN. An image that is not sound (frob_image_is_sound) is treated
- * as having no pixels, and a region may reach beyond the image. If nothing is found, the result
- * says so. Names follow OpenMV if it has the function.
+ * as having no pixels, and a region may extend beyond the image. If nothing is found, the result
+ * says so. Functions that OpenMV also has are named after those of OpenMV.
  *
  * Coordinates are those of frob/image.h. Angles are in radians from the x axis towards the y axis,
  * which is clockwise in the displayed image. Brightness is grey, 0 … 255; for a colour it is (77
@@ -36,7 +36,7 @@ struct frob_region {
 
 /* A range of colours by hue, saturation and value; both ends are included. Hue is an angle on the
  * HSV colour hexagon: red is 0, green 120 degrees, blue 240. It increases from hueFrom to hueTo, so
- * the range from 350 to 10 degrees goes through 0, and contains red. A range of a full turn or more
+ * the range from 350 to 10 degrees contains 0, which is red. A range of a full turn or more
  * contains every hue, and grey matches every hue. Saturation and value are 0 … 1. Hue is rounded to
  * half a degree, saturation to 1/128. */
 #ifndef FROB_COLOUR_RANGE_DEFINED
@@ -110,8 +110,9 @@ struct frob_vec2 {
 };
 #endif
 
-/* Where to look for an edge: along a line of the given `length` (at most 128) and direction,
- * centred at (x, y). Brightness is averaged over `width` (1 … 32) across the line. */
+/* The line along which to search for an edge. It has the given `length` (at most 128) and
+ * direction, and its centre is (x, y). Brightness is averaged over `width` (1 … 32) across the
+ * line. */
 #ifndef FROB_SEGMENT_DEFINED
 #define FROB_SEGMENT_DEFINED
 struct frob_segment {
@@ -119,8 +120,8 @@ struct frob_segment {
 };
 #endif
 
-/* Signed distance from the centre of the segment, and the change of brightness per pixel there;
- * both are 0 if there is no edge. */
+/* The signed distance from the centre of the segment, and the change of brightness per pixel there.
+ * Both are 0 if there is no edge. */
 #ifndef FROB_EDGE_DEFINED
 #define FROB_EDGE_DEFINED
 struct frob_edge {
@@ -169,8 +170,8 @@ struct frob_placement {
 };
 #endif
 
-/* Reads the brightness of each sample. Samples beyond the border have the brightness at the border.
- * All are 0 if the image has no pixels or the placement is invalid. */
+/* Reads the brightness of each sample. Samples outside the image have the brightness at its border.
+ * All samples are 0 if the image has no pixels or the placement is invalid. */
 void frob_get_patch(const struct frob_image *image, const struct frob_placement *place,
                     double result[FROB_PATCH_SIZE]);
 
@@ -213,8 +214,8 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
 /* ---- Distortion */
 
 /* frob_undistort_point returns where a camera without distortion would see what this camera sees at
- * `point`; frob_distort_point is the inverse. Where the distortion cannot be inverted, undistort
- * returns `point` itself. */
+ * `point`; frob_distort_point is the inverse. If the distortion cannot be inverted at a point,
+ * undistort returns `point` itself. */
 void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
                           struct frob_vec2 *result);
 void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
@@ -290,9 +291,9 @@ struct frob_vec3 {
 
 /* Pose of a tag relative to the camera (x to the right, y down, z ahead): its centre, in metres;
  * the direction of its face, which points towards the camera; the root mean square distance, in
- * pixels, of the found corners from those that this pose predicts; and the ambiguity between this
- * pose and the other pose that looks nearly the same. The ambiguity is the residual of this pose
- * divided by the residual of the other: 0 is certain, 1 is a guess. */
+ * pixels, between the corners that were found and those that this pose predicts; and the ambiguity
+ * between this pose and the other pose that looks nearly the same. The ambiguity is the residual of
+ * this pose divided by the residual of the other: 0 is certain, 1 is a guess. */
 #ifndef FROB_TAG_PLACE_DEFINED
 #define FROB_TAG_PLACE_DEFINED
 struct frob_tag_place {
