@@ -10,7 +10,7 @@ let rec gives_task : Ir.ty -> bool = function
 
 let is_function : Ir.ty -> bool = function Function _ | Signal_function _ -> true | _ -> false
 
-(* Is it a function of numbers, and not a signal function? *)
+(* Is it a function with a number among its parameters, rather than a signal function? *)
 let takes_a_number (d : Ir.definition) =
   let rec result : Ir.ty -> Ir.ty = function Function (_, r) -> result r | t -> t in
   let rec parameters : Ir.ty -> Ir.ty list = function

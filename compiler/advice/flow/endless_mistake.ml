@@ -71,7 +71,7 @@ let mode_name cycle (step : Fact.step) =
   match (step.by.by, step.source) with
   | Statement _, Some (origin, _) when Array.exists (is_elsewhere origin) cycle.program.nodes ->
       origin
-  (* a task that ends inside a combinator is named after the statement that follows it *)
+  (* Names a task that ends inside a combinator after the statement that follows it. *)
   | Statement definition, _ when is_combinator's && is_own cycle step.by.span -> definition
   | (Statement _ | Continuation _), _ -> here.origin
 
@@ -90,7 +90,7 @@ let by_prelude cycle (step : Fact.step) =
   is_own cycle (mode_node cycle step.mode).span
   && Option.fold step.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
 
-(* Adds the label only once if several modes with the same name have it. *)
+(* If several modes have the same name, adds the label only once. *)
 let label ~at text (d : Diagnostic.t) =
   let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
   if List.exists there d.labels then d else Diagnostic.label ~at text d

@@ -7,7 +7,7 @@ let through = function
   | [] -> ""
   | via ->
       let name passage =
-        (* the node of a switch is named after the definition that contains it *)
+        (* Names the node of a switch after the definition that contains the switch. *)
         if by_a_switch passage then "a switch" else Printf.sprintf "`%s`" passage.through.origin
       in
       ", through " ^ String.concat " and " (List.map name via)
@@ -162,7 +162,7 @@ let rotate_to first hops =
   in
   go [] hops
 
-(* Shows the loop from its first place in the source. *)
+(* Shows the loop starting at its first place in the source. *)
 let unnamed hops =
   let earlier (a : Fact.hop) (b : Fact.hop) = if Span.compare b.at a.at < 0 then b else a in
   let first = List.fold_left earlier (List.hd hops) hops in

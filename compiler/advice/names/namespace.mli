@@ -1,7 +1,7 @@
-(** The names of the namespaces in messages. *)
+(** What messages call each namespace. *)
 
 val noun : Resolve.Interface.namespace -> string
-(** For example [type class]. *)
+(** The name of the namespace in messages, such as [type class]. *)
 
 val unknown : Resolve.Interface.namespace -> string
 (** The code of the diagnostic for an unknown name. *)

@@ -7,5 +7,6 @@ val diagnostic : Unknown.t -> Diagnostic.t
     uses a type as a constructor. *)
 
 val spelling : Unknown.t -> string option
-(** The name in another spelling that is known. Values and constructors differ only in the case of
-    the first letter ([true], [Speed]), and units are written as symbols. *)
+(** A known name that differs from the unknown one only in spelling. For values and constructors,
+    the first letter may be in the other case ([true], [Speed]). Units may be spelled out instead of
+    written as symbols. *)

@@ -4,7 +4,7 @@ open Basis
 
 type t = private {
   scale : float;
-  unit_ : string;  (** in units of the prelude *)
+  unit_ : string;  (** expressed in units of the prelude *)
   plain : bool;  (** usually a plain number in Frob, such as a count or a percentage *)
 }
 

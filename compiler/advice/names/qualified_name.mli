@@ -1,10 +1,11 @@
-(** Qualified names without a meaning, and names that a module does not have. *)
+(** Messages about qualified names that do not exist, and about names that a module does not define.
+*)
 
 open Basis
 
 val unknown_qualifier :
   Suggestion.t -> Resolve.Visible.t -> Syntax.Ir.name -> Syntax.Ir.name -> Diagnostic.t
-(** The qualifier, and the name that it qualifies. *)
+(** The qualifier and the name after it. *)
 
 val unknown_in_module :
   Suggestion.t ->
@@ -21,5 +22,5 @@ val absent :
   to_:string ->
   Syntax.Ir.name ->
   Diagnostic.t
-(** A list of names contains one that the module does not have. [to_]: the purpose of the list,
+(** A list of names contains one that the module does not define. [to_]: the purpose of the list,
     [export] or [import]. *)

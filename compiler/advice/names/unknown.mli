@@ -1,4 +1,4 @@
-(** An unqualified name without a meaning, with what its rules need. *)
+(** An undefined unqualified name, with the data that the rules for its message need. *)
 
 open Basis
 
@@ -6,10 +6,11 @@ type t = {
   module_ : Module_syntax.t;
   namespace : Resolve.Interface.namespace;
   name : Syntax.Ir.name;
-  names : string list Lazy.t;  (** the names that are visible there, including local ones *)
+  names : string list Lazy.t;  (** the names in scope at the unknown name, including local ones *)
   locals : string list Lazy.t;
   signals : Proc_signals.t list Lazy.t;
-      (** the signals of all [proc]s in the definition; those in scope are also among the locals *)
+      (** the signals of all [proc]s in the definition; the ones in scope are also in the list of
+          local names *)
   is_in : Resolve.Interface.names -> bool;  (** Is the unknown name one of these? *)
 }
 

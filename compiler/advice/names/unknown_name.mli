@@ -1,5 +1,6 @@
-(** Unqualified names without a meaning, with advice: a similar name, the module to import, Frob's
-    equivalent for a word of another language, or the place where the name would have a meaning. *)
+(** Messages about undefined unqualified names, with advice: a similar name, the module to import,
+    Frob's equivalent for a word of another language, or the place where the name would have a
+    meaning. *)
 
 open Basis
 

@@ -1,4 +1,4 @@
-(** The names of a module that have no meaning. *)
+(** Messages about the undefined names of a module. *)
 
 open Basis
 

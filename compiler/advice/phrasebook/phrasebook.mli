@@ -29,17 +29,17 @@ type row = {
 }
 
 val rows : row list Lazy.t
-(** In the order of the table. *)
+(** All rows, in the order of the table. *)
 
 val find : place -> string -> row option
 (** The first row of the word at this place. *)
 
 val hint : row -> string
-(** The hint, or the one that suggests the replacement. *)
+(** The hint in the row or, if there is none, a hint that suggests the replacement. *)
 
 val name : row -> string option
 (** The replacement, if the row has no other hint and it is one word. *)
 
 val applied : place -> string -> string list -> (string * row) option
-(** The replacement in the first row of the word at this place with as many arguments, in which
-    these arguments take the place of their names. *)
+(** The replacement in the first row for the word at this place that has the given number of
+    arguments, with these arguments substituted. *)

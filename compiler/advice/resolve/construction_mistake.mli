@@ -1,4 +1,4 @@
-(** Constructors with wrong fields or arguments. *)
+(** Messages about constructors with wrong fields or arguments. *)
 
 open Basis
 

@@ -1,4 +1,5 @@
-(** Declarations of types, units, classes and instances, and types that are used wrongly. *)
+(** Messages about declarations of types, units, classes and instances, and about types that are
+    used wrongly. *)
 
 open Basis
 

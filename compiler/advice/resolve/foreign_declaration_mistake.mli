@@ -1,4 +1,4 @@
-(** Declarations of foreign code whose names cannot be used in C. *)
+(** Messages about declarations of foreign code whose names cannot be used in C. *)
 
 open Basis
 

@@ -1,4 +1,5 @@
-(** Modules that are missing, unreadable, misnamed or import each other, and test files. *)
+(** Messages about modules that are missing, unreadable or misnamed, about modules that import each
+    other, and about test files. *)
 
 open Basis
 

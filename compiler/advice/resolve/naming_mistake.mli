@@ -1,4 +1,5 @@
-(** Names that are ambiguous, defined twice or not defined, and misplaced definitions. *)
+(** Messages about names that are ambiguous, undefined or defined twice, and about misplaced
+    definitions. *)
 
 open Basis
 

@@ -3,4 +3,4 @@
 open Basis
 
 val into : Diagnostic.sink -> Resolve.Fact.t Facts.t
-(** Emits the diagnostics into the sink. *)
+(** Translates each fact to a diagnostic and emits it to the sink. *)

@@ -1,4 +1,4 @@
-(** Parameters that are set on the command line. *)
+(** Messages about parameters that are set on the command line. *)
 
 open Basis
 

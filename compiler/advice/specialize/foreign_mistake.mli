@@ -6,4 +6,4 @@ open Basis
 val name : Specialize.Fact.foreign_name -> Diagnostic.t
 
 val of_the_instant : at:Span.t -> Flow.Ir.foreign_type -> Diagnostic.t
-(** A value of this type would be kept from one instant to another. *)
+(** A value of this type would have to be kept from one instant to the next. *)

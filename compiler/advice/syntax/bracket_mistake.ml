@@ -125,7 +125,8 @@ let at_offset (by : Layout.origin) first last =
   let place offset = { by.by.start with pos_cnum = offset } in
   Build.span (place first, place last)
 
-(* The line's code with the bracket, from the word before the opening bracket onwards. *)
+(* The line's code with the missing bracket inserted, starting at the word before the opening
+   bracket. *)
 let with_bracket found place opening =
   let text = found.text in
   let rec word i =

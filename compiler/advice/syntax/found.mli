@@ -4,7 +4,7 @@ open Syntax
 
 type t = {
   text : string;  (** the whole source *)
-  state : int;  (** state of the automaton *)
+  state : int;  (** state of the parser's automaton *)
   before : Layout.token option;  (** [None] at the start of an item *)
   token : Layout.token;
   context : Layout.context;  (** the blocks and brackets that are open before the token *)

@@ -1,4 +1,5 @@
-(** Characters, names, numbers, texts and comments that the lexer does not accept. *)
+(** Messages about characters, names, numbers, strings and comments that the lexer does not accept.
+*)
 
 open Basis
 

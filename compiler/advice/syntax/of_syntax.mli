@@ -9,4 +9,4 @@ val create : unit -> t
 val diagnostics : t -> Syntax.Fact.t -> Diagnostic.t list
 
 val into : Diagnostic.sink -> Syntax.Fact.t Facts.t
-(** Emits the diagnostics into the sink. *)
+(** Translates each fact to a diagnostic and emits it to the sink. *)

@@ -10,7 +10,7 @@ let is_a_name : Layout.token option -> bool = function
   | Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } -> true
   | Some _ | None -> false
 
-(* The place of this part of a line before the token. *)
+(* The place of a part of a line before the token, between two offsets. *)
 let span_before found first last =
   let bol = Option.fold (String.rindex_from_opt found.text first '\n') ~none:0 ~some:succ in
   let lines = lines_between found first found.token.start.pos_cnum in
@@ -108,7 +108,7 @@ let type_before_equation found =
 
 let words_of_a_choice = [ "switch"; "match"; "when"; "select"; "if"; "cond" ]
 
-(* The last of these words in the text, as offsets, and the text after it. *)
+(* The offsets of the last occurrence of one of these words in the text, and the text after it. *)
 let choice_in found first last =
   let rec back i =
     if i < first then None
@@ -188,7 +188,7 @@ let loop_as_value found =
 
 (* {1 Guards} *)
 
-(* The offsets of the isolated signs [=] in this part of the text. *)
+(* The offsets of each [=] in this part of the text that is not part of a longer operator. *)
 let signs_in found first last =
   let is_one i =
     found.text.[i] = '='
@@ -310,7 +310,7 @@ let reserved found =
 
 (* {1 Brackets} *)
 
-(* The part of the text before the closing bracket of the pair that encloses it. *)
+(* The text before the first closing bracket that has no partner in the text. *)
 let before_closing text =
   let rec go i depth =
     if i >= String.length text then None

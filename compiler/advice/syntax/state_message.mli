@@ -1,7 +1,7 @@
 (** The message of each error state of the automaton, from [grammar.messages]. *)
 
 type expects =
-  | Equals  (** after the left side of a definition *)
+  | Equals  (** after the left-hand side of a definition *)
   | Arrow  (** after the input of a [proc] or a parameter of a lambda *)
   | Other
 

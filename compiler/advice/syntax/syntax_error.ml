@@ -178,7 +178,7 @@ let plain found =
   in
   let hints =
     match hint found ~state_hints with
-    (* a call such as `setVelTR(0.2, 0)` is parsed as a left side *)
+    (* a call such as `setVelTR(0.2, 0)` is parsed as a left-hand side *)
     | [] when expects = Equals ->
         let rules = [ compares_instead; text_alone; type_before_name ] in
         [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]

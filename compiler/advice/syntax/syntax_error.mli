@@ -1,4 +1,4 @@
-(** Tokens that the parser cannot accept.
+(** Messages about tokens that the parser cannot accept.
 
     Each state of the automaton has its own message in [grammar.messages]. A few tokens (reserved
     words, an unmatched bracket, [<-], array brackets) have more specific messages. *)

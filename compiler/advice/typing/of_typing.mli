@@ -3,4 +3,5 @@
 open Basis
 
 val into : ?sources:Source.t -> Diagnostic.sink -> Typing.Fact.t Facts.t
-(** Emits the diagnostics into the sink. Hints and fixes quote the sources. *)
+(** Translates each fact to a diagnostic and emits it to the sink. Hints and fixes quote the
+    sources. *)

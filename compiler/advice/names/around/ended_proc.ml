@@ -100,7 +100,7 @@ let quote ~text (at : Span.t) =
   Source.add sources ~file:at.file text;
   Source.quote sources at
 
-(* The text of [whole], in which this replacement takes the place of [part]. *)
+(* The text of [whole] with [part] replaced. *)
 let with_part ~text (whole : Span.t) ~(part : Span.t) replacement =
   Option.map
     (fun written ->
@@ -126,8 +126,8 @@ let switch_around program (name : name) =
       let same (_, (head : expr), _) = Span.compare head.span first.span = 0 in
       Some (List.nth all (List.length (List.filter same all) - 1))
 
-(* The value that depends on the name: the application with the name as its last argument, and the
-   place of this application, including the parentheses around it. *)
+(* The value that depends on the name: the application whose last argument is the name. Also returns
+   the place of this application, including the parentheses around it. *)
 let value_of program (name : name) =
   let rec go (value : expr) = function
     | ({ desc = Apply (_, x); _ } as whole : expr) :: outer when x.span = value.span ->

@@ -19,6 +19,6 @@ val lambda_before_where : Syntax.Ir.program -> Syntax.Ir.name -> (Syntax.Ir.name
     that a definition consists of, and is used in its [where]. *)
 
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
-(** The hint if the name is an input of the first argument of a [switch], and is used in another
-    argument: as a separate argument for the event, or in the next mode. [text]: the source text of
-    the module. *)
+(** If the name is an input of the first argument of a [switch] but is used in another argument, a
+    hint that shows how to pass it on, either as a separate argument for the event or to the next
+    mode. [text]: the source text of the module. *)

@@ -1,5 +1,5 @@
-(** What the syntax tree of a module says about unknown names in it. Computed on demand, once for
-    all its unknown names. *)
+(** Facts about a module that are read from its syntax tree, for messages about unknown names. Each
+    one is computed when it is first needed, and then reused for all unknown names of the module. *)
 
 type t = {
   visible : Resolve.Visible.t;

@@ -15,7 +15,7 @@ let on_line (span : Span.t) first last =
 
 let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
 
-(* From this index, skips characters for which [is] is true, forward or backward. *)
+(* Starting at this index, skips characters that satisfy [is], forward or backward. *)
 let rec forward is text i = if is (char_at text i) then forward is text (i + 1) else i
 let rec backward is text i = if is (char_at text (i - 1)) then backward is text (i - 1) else i
 let is_of_a_unit c = Character.is_name c || c = '/' || c = '*' || c = '^'
@@ -156,7 +156,7 @@ let is_an_argument ~text (span : Span.t) =
      || word <> ""
         && not (List.mem word [ "if"; "then"; "else"; "of"; "in"; "let"; "case"; "not" ]))
 
-(* The line up to a bracket that closes one of an earlier line. *)
+(* The line up to the first bracket that closes one from an earlier line. *)
 let before_outer_bracket line =
   let rec stop i depth =
     if i >= String.length line then i
@@ -271,7 +271,7 @@ let product ~text (span : Span.t) =
   let name from until = String.sub line from (until - from) in
   let other_operator i = String.contains "*/^.!'" (char_at line i) in
   let around from until =
-    (* the product must not be a part of a longer one *)
+    (* the product must not be part of a longer product *)
     let before = backward is_blank line from - 1 and after = forward is_blank line until in
     (before < 0 || not (other_operator before)) && not (other_operator after)
   in
@@ -309,7 +309,7 @@ let record ~text (span : Span.t) =
       )
   | _ -> None
 
-(* The index after the bracket that closes the one at this index. *)
+(* The index after the bracket that closes the bracket at this index. *)
 let closing line i =
   let rec close i depth =
     match char_at line i with

@@ -64,8 +64,8 @@ val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)
 
 val replaced : name:string -> by:string -> string -> (int * string) option
-(** The number of occurrences of the name in an expression, and the expression in which this text
-    replaces all of them; [None] if the name does not occur. *)
+(** The number of occurrences of the name in an expression, and the expression with this text in
+    place of each of them. [None] if the name does not occur. *)
 
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
@@ -75,31 +75,32 @@ val signature : text:string -> Span.t -> string option
 (** The line with the type of the top-level definition around this place. *)
 
 val unit_of_literal : text:string -> Span.t -> (string * string * string) option
-(** The digits before the brackets that contain the name, and the texts before and after it in these
-    brackets: [20], [km/] and nothing for [h] in [20[km/h]]. *)
+(** The digits before the brackets that contain the name, and the text before and after the name
+    inside these brackets. For [h] in [20[km/h]], these are [20], [km/] and the empty string. *)
 
 val assigned : text:string -> Span.t -> (string * string * Span.t) option
 (** The equation on the line of the name, if it is on one line: the name that it defines, its
-    right-hand side, and the place of that. *)
+    right-hand side, and the place of the right-hand side. *)
 
 val divided_difference : text:string -> Span.t -> (Span.t * string) option
-(** The quotient [(x - y) / dt] that ends with the name [dt]: its place and [x], in parentheses if
-    it needs them as an argument. *)
+(** The quotient [(x - y) / dt] that ends with the name [dt]: its place, and the text of [x], with
+    parentheses if it needs them as an argument. *)
 
 val product : text:string -> Span.t -> (Span.t * string * string) option
-(** The product of the name and another name, if it is not a part of a longer product: its place,
-    and the two names. *)
+(** The product of the name and another name, if it is not part of a longer product: its place, and
+    the two names. *)
 
 val record : text:string -> Span.t -> (Span.t * (string * string) list) option
 (** The record expression on one line that begins with this name: its place, and the names and the
     values of its fields. *)
 
 val in_parentheses : text:string -> Span.t -> (Span.t * string) option
-(** The call [f(x, y)] of the name, without a blank: its place, and the text in parentheses. *)
+(** The call [f(x, y)] of the name, without a space before the parenthesis: its place, and the text
+    in parentheses. *)
 
 val application : text:string -> Span.t -> (Span.t * string list) option
-(** The application of the name to arguments on its line, each a name, a number or in parentheses:
-    its place and the texts of the arguments. *)
+(** The application of the name to arguments on its line: its place, and the texts of the arguments.
+    Each argument is a name, a number or an expression in parentheses. *)
 
 val arguments : text:string -> Span.t -> (Span.t * string list) option
 (** Like {!application}, also for arguments in parentheses as in [f(x, y)]. *)

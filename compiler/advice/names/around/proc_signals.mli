@@ -8,8 +8,8 @@ type t = {
 }
 
 val of_surroundings : Syntax.Ir.right list -> t list
-(** The names bound by the [proc]s in these right-hand sides, which contain each other, innermost
-    first: the signals of the outermost one, and those of each body that is a [proc] with a [do]. *)
+(** The names bound by the [proc]s in these right-hand sides: those of the outermost [proc], and
+    those of each [proc] with a [do] inside it. Each right-hand side contains the one before it. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** The names bound by all [proc]s in the module's definitions. *)

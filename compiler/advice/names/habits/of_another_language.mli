@@ -3,7 +3,7 @@
 open Basis
 
 val rules : (Unknown.t -> Diagnostic.t option) list
-(** In the order of their priority. *)
+(** The rules in order of priority. *)
 
 val controller : Unknown.t -> Diagnostic.t option
-(** A controller with three gains as arguments. *)
+(** Suggests a controller with three gains as arguments. *)

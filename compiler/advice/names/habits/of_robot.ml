@@ -3,7 +3,7 @@ open Basis
 type hint = {
   text : string;
   edit : (Span.t * string) option;
-  is_certain : bool;  (** better than a similar name *)
+  is_certain : bool;  (** takes precedence over a similar name *)
 }
 
 let plain text = { text; edit = None; is_certain = false }
@@ -19,7 +19,7 @@ let of_a_reading (t : Unknown.t) =
         (Phrasebook.applied Reading t.name.text input)
   | Some _ | None -> None
 
-(* The names to whose previous value this name may refer: `v` for `v_prev` and `prevV`. *)
+(* The names whose previous value this name may denote: `v` for `v_prev` and `prevV`. *)
 let current name =
   let n = String.length name in
   let without_end suffix =

@@ -1,5 +1,5 @@
-(** Hints for an unknown value that nothing else explains: a similar name, or a word that other
-    robot libraries use for a sensor or an action. *)
+(** Hints for an unknown value that no other rule explains: a similar name, or Frob's equivalent for
+    a word that other robot libraries use for a sensor or an action. *)
 
 open Basis
 
@@ -7,4 +7,4 @@ val is_a_word : string -> bool
 (** Does another robot library use this word? *)
 
 val diagnostic : Suggestion.t -> Unknown.t -> Diagnostic.t
-(** With a hint, if one can be found. *)
+(** Reports the unknown value, with a hint if a rule applies. *)

@@ -43,7 +43,7 @@ let length_in_text (t : Unknown.t) =
       Some (whole, if is_factor then Printf.sprintf "toFloat (%s)" text else text)
   | _ -> None
 
-(* The name after the point, as in `math.sin`, and the place of both. *)
+(* The name after the dot, as in `math.sin`, and the place of both. *)
 let field (t : Unknown.t) =
   Option.map
     (fun (whole : Span.t) ->
@@ -158,7 +158,7 @@ let counted_in_text (t : Unknown.t) =
       Some (whole, String.concat " " ("countWhere" :: arguments))
   | Some _ | None -> None
 
-(* A number with or without a unit, as an argument. *)
+(* Is this argument a number, with or without a unit? *)
 let is_a_literal text =
   let text =
     if String.starts_with ~prefix:"(-" text && String.ends_with ~suffix:")" text then
@@ -168,12 +168,13 @@ let is_a_literal text =
   let end_ = Option.value (String.index_opt text '[') ~default:(String.length text) in
   float_of_string_opt (String.sub text 0 end_) <> None
 
-(* The dimensions in `zeros(2, 3)` or `zeros 4`; those of one element are left out. *)
+(* The dimensions in `zeros(2, 3)` or `zeros 4`, without dimensions of size 1. *)
 let dimensions arguments =
   let all = List.map (fun text -> int_of_string_opt (String.trim text)) arguments in
   if List.mem None all then None else Some (List.filter (( <> ) 1) (List.filter_map Fun.id all))
 
-(* An array of equal numbers: its elements, if they are few. *)
+(* An array of equal numbers: an array literal if it is small, otherwise an application of
+   `generate`. *)
 let filled_with digit arguments =
   let row x n = "[" ^ String.concat ", " (List.init n (fun _ -> x)) ^ "]" in
   match dimensions arguments with
@@ -183,7 +184,7 @@ let filled_with digit arguments =
   | Some [ _; _ ] -> Some (Printf.sprintf "(generate (const (generate (const %s))))" digit)
   | Some _ | None -> None
 
-(* Rows of the phrasebook cannot express these, because the arguments decide. *)
+(* These are not rows of the phrasebook because their results depend on the arguments. *)
 let by_arguments name arguments =
   match (name, arguments) with
   | ("zeros" | "ones"), _ :: _ ->

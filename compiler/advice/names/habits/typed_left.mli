@@ -3,7 +3,9 @@
 
 open Basis
 
-type advice = Report of Diagnostic.t | Reported  (** already, at another word of the definition *)
+type advice =
+  | Report of Diagnostic.t
+  | Reported  (** already reported at another word of the definition *)
 
 val rules : (Unknown.t -> advice option) list
 
@@ -12,4 +14,4 @@ val of_declaration :
   (string -> Typed_equation.t option) ->
   Proc_signals.c_declaration ->
   Typed_equation.t option
-(** The equation on the line of the declaration, read by the function. *)
+(** The equation on the line of the declaration, as parsed by the given function. *)

@@ -3,7 +3,7 @@
 val by_equation : string
 
 val no_end : string
-(** The hint for a line [end]. *)
+(** The hint for a line that consists of [end]. *)
 
 val no_procedures : string
 
@@ -23,7 +23,7 @@ val repeated : string -> string
 (** The hint for a loop with this number of iterations in a task. *)
 
 val no_ranges : string -> string
-(** The hint for a range such as [1..10], given by its text without blanks. *)
+(** The hint for a range such as [1..10], given as text without spaces. *)
 
 val waiting : string
 (** The hint that explains how to wait. *)

@@ -6,7 +6,7 @@ val of_colon : string -> int -> t
 (** The hint for the colon at this offset of the text. *)
 
 val of_elements : string
-(** The hint that suggests a replacement for a function that takes a list apart. *)
+(** The hint that suggests a replacement for a function that deconstructs a list. *)
 
 val of_each_line : string option -> string option list
-(** The hints that are superfluous for later colons, once this hint has been given for a colon. *)
+(** The hints that become superfluous for later colons once this hint has been given. *)

@@ -1,4 +1,4 @@
-(** Arguments and arrays in the notation of Python and MATLAB, in Frob. *)
+(** Frob equivalents of arguments and arrays in Python and MATLAB notation. *)
 
 val without_keywords : string -> int -> string option
 (** [f 1 2] for [f(x=1, y=2)], where this offset is that of the parenthesis. *)

@@ -359,7 +359,7 @@ let type_of_field text =
   | _ when Character.is_upper text.[0] && String.for_all is_part text -> Some text
   | _ -> None
 
-(* `x :: Float` for `x : float`, and `x :: Float`, `y :: Float` for `float x, y`. *)
+(* `x :: Float` for `x : float`; both `x :: Float` and `y :: Float` for `float x, y`. *)
 let fields_of_declaration text =
   let field name type_ =
     let name = String.trim name in

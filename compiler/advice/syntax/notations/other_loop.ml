@@ -8,7 +8,7 @@ let rec blanks text i = if char_at text i = ' ' then blanks text (i + 1) else i
 
 (* {1 The array of a loop} *)
 
-(* The names and signs of a text; a number is like a name. *)
+(* Splits a text into names and symbols; a number counts as a name. *)
 let tokens text =
   let rec from i taken =
     if i >= String.length text then List.rev taken
@@ -27,7 +27,7 @@ let is_type word =
   List.mem word
     [ "int"; "auto"; "const"; "let"; "var"; "size_t"; "unsigned"; "long"; "double"; "float" ]
 
-(* The offset at which the lines end that are indented further than the line of this offset. *)
+(* The end of the lines below this offset that are indented further than its own line. *)
 let block_stop text first =
   let indentation i = blanks text (line_start text i) - line_start text i in
   let own = indentation first in

@@ -94,7 +94,7 @@ let copied parts =
 
 let most_characters = 80
 
-(* The text in the braces, in one line. *)
+(* The text in the braces, joined to one line. *)
 let inside text at =
   match Other_definition.in_braces text at with
   | Some (inside, _) when inside <> "" && String.length inside <= most_characters -> Some inside

@@ -1,4 +1,4 @@
-(** Types in the notation of C++, Java and Python, in Frob. *)
+(** Frob equivalents of types in C++, Java and Python notation. *)
 
 val known : string -> string option
 (** The type of Frob with this name, which may be a type of another language, or in other letters:

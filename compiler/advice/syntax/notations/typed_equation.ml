@@ -102,7 +102,7 @@ let of_colon line =
 
 let longest = 70
 
-(* Does an expression that starts so end on this line? *)
+(* Does an expression with this beginning end on the same line? *)
 let is_whole value =
   let count c = List.length (String.split_on_char c value) in
   let words = String.split_on_char ' ' value in

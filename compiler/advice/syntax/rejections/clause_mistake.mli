@@ -1,4 +1,4 @@
-(** Functions defined by several clauses, as in Haskell. *)
+(** Messages about functions defined by several clauses, as in Haskell. *)
 
 open Basis
 open Syntax.Rejection

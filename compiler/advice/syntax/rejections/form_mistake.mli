@@ -1,4 +1,4 @@
-(** Declarations and units of the wrong form. *)
+(** Messages about declarations and units of the wrong form. *)
 
 open Basis
 open Syntax.Ir

@@ -1,4 +1,5 @@
-(** Operators that need parentheses, and exponents. Diagnostics quote the source text. *)
+(** Messages about operators that need parentheses, and about exponents. They quote the source text.
+*)
 
 open Basis
 open Syntax

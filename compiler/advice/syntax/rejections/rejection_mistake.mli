@@ -1,4 +1,4 @@
-(** Input that is grammatical but has no meaning. *)
+(** Messages about input that is grammatical but has no meaning. *)
 
 open Basis
 

@@ -1,4 +1,4 @@
-(** Statements that a [do] cannot contain. *)
+(** Messages about statements that a [do] cannot contain. *)
 
 open Basis
 

@@ -1,4 +1,5 @@
-(** Terms that are not patterns, expressions or the left side of a definition. *)
+(** Messages about terms that are not patterns, expressions or the left-hand side of a definition.
+*)
 
 open Basis
 open Syntax

@@ -9,7 +9,7 @@ type fact = {
 
 let failing { call; _ } = List.nth call.arguments (call.failed - 1)
 
-(* Is the whole of the failing argument wrong? *)
+(* Is the failing argument wrong as a whole, rather than in a part of it? *)
 let is_about_the_argument fact = Span.compare fact.mistake.at (fst (failing fact)).span = 0
 
 (* {1 The order of the arguments} *)
@@ -63,7 +63,8 @@ let exchange a b ~of_:n =
       let i = i + 1 in
       if i = a then b else if i = b then a else i)
 
-(* Two swapped arguments, or the first argument in the last place or the reverse. *)
+(* Two arguments are swapped, or the first argument is in the last position, or the last one in the
+   first. *)
 let order ({ words; call; mistake } as fact) =
   let arguments = List.map fst call.arguments in
   let exchanged =

@@ -8,4 +8,4 @@ val refused : Resolve.Ir.primitive -> Declaration_fact.refusal -> Diagnostic.t
 
 val imported_twice :
   string -> this:Declaration_fact.imported -> first:Declaration_fact.imported -> Diagnostic.t
-(** The C function of this name. *)
+(** The message about two imports of the same C function with different types. *)

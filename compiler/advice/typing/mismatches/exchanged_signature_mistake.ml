@@ -1,13 +1,15 @@
 open Basis
 open Typing
 
-(* A formula with the wrong operator can fit the exchanged signature by coincidence, such as
-   [derivative x] where [integral x] was meant: the definition is as likely to be wrong. *)
+(* A formula with the wrong operator can fit the exchanged signature by coincidence. For example,
+   the user may have written [derivative x] instead of [integral x]. So the definition is just as
+   likely to be wrong. *)
 let is_about_the_result ~(written : Resolve.Ir.scheme) (d : Diagnostic.t) =
   String.equal d.code "E0320"
   && List.exists (fun (l : Diagnostic.label) -> Span.compare l.at written.span = 0) d.labels
 
-(* Is this a message about another order, which is the better explanation? *)
+(* Is this a message about swapped arguments, parameters or components? Such a message explains the
+   mistake better. *)
 let is_about_an_order (mistake : Fact.t) =
   match mistake with
   | Misapplied { call = { exchanged = Some _; _ } | { rotated = Some _; _ }; _ }
@@ -74,7 +76,7 @@ let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnosti
     String.starts_with ~prefix:"if this is the right result, write the signature as" text
   in
   let signature = Printf.sprintf "%s :: %s" name text in
-  (* Another formula is a better explanation than parameters in the wrong order. *)
+  (* A different formula is a better explanation than parameters in the wrong order. *)
   let keeps =
     match kind with
     | Parameters _ -> not (List.for_all is_of_a_signature d.hints)

@@ -126,7 +126,7 @@ let several_outputs fact =
                "combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`")
   | _ -> None
 
-(* The body of a mode with its event missing. *)
+(* The body of a mode that lacks its event. *)
 let output_with_an_event fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
@@ -472,7 +472,7 @@ let no_instance words required (lack : lack) =
 
 (* {1 Other messages} *)
 
-(* A condition about the asserted value, with a limit that has the value's unit. *)
+(* An example of a condition on the asserted value, with a limit in the value's unit. *)
 let asserted words ~(at : Span.t) culprit =
   let e = Option.fold (Show.quote words at) ~none:"x" ~some:Source.grouped in
   match Type.expand culprit with

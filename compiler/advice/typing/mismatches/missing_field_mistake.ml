@@ -18,8 +18,8 @@ let one_of_several environment ty name =
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
-(* The function or signal function of that name: what it is, and the types of its parameters and its
-   input. *)
+(* The function or signal function of this name: its kind, the types of its parameters, and the type
+   of its input. *)
 let of_that_name words (name : Syntax.Ir.name) =
   let rec parameters t =
     match Type.expand t with
@@ -193,8 +193,8 @@ let of_a_content (name : Syntax.Ir.name) ~grouped ~lacks_it t content =
        value"
       name.text grouped
 
-(* Handles types that do not have fields but produce values that may have some, such as signal
-   functions. *)
+(* Handles types that do not have fields themselves but produce values that may have fields, such as
+   signal functions. *)
 let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   let text = Option.value (Show.quote words record.span) ~default:"x" in
   let grouped = Source.grouped text in

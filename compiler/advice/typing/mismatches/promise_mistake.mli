@@ -6,4 +6,4 @@ open Basis
 open Typing
 
 val unpromised : Show.words -> Instance_fact.promise -> Instance_fact.promise list -> Diagnostic.t
-(** All promises are missing in the same signature. *)
+(** All missing promises belong to the same signature. *)

@@ -1,4 +1,4 @@
-(** Labels that show why an expression must have a certain type. *)
+(** Labels that show why an expression must have a particular type. *)
 
 open Basis
 open Typing

@@ -1,4 +1,4 @@
-(** What requires a class, and why. *)
+(** Labels for the expressions that require a class. *)
 
 open Basis
 open Typing
@@ -7,4 +7,4 @@ val add : Show.words -> Instance_fact.required -> Diagnostic.t -> Diagnostic.t
 (** Labels the place that imposes the constraint. *)
 
 val user : Show.words -> Instance_fact.required -> string
-(** What requires the class, in backticks. *)
+(** The expression or construct that requires the class, in backticks. *)

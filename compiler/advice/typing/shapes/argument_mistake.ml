@@ -16,7 +16,7 @@ let rec missing_arguments t =
 
 (* {1 A function where a value is expected} *)
 
-(* `foldl max row` with the value that it begins with *)
+(* `foldl max row` with an initial value inserted *)
 let start_lacking fact ~missing (e : Resolve.Ir.expr) =
   let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
   match (fact.wanted, fact.given, Plain_name.of_head e, List.map quote (arguments_of e)) with

@@ -1,5 +1,4 @@
-(** A mismatch between types of different shapes, with all the information that the message rules
-    use. *)
+(** A mismatch between types of different shapes, with the data that the message rules use. *)
 
 open Basis
 open Typing
@@ -15,7 +14,7 @@ type t = {
 }
 
 type rule = t -> Diagnostic.t option
-(** The message, if the rule applies to the mismatch. *)
+(** A rule returns the message if it applies to the mismatch. *)
 
 val make :
   Show.words ->
@@ -31,7 +30,8 @@ val first : (t -> 'a option) list -> t -> 'a option
 (** {1 Properties of the mismatch} *)
 
 val other_operand : t -> Resolve.Ir.expr option
-(** The other operand of an operator, if its type is the only reason for the expected type. *)
+(** The other operand of an operator, if only the type of that operand determines the expected type.
+*)
 
 val is_statement : t -> bool
 (** Is the subject a statement of a [do]? *)
@@ -67,7 +67,7 @@ val elements : t -> string option list
     only [None]. *)
 
 val all : string option list -> string list option
-(** All texts, if none of them is missing. *)
+(** All texts, or [None] if one of them is missing. *)
 
 val names : int -> string list
 (** Names for parts that the programmer did not name: [a], [b], … *)
@@ -75,10 +75,10 @@ val names : int -> string list
 (** {1 Messages} *)
 
 val different : t -> Diagnostic.t
-(** The error [E0301]: the type found is not the expected one. *)
+(** The error [E0301], which says that the type found differs from the expected one. *)
 
 val hinted : t -> string -> Diagnostic.t
-(** {!different} with this hint. *)
+(** {!different}, with this hint added. *)
 
 val not_a_condition : t -> Diagnostic.t
 (** The error [E0301] about the condition of an [if]. *)

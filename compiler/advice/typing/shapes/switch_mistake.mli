@@ -15,7 +15,7 @@ val ends_it : string -> string
 (** The hint that says how to end a mode with this output: pair it with an event. *)
 
 val goes_on : Expected.t -> bool
-(** Is the expected type the function to the next mode, which takes the event's value? *)
+(** Does the context expect the function that returns the next mode, given the event's value? *)
 
 val three_arguments :
   Show.words -> name:string -> at:Span.t -> (Resolve.Ir.expr * Type.t) list -> Diagnostic.t option

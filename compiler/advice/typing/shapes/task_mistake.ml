@@ -32,7 +32,7 @@ let to_wait words (argument : Resolve.Ir.expr) =
         previous value of a signal"
        how_long)
 
-(* How to turn a signal function into a task: one that ends at an event, or one that never ends. *)
+(* How to turn a signal function into a task that ends at an event, or into one that never ends. *)
 let to_task words (subject : Resolve.Ir.expr option) output =
   let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
   let name = Option.value text ~default:"sf" in

@@ -24,7 +24,7 @@ val in_place_of_its_result : Shape_fact.rule
 (** A task where its result is expected. *)
 
 val without_count : Shape_fact.rule
-(** A task in place of the number of times that it should run. *)
+(** A task in place of the number of repetitions. *)
 
 val only_returned : Shape_fact.rule
 (** [return x] as the value of a function or an equation. *)

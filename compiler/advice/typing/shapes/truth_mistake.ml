@@ -24,7 +24,8 @@ let comparison fact =
         (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
   | _ -> None
 
-(* The condition in `edge b`, also by the name of such an event. *)
+(* The condition in `edge b`. The event may also be given by a name that is defined as such an
+   expression. *)
 let condition_of_edge fact =
   match Option.map (Bare_number.value fact.words) fact.subject with
   | Some
@@ -159,7 +160,7 @@ let compared fact =
       Option.map (no_truth fact) (comparison fact)
   | _ -> None
 
-(* `delay 0 b`: the literal determines the type, but `b` is a truth value. *)
+(* `delay 0 b`: the literal `0` determines the type, but `b` is a truth value. *)
 let after_a_number fact =
   match fact.expected.because with
   | Parameter

@@ -31,9 +31,9 @@ let of_an_input fact =
         |> label ~at:x.span "this is one name for the whole tuple")
   | _ -> None
 
-(* The call in which the arguments from the mismatch onwards form one tuple of this length. If the
-   call has enough arguments, the tuple consists of their source texts, otherwise of generated
-   names. *)
+(* The call with the arguments from the mismatch onwards combined into one tuple of this length. The
+   tuple consists of the source texts of these arguments if there are enough of them, otherwise of
+   generated names. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with
@@ -65,7 +65,7 @@ let parameter fact =
               (gathered fact length)))
   | _ -> None
 
-(* How to take a tuple apart when a tuple of a different length is expected. *)
+(* How to take a tuple apart where a tuple of a different length is expected. *)
 let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
@@ -88,8 +88,8 @@ let ordinal n =
 
 let without i list = List.filteri (fun j _ -> i <> j) list
 
-(* Describes the one part that the longer list has and the shorter one lacks, according to the types
-   of the parts. *)
+(* Describes the part that only the longer list contains, if the types of the parts show which one
+   it is. *)
 let odd_part fact wanted given =
   let text t =
     match Type.expand t with

@@ -81,8 +81,7 @@ let is_no_event words (x : Resolve.Ir.Local.t) =
   | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
   | None -> false
 
-(* An initial value for a signal of this type. For an event, an initial value for what it
-   carries. *)
+(* An initial value for a signal of this type, or, for an event, for the value that it carries. *)
 let rec initial t =
   match Type.expand t with
   | Type.Number _ -> "0"

@@ -1,4 +1,4 @@
-(** A signal function where its output is expected ([E0303]). *)
+(** Rules for a signal function where its output is expected ([E0303]). *)
 
 open Basis
 
@@ -13,7 +13,7 @@ val unrun_operand : Shape_fact.rule
 (** {1 Text about arguments} *)
 
 val arguments_of : Resolve.Ir.expr -> Resolve.Ir.expr list
-(** The arguments of an application, in order. *)
+(** The arguments of an application, in source order. *)
 
 val count : int -> string
 (** [two arguments] *)

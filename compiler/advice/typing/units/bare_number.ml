@@ -103,7 +103,8 @@ let keeps_the_unit (head : Resolve.Ir.expr) =
       true
   | _ -> false
 
-(* The only expression for the result of an application of a function without a signature. *)
+(* The result of an application of a function without a signature, if only one expression can be the
+   result. *)
 let rec result words (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head = { desc = Apply _; _ } as head; style = Juxtaposed; _ } -> result words head
@@ -113,8 +114,8 @@ let rec result words (e : Resolve.Ir.expr) =
       | Some _ | None -> None)
   | _ -> None
 
-(* The factors that [select] accepts, each with its exponent: in a product only the first one, in a
-   sum one for each operand. *)
+(* The factors that [select] accepts, each with its exponent: only the first one in a product, and
+   one for each operand in a sum. *)
 let factors words ~select e =
   let rec of_expr depth power (e : Resolve.Ir.expr) =
     match (select words e, e.desc) with

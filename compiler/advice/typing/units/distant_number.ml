@@ -2,7 +2,7 @@ open Basis
 open Typing
 open Diagnostic
 
-(* Longest chain of names that is followed. *)
+(* Maximum length of a chain of names to follow. *)
 let deepest = 6
 let is_one u = Units.equal u Units.one
 
@@ -13,8 +13,8 @@ let rec applied (e : Resolve.Ir.expr) =
 let all_of results =
   if List.mem None results then None else Some (List.concat (List.filter_map Fun.id results))
 
-(* The numbers other than zero among which this value is chosen; [None] if it may be anything else.
-   *)
+(* The numbers other than zero that this choice selects from; [None] if it may select anything
+   else. *)
 let rec numbers words depth (e : Resolve.Ir.expr) : Bare_number.t list option =
   let right (r : Resolve.Ir.right) =
     all_of (List.map (fun (g : Resolve.Ir.guarded) -> numbers words depth g.value) r.guards)
@@ -145,8 +145,8 @@ let beside words (x : Resolve.Ir.Local.t) visit =
   visit visitor;
   List.rev !found
 
-(* The variable of the parameter at this position, which may be the input of a `proc`, and a visit
-   of its definition. *)
+(* The variable of the parameter at this position, which may be the input of a `proc`, and a
+   function that visits its definition. *)
 let parameter words (f : Resolve.Ir.expr) position =
   let bound (p : Resolve.Ir.pattern) = match p.desc with Bound x -> Some x | _ -> None in
   let of_value (value : Resolve.Ir.expr) =

@@ -76,7 +76,7 @@ let factors e =
 
 let is_number (e : Resolve.Ir.expr) = match e.desc with Number _ -> true | _ -> false
 
-(* Longest chain of names that is followed. *)
+(* Maximum length of a chain of names to follow. *)
 let deepest = 6
 
 let is_square words e =

@@ -5,7 +5,7 @@ open Basis
 open Typing
 
 val binary : Resolve.Ir.expr -> (string * Resolve.Ir.expr * Resolve.Ir.expr) option
-(** The operator and the operands of [a + b]. *)
+(** The operator and the operands of an expression such as [a + b]. *)
 
 val unit_of : Show.words -> Resolve.Ir.expr -> Units.t option
 (** The unit of the value, if it follows from written units, declared types and the types of local
@@ -15,7 +15,7 @@ val factors : Resolve.Ir.expr -> (Resolve.Ir.expr * int) list
 (** The factors of a product, each with its exponent, 1 or -1. *)
 
 val is_square : Show.words -> Resolve.Ir.expr -> bool
-(** Is the value a square, a sum or a difference of squares, or such a value multiplied by a number?
+(** Is the value a square, a sum or difference of squares, or one of these multiplied by a number?
 *)
 
 val is_product : Show.words -> Resolve.Ir.expr -> bool

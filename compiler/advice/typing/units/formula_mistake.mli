@@ -1,5 +1,5 @@
-(** Formulas whose unit shows that an operation was forgotten, such as a square root or a sum over
-    time. Each pair of units contains the expected unit and the actual one. *)
+(** Messages about formulas whose unit shows that an operation is missing, such as a square root or
+    a sum over time. Each pair of units contains the expected unit and the actual one. *)
 
 open Basis
 open Typing
@@ -10,7 +10,7 @@ val root :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A square, or a sum of squares, where its root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
+(** A square, or a sum of squares, whose square root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
 
 val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
 (** Is the expression a square or a sum of squares, and does its root have the expected unit? *)
@@ -37,7 +37,7 @@ val within_root :
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
+(** A square root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
 
 val opposite :
   Show.words ->

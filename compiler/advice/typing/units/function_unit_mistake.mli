@@ -1,4 +1,5 @@
-(** Units that do not fit one particular function, such as a frequency as the argument of [sin]. *)
+(** Messages about units that do not fit one particular function, such as a frequency as the
+    argument of [sin]. *)
 
 open Basis
 open Typing
@@ -9,8 +10,8 @@ val complete :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** Adds the hint for the function that takes this argument, if there is one. The pair contains the
-    expected unit and the actual one. *)
+(** Adds the hint for the function that takes this argument, if the module has one. The pair
+    contains the expected unit and the actual one. *)
 
 val power :
   Show.words ->

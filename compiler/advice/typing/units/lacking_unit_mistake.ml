@@ -87,7 +87,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
                     (if power > 0 then given else wanted)
                     (if power > 0 then wanted else given)
                 in
-                (* without its unit, the number fits *)
+                (* without its unit, the number would fit *)
                 if String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words own)) text
                 then
                   Some
@@ -148,8 +148,8 @@ let difference words (e : Resolve.Ir.expr) =
       | _ -> None)
   | _ -> None
 
-(* `x - delay 0 x` in place of a rate, possibly divided by a number that represents the length of
-   the step. *)
+(* `x - delay 0 x` in place of a rate of change, possibly divided by a number that represents the
+   length of the step. *)
 let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
   let signal e =
     let e = Bare_number.value words e in
@@ -297,7 +297,7 @@ let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
     match (literals, List.filter is_decimal literals) with
     | [ number ], _ when is_bare number ->
         Some (Bare_number.give words number (Show.measure words wanted))
-    (* an integer is more likely to count something *)
+    (* an integer is more likely to be a count *)
     | _, [ number ] -> Some (Bare_number.give words number (Show.measure words wanted))
     | _, _ -> None
 

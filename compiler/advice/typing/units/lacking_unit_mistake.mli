@@ -1,4 +1,4 @@
-(** Numbers and constants that lack their unit, as in [kp * err] with [kp = 0.8]. *)
+(** Messages about numbers and constants that lack their unit, as in [kp * err] with [kp = 0.8]. *)
 
 open Basis
 open Typing

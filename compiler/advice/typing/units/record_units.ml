@@ -34,7 +34,7 @@ let completed words (constructor : Environment.constructor)
           | Some unit_ -> Units.equal unit_ u
           | None -> String.equal literal digits
         in
-        (* a right unit stays as it is written: `60[deg/s]` is not `60[1/s]` *)
+        (* keep a correct unit as it is written: `60[deg/s]`, not `60[1/s]` *)
         let literal =
           if is_right then Option.value (Show.quote words at) ~default:literal else literal
         in

@@ -38,7 +38,7 @@ let to_float words ~found (e : Resolve.Ir.expr option) =
       hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
   | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
 
-(* The unit for a count of this size: a speed of 200 is probably in mm/s. *)
+(* The likely unit of a number of this size: a speed of 200 is probably in mm/s. *)
 let unit_of_count measure (number : Bare_number.t) =
   match (measure, float_of_string_opt number.digits) with
   | "m/s", Some x when x >= 10. -> "mm/s"
@@ -46,8 +46,8 @@ let unit_of_count measure (number : Bare_number.t) =
   | "s", Some x when x >= 20. -> "ms"
   | _ -> measure
 
-(* An `Int` where a quantity with a unit is expected: a name for a literal gets the unit there;
-   otherwise it counts a unit. *)
+(* An `Int` where a quantity with a unit is expected. If it is a name for a literal, the fix adds
+   the unit to the literal. Otherwise it multiplies the `Int` by a unit. *)
 let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr option) =
   let wanted =
     match (expected.because, Type.expand expected.ty, Type.expand found) with

@@ -27,8 +27,8 @@ let declared words (head : Resolve.Ir.expr option) =
       Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
   | Some _ | None -> []
 
-(* The argument at [position] has the unit [given] instead of [wanted]. Returns the unit with which
-   the argument at [place] would make it correct. *)
+(* The argument at [position] has the unit [given] instead of [wanted]. Returns the unit that the
+   argument at [place] would need to correct the mismatch. *)
 let unit_for words head ~place ~position ~current (wanted, given) =
   let of_parameter i =
     match declared words head with
@@ -119,8 +119,8 @@ let has_other_reason words ~given ~decided =
       && not (is_zero e || is_general words e))
     given
 
-(* The unit as the program would write it: an angle keeps its unit. An empty string means no unit.
-   *)
+(* The unit as written in a program, which includes the unit of an angle. An empty string means no
+   unit. *)
 let written words (number : Bare_number.t) unit_ =
   let angle =
     match number.unit_ with
@@ -284,7 +284,7 @@ let of_a_number words ~(expected : Expected.t) ~found ~subject (wanted, given) =
              && Wrong_unit_mistake.gain words ~subject:(Some subject) ~expected (wanted, given)
                 <> None ->
           None
-      (* two numbers with units: either may be wrong *)
+      (* either of two numbers with units may be wrong *)
       | _, Some { unit_ = None; _ } -> None
       | _, Some _ when bare = [] && not (agrees_with_a_later words ~given:arguments ~position given)
         ->

@@ -186,7 +186,7 @@ let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
   let integral = with_e "integral %s" in
   match subject with
   | Some e when is_of_a_signal words expected && not (is_of_time subject) ->
-      (* before the hint for the signature *)
+      (* this rule comes before the hint for the signature *)
       let text =
         Printf.sprintf "for the sum over time, write `%s`; for a fixed time, `%s`" integral times
       in

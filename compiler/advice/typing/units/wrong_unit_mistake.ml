@@ -13,7 +13,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
     | Number { digits; unit_ = Some u; _ } when float_of_string_opt digits = Some 1. -> (
         match (Show.unit_written words u, Show.quote words e.span) with
         | Some unit_, Some text ->
-            (* not `1[km]`, which changes the number too *)
+            (* do not write `1[km]`, which would also change the number *)
             String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words unit_)) text
             && Units.equal (Units.power unit_ (Rational.of_int power)) excess
         | _ -> false)
@@ -82,7 +82,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
 
 (* {1 Gains and constants} *)
 
-(* The unit as the text in a literal. If a gain was written with [rad], the text also contains
+(* The text of the unit in a literal. If a gain was written with [rad], the text also contains
    [rad]. *)
 let unit_like words (number : Bare_number.t) u =
   let measure = Show.measure words u in
@@ -227,8 +227,8 @@ let rec nth_parameter n (t : Resolve.Ir.ty) =
 
 type declared = { type_ : Resolve.Ir.ty; with_type : string -> string }
 
-(* The declared type of a parameter of a top-level function, and the signature with another type in
-   its place. *)
+(* The declared type of a parameter of a top-level function, and a function that replaces this type
+   in the signature. *)
 let declared_parameter words (x : Resolve.Ir.Local.t) =
   match Show.parameter words x with
   | Some ({ signature = Some signature; name; _ }, index) -> (

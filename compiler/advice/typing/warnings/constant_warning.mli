@@ -7,7 +7,7 @@ open Typing
 val not_a_number : Ir.expr -> Diagnostic.t
 
 val wraps_around : Ir.expr -> int -> Diagnostic.t
-(** An Int with this value. *)
+(** The constant is an Int with this value. *)
 
 val unmet : of_:string -> Ir.expr -> Warning_fact.unmet -> Diagnostic.t
 val swapped_limits : of_:string -> low:Ir.expr -> high:Ir.expr -> Diagnostic.t

@@ -4,7 +4,7 @@ open Basis
 open Typing
 
 val difference : Resolve.Ir.program -> Ir.expr -> Ir.expr -> Ir.expr -> Diagnostic.t
-(** A difference, and its operands. *)
+(** A difference, with its operands. *)
 
 val wrapped :
   Resolve.Ir.program ->
