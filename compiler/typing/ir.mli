@@ -156,7 +156,8 @@ and expr_desc =
   | Primitive of Global.t * instantiation
   | Method of { class_ : Global.t; method_ : Global.t; instantiation : instantiation }
       (** the first type argument selects the instance *)
-  | Constructor of constructor * Global.t  (** as a function of its fields, with its type *)
+  | Constructor of constructor * Global.t
+      (** the constructor as a function of its fields, with the type of this function *)
   | Number of Exact.t
       (** the exact value in base units, which specialization rounds once, to the representation of
           its type (if the type is [Int] or a variable, the value is an integer in range) *)
@@ -175,8 +176,8 @@ and expr_desc =
           return them, may be used before their definition *)
   | Lambda of pattern list * expr
   | Guards of (expr * expr) list * expr option
-      (** selects the value of the first guard that is true, otherwise the last expression; if that
-          is [None] (only inside a [Case]), falls through to the next branch *)
+      (** selects the value of the first guard that is true, otherwise the last expression. If that
+          is [None] (only inside a [Case]), continues with the next branch *)
   | Proc of { input : pattern; equations : binding list; output : expr }
   | Record of constructor * (int * expr) list  (** all fields, in the order written *)
   | Update of expr * constructor * (int * expr) list

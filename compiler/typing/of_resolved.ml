@@ -2,7 +2,7 @@ open Basis
 
 let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
 
-(* The checks of levels and patterns rely on types. After a type error they would only repeat the
+(* The checks of levels and patterns rely on types. After a type error, they would only repeat that
    error in other words. *)
 let program ?sources sink facts ~real resolved =
   Option.bind

@@ -13,5 +13,5 @@ val program :
     errors. *)
 
 val partial : real:Real.t -> Resolve.Ir.program -> Ir.program
-(** For editors: the definitions of an erroneous program that could be typed. May raise
+(** The definitions of an erroneous program that could be typed, for editors. May raise
     {!Basis.Diagnostic.Bug}, because such a program does not satisfy the invariants of {!Ir}. *)

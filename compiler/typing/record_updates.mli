@@ -5,7 +5,7 @@
     than in its source. *)
 
 val most_fields : int
-(** The maximum total number of fields, summed over the records of all updates. *)
+(** The maximum number of fields, added up over the records of all updates. *)
 
 val check : Basis.Diagnostic.sink -> Ir.program -> unit
 (** Emits [E0413] at the update with which the total exceeds {!most_fields}. Takes time linear in

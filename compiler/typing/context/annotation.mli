@@ -37,13 +37,13 @@ val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
     reported as [E0322], an exponent out of range as [E0323]. *)
 
 val together : t -> (unit -> 'a) -> 'a
-(** Runs the function, and reports equal scaled units in one line as one fact. *)
+(** Runs the function. Reports equal scaled units in the same line as a single fact. *)
 
 val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
 (** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Returns the
-    scope extended with them. *)
+    scope that also contains these variables. *)
 
 val report_declaration : t -> Declaration_fact.t -> unit
 (** Reports a fact about a declaration outside all definitions. *)

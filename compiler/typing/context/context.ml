@@ -21,7 +21,7 @@ type size = {
   used : Span.t;
   of_ : string;  (** name of the definition that was used, for the message *)
   written : string option;
-      (** the size variable in its signature, if the signature is in the same file *)
+      (** the size variable in the definition's signature, if the signature is in the same file *)
 }
 
 type group = {
@@ -154,7 +154,8 @@ let choices t ty =
       | Data _ | Alias _ | Builtin | Foreign -> [])
   | _ -> []
 
-(* The constructors of the first type that have a field of the second type, shown with their fields. *)
+(* The constructors of the first type that have a field of the second type. The message shows them
+   with their fields. *)
 let makers t ty ~of_ =
   match (Type.expand ty, Type.expand of_) with
   | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
@@ -181,7 +182,7 @@ let named t name =
   in
   List.rev (Resolve.Global_table.fold add t.globals [])
 
-(* Does a message show these types in the same way? *)
+(* Do messages show these types in the same way? *)
 let rec alike a b =
   let all = List.equal alike in
   let units = List.equal (fun u v -> (Units.is_open u && Units.is_open v) || Units.equal u v) in
@@ -309,8 +310,8 @@ let tell_exponent t ~at =
 
 let errors t = t.group.errors
 
-(* Has the same mismatch already been reported for the same source text on this line? Numbers are
-   exempt: each literal must be corrected separately. *)
+(* Has the same mismatch already been reported for the same source text on this line? Does not apply
+   to numbers, because each literal must be corrected separately. *)
 let is_told t (subject : Resolve.Ir.expr option) (expected : Expected.t) found =
   match subject with
   | None | Some { desc = Number _ | Negate _; _ } -> false
@@ -499,8 +500,8 @@ let check_sizes t =
         tell t (Unknown_size { at = used; of_; variable = written })
     | _ -> ()
   in
-  (* The list is in reverse order. The latest use is usually closest to the place where the array is
-     built. *)
+  (* The list is in reverse order, because the latest use is usually closest to the place where the
+     array is built. *)
   List.iter check t.group.sizes
 
 let requirements t = List.rev t.group.required

@@ -16,7 +16,8 @@ type entry = {
 
 and kind =
   | Defined
-  | Recursive  (** in the group being inferred; generalized when the group is finished *)
+  | Recursive
+      (** a definition in the group being inferred; generalized when the group is finished *)
   | Primitive
   | Method of Ir.Global.t  (** the class that declares it *)
 
@@ -53,7 +54,7 @@ type t = {
   scope : Annotation.scope;
   depth : int;  (** number of enclosing signatures *)
   left_operand : (Resolve.Ir.expr * string) option;
-      (** the left operand that is being inferred, if any, and its operator *)
+      (** the left operand that is currently being inferred, if any, and its operator *)
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
   unnamed_input : Span.t option;  (** see {!Show.place} *)
   sources : Source.t;
@@ -114,11 +115,11 @@ val hold : t -> (unit -> 'a) -> 'a * Fact.t Facts.held list
 val pass_on : t -> Fact.t Facts.held list -> unit
 
 val replace : t -> Fact.t -> unit
-(** Reports a fact in place of an error that was held and has already been counted. *)
+(** Reports a fact in place of an error that was held. That error has already been counted. *)
 
 val trial : t -> (unit -> 'a) -> 'a * bool
-(** Infers something only to know its type, and whether it is correct. Drops the facts, but counts
-    the errors, so that the enclosing expressions do not explain them as well. *)
+(** Infers something only to find out its type, and whether it is correct. Drops the facts, but
+    counts the errors, so that enclosing expressions do not explain these errors as well. *)
 
 val tell_too_large : t -> at:Span.t -> Fact.construct -> unit
 (** Reports {!Final.Too_large}. *)
@@ -141,8 +142,8 @@ val use :
   ?said:Span.t ->
   Type.scheme ->
   Type.t * (unit -> Ir.instantiation)
-(** Instantiates the scheme and records the constraints of its context. [said]: the place of the
-    signature. *)
+(** Instantiates the scheme, and records the constraints of its context. [said]: the place of the
+    signature that states them. *)
 
 val require : t -> required -> unit
 
@@ -182,7 +183,7 @@ val check_sizes : t -> unit
 (** After generalization: reports an array size that nothing determines. *)
 
 val requirements : t -> required list
-(** The constraints, in source order. *)
+(** The recorded constraints, in source order. *)
 
 (** {1 Expressions} *)
 

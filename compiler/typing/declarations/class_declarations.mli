@@ -28,8 +28,8 @@ type instance = {
   of_class : class_;
   head : Type.t;
   scheme : Type.scheme;
-      (** not the type of a value: quantifies the variables of the instance, in the order of its
-          head, and contains its context *)
+      (** This is not the type of a value: it quantifies the variables of the instance, in the order
+          of its head, and has the instance's context. *)
   inner : Context.t;  (** the context in which its definitions are checked *)
   definitions : (Ir.Global.t * Resolve.Ir.binding) list;
   place : Span.t;
@@ -41,4 +41,4 @@ val classes : Context.t -> Resolve.Ir.program -> class_ list
 val instances : Context.t -> class_ list -> Resolve.Ir.program -> instance list
 
 val method_of : instance -> method_ -> Type.scheme
-(** The method's type in this instance; the instance's variables come first. *)
+(** The type of the method in this instance. The variables of the instance come first. *)

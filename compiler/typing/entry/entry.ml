@@ -23,7 +23,7 @@ let rec changed : Ir.ty -> Ir.ty option = function
   | Function (a, b) -> if a = b then Some a else changed b
   | _ -> None
 
-(* Is this a type variable constrained by a declared class, or a robot's output type? *)
+(* Is this a type variable that a declared class constrains, or a robot's output type? *)
 let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
   match ty with
   | Variable _ ->

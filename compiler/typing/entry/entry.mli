@@ -21,7 +21,7 @@ val all : Ir.program -> Ir.definition list
 val refusal : Ir.program -> closed:bool -> Ir.definition -> Diagnostic.t option
 (** The reason why a definition cannot be an entry; [None] if it can. The message shows the
     definition's type, declared or inferred, before units and classes are erased. [closed]: whether
-    choosing a robot leaves no variables in the type. *)
+    the type contains no variables once a robot has been chosen. *)
 
 val is_signed : Resolve.Ir.program -> Ir.Global.t -> bool
 (** Does this definition have a type signature? *)

@@ -1,4 +1,5 @@
-(** What inference knows about an application with one argument of the wrong type. *)
+(** The facts that inference collects about an application in which one argument has the wrong type.
+*)
 
 open Basis
 
@@ -6,14 +7,15 @@ type call = {
   at : Span.t;  (** the whole application *)
   head : Resolve.Ir.expr;
   arguments : (Resolve.Ir.expr * Type.t) list;
-      (** with their types; [Erroneous] for the failing argument if it is wrong in itself *)
-  juxtaposed : bool;  (** all arguments are juxtaposed to the head *)
+      (** the arguments, with their types; [Erroneous] for the failing argument if it is wrong in
+          itself *)
+  juxtaposed : bool;  (** whether all arguments are juxtaposed to the head *)
   failed : int;  (** the position of the failing argument, counted from 1 *)
-  is_right_alone : bool;  (** the failing argument is correct in itself *)
+  is_right_alone : bool;  (** whether the failing argument is correct in itself *)
   takes : int;  (** number of parameters of the head *)
   result : Type.t;  (** the type of the head applied to one argument *)
   exchanged : int option;
-      (** the position of another argument; if it is swapped with the failing one, the types fit *)
+      (** the position of another argument; the types fit if it is swapped with the failing one *)
   rotated : int list option;  (** another order in which the types fit *)
 }
 

@@ -1,4 +1,4 @@
-(** What the checks of declarations report. *)
+(** The facts that the checks of declarations report. *)
 
 open Basis
 
@@ -10,7 +10,7 @@ type obstacle =
   | Type_of_c of string  (** a type variable with the name of a type of C *)
   | Several_types  (** a type variable *)
 
-(** Why C code cannot be imported with its declared type. *)
+(** Reasons why C code cannot be imported with its declared type. *)
 type refusal =
   | Signal_function_with_parameters
   | Not_a_signal_function of Ir.ty
@@ -30,15 +30,15 @@ type t =
   | Imported_twice of { symbol : string; this : imported; first : imported }
       (** with different types *)
   | Method_without_variable of { method_ : Resolve.Ir.method_; variable : Ir.variable }
-      (** its type does not contain the class's variable *)
+      (** the method's type does not contain the class's variable *)
   | Constrained_variable of { constraint_ : Resolve.Ir.constraint_; variable : Ir.variable }
       (** the context of a method constrains the class's variable *)
   | Built_in_class of Resolve.Ir.instance  (** a class that cannot have instances *)
   | Instance_head of { instance : Resolve.Ir.instance; head : Type.t }
-      (** not a type constructor applied to distinct variables *)
+      (** the instance head is not a type constructor applied to distinct variables *)
   | Second_instance of { instance : Resolve.Ir.instance; head : Type.t; first : Span.t }
   | Missing_methods of {
       instance : Resolve.Ir.instance;
       head : Type.t;
-      missing : (Ir.Global.t * Span.t) list;  (** each method, and its signature *)
+      missing : (Ir.Global.t * Span.t) list;  (** each missing method, with its signature *)
     }

@@ -1,4 +1,4 @@
-(** What typing reports, as a value without any text. [Advice] turns it into a diagnostic. *)
+(** A fact that typing reports, as a value without text. [Advice] translates it to a diagnostic. *)
 
 open Basis
 
@@ -28,13 +28,13 @@ type t =
       words : Show.words;
       fact : Signature_fact.t;
       mistakes : t Facts.held list;
-          (** what is wrong with the definition if the signature is right; not empty *)
+          (** the mistakes in the definition, if the signature is right; not empty *)
     }
   | Scaled_power of { at : Span.t; unit_ : Ir.Global.t; exponent : Rational.t }
       (** a power of a scaled unit that is not an integer *)
   | Scaled_unit_in_type of {
       environment : Environment.t;
-      places : Span.t list;  (** all in one line; not empty *)
+      places : Span.t list;  (** all occurrences in one line; not empty *)
       measure : Units.t;  (** the unit in base units *)
     }
   | Array_size of { at : Span.t; size : int; largest : int }  (** a size out of range *)

@@ -17,16 +17,16 @@ type t =
       expected : Expected.t;
       first : Resolve.Ir.expr * Type.t;
       second : Resolve.Ir.expr * Type.t;
-    }  (** each component has the type of the other *)
+    }  (** each component has the type of the other one *)
   | Not_a_function of {
       head : Resolve.Ir.expr;
-      position : int;  (** of the argument, counted from 1 *)
+      position : int;  (** position of the argument, counted from 1 *)
       argument : Resolve.Ir.expr;
       ty : Type.t;  (** the type of the head after the preceding arguments *)
     }  (** the head cannot take this argument *)
   | Negative_argument of {
       minus : Span.t;
-      operand : Resolve.Ir.expr option;  (** the expression after the minus *)
+      operand : Resolve.Ir.expr option;  (** the expression after the minus sign *)
       function_ : Resolve.Ir.expr;
       ty : Type.t;
     }  (** [f -1] *)
@@ -36,7 +36,7 @@ type t =
       at : Span.t;  (** the first parameter that the type does not allow *)
       parameters : Resolve.Ir.pattern list;
       expected : Expected.t;  (** of the definition *)
-      result : Type.t;  (** the type after the allowed parameters *)
+      result : Type.t;  (** the type after the parameters that it allows *)
       allowed : int;
     }
   | Parameters_in_a_tuple of {
@@ -49,7 +49,7 @@ type t =
       name : string;
       at : Span.t;
       expected : Expected.t;
-      lacking : (string * Type.t) list;  (** the parameters whose type is missing *)
+      lacking : (string * Type.t) list;  (** the parameters whose types are missing *)
     }  (** [f d = proc i -> …] with the signature [f :: SF a b] *)
   | Variable_like_a_type of {
       at : Span.t;  (** the signature *)
@@ -67,20 +67,20 @@ type t =
       name : string;  (** [foldl] or [scanl] *)
       first : Resolve.Ir.pattern;
       second : Resolve.Ir.pattern;
-    }  (** [foldl (\x n -> n + x) 0 xs]: with its parameters swapped, the function fits *)
+    }  (** [foldl (\x n -> n + x) 0 xs]: the function would fit if its parameters were swapped *)
   | Mapped_range of { at : Span.t; head : Span.t; arguments : Resolve.Ir.expr list }
       (** [map x 0 1023 0 255] of Arduino *)
   | Missing_field of {
       field : Syntax.Ir.name;
       record : Resolve.Ir.expr;
       ty : Type.t;  (** the type of [record] *)
-      known : string list;  (** the fields that it has *)
+      known : string list;  (** the fields that this type has *)
     }
   | Unknown_field of { field : Syntax.Ir.name; record : Resolve.Ir.expr }
       (** no type in scope has this field *)
   | Ambiguous_field of {
       field : Syntax.Ir.name;
-      record : Resolve.Ir.expr;  (** its type is unknown *)
+      record : Resolve.Ir.expr;  (** the type of the record is unknown *)
       types : Ir.Global.t list;  (** the types that have this field *)
     }
   | Field_of_argument of {
@@ -110,6 +110,6 @@ type t =
   | Int_out_of_range of {
       at : Span.t;
       number : Resolve.Ir.number;
-      same_bits : int32 option;  (** the [Int] with the bits that are written *)
+      same_bits : int32 option;  (** the [Int] whose bits are written in the source *)
     }
   | Number_out_of_range of { at : Span.t; number : Resolve.Ir.number; real : Real.t }

@@ -1,4 +1,4 @@
-(** Facts about classes that a type does not have. *)
+(** Facts about required classes that a type does not have. *)
 
 open Basis
 
@@ -8,7 +8,8 @@ type cause =
       (** the signature of this name has the constraint *)
   | Superclass of { class_ : Ir.class_; of_ : Ir.Global.t }
 
-(** What requires a class: the use of a name, or the instance of a class for a type. *)
+(** The construct that requires a class: the use of a name, or the instance of a class for a type.
+*)
 type user = Name of string | Instance of Ir.class_ * Type.t
 
 type constraint_ = int * Ir.class_
@@ -19,10 +20,10 @@ type required = {
   argument : Type.t;
   at : Span.t;
   by : user;
-  because : (Span.t * cause) option;  (** the place that imposes the constraint, and why *)
+  because : (Span.t * cause) option;  (** the place that imposes the constraint, and the reason *)
   from : constraint_ option;  (** the constraint in the scheme of the name *)
 }
-(** A class that something in the program requires. *)
+(** A class that a construct in the program requires. *)
 
 type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
 (** A constraint that cannot be satisfied, and the instances that led to it, in reverse order. *)
@@ -42,4 +43,4 @@ type t =
   | Undecided of { required : required; class_ : Ir.class_ }
       (** nothing determines the type for which the class is required *)
   | Unpromised of { first : promise; others : promise list }
-      (** all by the same signature; none is implied by another *)
+      (** all required by the same signature; none of them is implied by another *)

@@ -1,4 +1,4 @@
-(** What the check of levels reports; see {!Levels}. *)
+(** The facts that the check of levels reports; see {!Levels}. *)
 
 open Basis
 
@@ -52,9 +52,10 @@ type cause =
 
 (** The reason why an index is not constant, and the place. *)
 type problem =
-  | Variable of Ir.Local.t * Span.t  (** a function parameter, or a variable that depends on one *)
-  | Param of Ir.Global.t * Span.t  (** a parameter of the program, mentioned at this place *)
-  | Computed of Span.t  (** something other than arithmetic *)
+  | Variable of Ir.Local.t * Span.t
+      (** it is a function parameter, or a variable that depends on one *)
+  | Param of Ir.Global.t * Span.t  (** it mentions a parameter of the program at this place *)
+  | Computed of Span.t  (** it contains something other than arithmetic *)
 
 (** {1 Facts} *)
 

@@ -5,7 +5,7 @@ open Basis
 type missing = {
   named : string list;
       (** some of the values, in source syntax, with [_] for any value; at least one *)
-  more : int;  (** number of further patterns like these *)
+  more : int;  (** number of further patterns of this kind *)
 }
 (** Values that no pattern covers. *)
 
@@ -30,8 +30,8 @@ type t =
       guarded_only : int option;
           (** a branch that would cover the first of these values if it had no guards *)
       listed : missing option;
-          (** more of the values; only if no branch is [guarded_only], and there are not too many
-              combinations to list them *)
+          (** further values; present only if no branch is [guarded_only] and the combinations are
+              not too numerous to list *)
     }
   | Unreachable of { case : case; branch : Ir.branch }
   | Refutable of { pattern : Ir.pattern; of_ : refutable; missing : missing }

@@ -3,7 +3,7 @@
 open Basis
 
 type kind =
-  | Input_and_output  (** of a signal function, a task or a program *)
+  | Input_and_output  (** the two types of a signal function, a task or a program *)
   | Elements
   | Parameters of int * int  (** their indices *)
   | Parameter_and_result
@@ -16,5 +16,5 @@ type t = {
   first : Resolve.Ir.ty;
   second : Resolve.Ir.ty;
   edits : (Span.t * string) list;  (** exchange the two types *)
-  text : string;  (** the signature after them *)
+  text : string;  (** the signature after the exchange *)
 }

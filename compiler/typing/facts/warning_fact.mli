@@ -1,12 +1,12 @@
-(** What the checks for suspicious code in a typed program report. *)
+(** The facts that the checks for suspicious code in a typed program report. *)
 
 (** A requirement of the function or record [of_] that a constant does not meet. *)
 type unmet =
   | Negative_time
   | Negative
-  | Below of float  (** it must be at least this number *)
+  | Below of float  (** the constant must be at least this number *)
   | Not_above of float
-  | Above of float  (** it must be at most this number *)
+  | Above of float  (** the constant must be at most this number *)
   | Zero_sum  (** the sum of its elements is 0 *)
 
 type unwrap =
@@ -24,13 +24,13 @@ type t =
   | Limits_cross of { limit : Ir.expr; other : Ir.expr }
       (** nested [min] and [max], whose result is always [limit] *)
   | Limited_constant of { low : Ir.expr; high : Ir.expr; limited : Ir.expr }
-      (** [clamp] with a constant as the limited value, but not as the lower limit *)
+      (** [clamp] with a constant as the value to limit, but not as the lower limit *)
   | Unreachable_threshold of {
       comparison : Ir.expr;
       result : bool;  (** its constant result *)
       robot : string;
       sensor : string;
-      reach : float;  (** the largest reading, in metres *)
+      reach : float;  (** the largest possible reading, in metres *)
     }
   | Angle_difference of {
       resolved : Resolve.Ir.program;
@@ -41,11 +41,11 @@ type t =
   | Wrapped_angle of {
       resolved : Resolve.Ir.program;
       function_ : Ir.Global.t;
-      head : Ir.expr;  (** where the program mentions the function *)
+      head : Ir.expr;  (** place where the program mentions the function *)
       angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
       scaled : bool;  (** a multiple *)
-      instead : string;  (** the function for angles: its name *)
+      instead : string;  (** name of the function for angles *)
       module_ : string;  (** and its module *)
-      same_arguments : bool;  (** does it take the same arguments? *)
+      same_arguments : bool;  (** whether it takes the same arguments *)
       unwrap : unwrap;
     }  (** a function that is not suitable for such angles *)

@@ -11,7 +11,7 @@ type bound = {
 
 let nothing_bound () = { types = []; units = [] }
 
-(* Two wanted units may depend on each other, such as `u` and `u/s`. *)
+(* Two expected units may depend on each other, such as `u` and `u/s`. *)
 let units_agree bound wanted given =
   let fits (u, earlier) =
     Units.is_open earlier || Units.is_open given
@@ -26,8 +26,8 @@ let units_agree bound wanted given =
     (bound.units <- (wanted, given) :: bound.units;
      true)
 
-(* Could an argument of type [given] be meant where [wanted] is expected? All occurrences of a
-   variable in the wanted types must agree; [bound] records their bindings. *)
+(* Could an argument of type [given] be intended where [wanted] is expected? All occurrences of a
+   variable in the wanted types must agree. [bound] records the bindings of the variables. *)
 let rec agree bound wanted given =
   let all ws gs = List.compare_lengths ws gs = 0 && List.for_all2 (agree bound) ws gs in
   match (Type.expand wanted, Type.expand given) with
@@ -104,7 +104,7 @@ let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
   let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
   (not (fits a a' && fits b b'))
   && fits a b' && fits b a'
-  (* two unknown types do not suffice *)
+  (* two unknown types are not sufficient *)
   && (not (is_open a' && is_open b'))
   && not (is_open a && is_open b)
 

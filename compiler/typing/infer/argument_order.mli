@@ -5,8 +5,8 @@
 
 val pair_exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
-(** Does a pair have the wrong type, and would it be correct with its components swapped? [unfit]:
-    the given type lacks a class that is required of the wanted type. *)
+(** Would this pair, whose type is wrong, be correct with its components swapped? [unfit]: whether
+    the given type lacks a class that the wanted type must have. *)
 
 val exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
@@ -19,12 +19,12 @@ val exchanged :
     from the function's scheme. [unfit]: see {!pair_exchanged}. *)
 
 val may_be : wanted:Type.t -> Type.t -> bool
-(** Could an argument of this type be meant where [wanted] is expected? *)
+(** Could an argument of this type be intended where [wanted] is expected? *)
 
 val rotated :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
   parameters:Type.t list ->
   given:Type.t list ->
   int list option
-(** The order in which at least three arguments fit, if the first argument was given last or the
-    last one first. *)
+(** An order in which the arguments fit, if there are at least three and the first one was given
+    last, or the last one first. *)

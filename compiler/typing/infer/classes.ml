@@ -184,8 +184,8 @@ let solve ctx (generalized : Generalize.t) =
       match atoms search ~through:[] required.class_ [] required.argument with
       | found -> List.iter (answer required) (List.rev found)
       | exception Lacking lack -> (
-          (* A type used in place of a robot's type is reported once, however many classes it lacks.
-             *)
+          (* If a type is used in place of a robot's type, it is reported once, however many classes
+             it lacks. *)
           match Type.expand lack.culprit with
           | culprit
             when Missing_instance.is_no_robot culprit && List.exists (is_same culprit) !functions ->

@@ -87,7 +87,7 @@ let rec with_parentheses sources (span : Span.t) =
       with_parentheses sources wider
   | Some _ | None -> span
 
-(* The place of the signature with the parenthesis before its context. *)
+(* The place of the signature, including the parenthesis before its context. *)
 let with_opening sources (span : Span.t) =
   let column = Span.column span.start - 1 in
   if column < 1 then span
@@ -96,7 +96,7 @@ let with_opening sources (span : Span.t) =
     let before = Span.make ~file:span.file ~start ~stop:span.start in
     if Source.quote sources before = Some "(" then { span with start } else span
 
-(* The two edits, and the text of the signature after them. *)
+(* The two edits, and the text of the signature that results from them. *)
 let rewritten sources ~(written : Resolve.Ir.scheme) exchanged =
   let first = with_parentheses sources exchanged.first.span in
   let second = with_parentheses sources exchanged.second.span in
@@ -119,7 +119,8 @@ let rewritten sources ~(written : Resolve.Ir.scheme) exchanged =
       Some ([ (first, b); (second, a) ], text)
   | _ -> None
 
-(* If the context is wrong, only an exchange of inputs and outputs is likely to be meant. *)
+(* If the context is wrong, the user probably exchanged inputs and outputs rather than other
+   types. *)
 let is_likely exchanged = function
   | Fact.Instance { fact = Unpromised _; _ } -> (
       match exchanged.first.desc with

@@ -32,7 +32,7 @@ let sequence ctx =
   Global_table.replace ctx.globals Environment.sequence { scheme; kind = Primitive; at = None };
   (Environment.sequence, Final.scheme scheme)
 
-(* Signatures are entered first, so that a definition with a signature can be used before it is
+(* Enters signatures first, so that a definition with a signature can be used before it is
    checked. *)
 let signature ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
@@ -110,8 +110,8 @@ let generalize ctx declared bindings expectations =
       Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-(* Types beyond the size limit would slow down later stages, so the definition is left out. An error
-   has been reported anyway. *)
+(* Omits the definition, because types beyond the size limit would slow down later stages. An error
+   has been reported in any case. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
   let refuse at construct =
@@ -126,7 +126,8 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
   | exception Too_large at -> refuse at Fact.Expression
   | exception Final.Too_large -> refuse b.span (Definition name.name)
 
-(* Warns only if the definition has the declared type; otherwise an error was reported already. *)
+(* Warns only if the definition has the declared type, because otherwise an error has already been
+   reported. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   match Global_table.find_opt declared (fst (top b)) with
   | Some { scheme; at; _ } when errors ctx = 0 ->
@@ -176,8 +177,8 @@ let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
   Option.iter (Global_table.replace ctx.globals name) entry;
   errors trial = 0
 
-(* If the definition fits its signature with two types exchanged, reports that in place of the facts
-   about the definition. Returns the other facts. *)
+(* If the definition fits its signature when two types are exchanged, reports that in place of the
+   facts about the definition. Returns the other facts. *)
 let exchanged_signature (ctx : Context.t) held (b : Resolve.Ir.binding) =
   let explained (written : Resolve.Ir.scheme) mistake =
     let name, _ = top b in
@@ -327,7 +328,7 @@ let in_backticks : Instance_fact.user -> string = function
   | Name name -> Printf.sprintf "`%s`" name
   | Instance (class_, head) -> Printf.sprintf "`%s`" (Show.final_constraint class_ (Final.ty head))
 
-(* Follows the requirement from each use to the definition used, as long as both are outside the
+(* Follows a requirement from a use to the definition that is used, as long as both are outside the
    library. *)
 let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   let rec follow seen otherwise constraint_ : Ir.need =
@@ -342,8 +343,8 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   in
   follow [] otherwise constraint_
 
-(* Adds the needs of the constraints in a definition's context. Called when all definitions are
-   known. *)
+(* Adds the requirements of the constraints in a definition's context. Called when all definitions
+   are known. *)
 let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
   let is_library file =
     List.exists

@@ -2,9 +2,9 @@
 
     Hindley-Milner inference over the top-level groups in dependency order, extended by units of
     measure as an abelian group, the classes Eq and Ord, and questions that are postponed until
-    types are known ({!Context.question}). After an error in one definition, inference continues
-    with the others. Types that an error leaves unknown unify with everything, so that each mistake
-    is reported once. The levels are provisional: {!Levels} computes them. *)
+    types are known ({!Context.question}). If a definition contains an error, inference continues
+    with the other definitions. Types that are unknown because of an error unify with everything, so
+    that each mistake is reported once. The levels are provisional: {!Levels} computes them. *)
 
 open Basis
 

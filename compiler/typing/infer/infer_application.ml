@@ -80,7 +80,7 @@ let rec without_first n = function
 (* The types of the arguments after this one. *)
 let later given argument = without_first argument.position given
 
-(* The reason why the argument must have the parameter's type. *)
+(* The reason why the argument must have the type of the parameter. *)
 let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~before ~previous
     argument : Expected.reason =
   match (argument.style, previous) with
@@ -110,7 +110,7 @@ let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
       let together = Side_by_side.of_application function_ argument in
       { desc = Option.value together ~default:(Ir.Apply (function_, argument)); ty; span }
   | Runs, Signal_function (_, ty) -> { desc = Run (function_, argument); ty; span }
-  (* only after an error *)
+  (* this happens only after an error *)
   | Applies, _ -> node span ty (Apply (function_, argument))
   | Runs, _ -> node span ty (Run (function_, argument))
 
@@ -166,14 +166,14 @@ let is_function t = match Type.expand t with Type.Function _ -> true | _ -> fals
 
 let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous
     (function_ : typed) argument =
-  (* Checks one argument. Returns the result of the application and the argument's type. *)
+  (* Checks one argument. Returns the result of the application, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
     let expected = Expected.make because parameter in
     let value =
       match argument.style with
       | Operator _ ->
-          (* a mismatch with the other operand has a separate message *)
+          (* another message reports a mismatch with the other operand *)
           let left_operand =
             match (argument.style, previous) with
             | Operator operator, None -> Some (argument.value, operator)
@@ -264,7 +264,7 @@ let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
       ( Argument_order.exchanged ~unfit ~parameters ~given ~position:failed,
         Argument_order.rotated ~unfit ~parameters ~given )
 
-(* The application, if it may explain the mistake in the failing argument better. *)
+(* The application, if it may explain the mistake better than the failing argument does. *)
 let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~failed result mistake
     : Application_fact.call option =
   let failing = (List.nth arguments (failed - 1)).value in
@@ -329,8 +329,8 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
       | _ -> pass_on ctx held)
   | _ -> pass_on ctx held
 
-(* `foldl (\x n -> n + x) 0 xs`, whose function has its parameters in the order of another language:
-   tries whether the other order is right. *)
+(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order of another
+   language. Checks whether the other order would be correct. *)
 let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
   | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },

@@ -57,7 +57,7 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
     | Function (a, t) when k > 0 -> Type.Function (a, extended (k - 1) types t)
     | _ -> List.fold_right (fun a t -> Type.Function (a, t)) types t
   in
-  (* the types that the signature lacks, with the names of their parameters *)
+  (* the types that are missing in the signature, with the names of their parameters *)
   let lacking =
     match (allowed, expected.because) with
     | Some n, Signature _ when is_refused && is_proc && List.compare_lengths names parameters = 0
@@ -68,7 +68,7 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
         | _ -> [])
     | _ -> []
   in
-  (* avoid further messages about uses of these parameters *)
+  (* this avoids further messages about uses of these parameters *)
   let kept =
     match (name, as_several parameters allowed expected) with
     | Some name, Some (at, parts) ->
@@ -266,7 +266,7 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   in
   if not (polymorphic scheme) then { ty = scheme.body; build = value }
   else
-    (* resolution numbers local variables from 0 upwards, so negative ids cannot clash *)
+    (* resolution numbers local variables from 0 upwards, so negative ids are unique *)
     let local : Ir.Local.t =
       { id = -Type.next ctx.reader.supply; name = "annotated"; span = e.span }
     in

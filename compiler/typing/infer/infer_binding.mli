@@ -18,15 +18,15 @@ val abstraction :
   Expected.t ->
   (Expected.t -> Ir.expr later) ->
   Ir.expr later
-(** A function with these parameters; the last argument checks the body. [name]: the name of the
-    definition, if it is one. [is_proc]: is the body a [proc]? Without parameters, the result is the
-    body itself. *)
+(** Checks a function with these parameters; the last argument checks its body. [name]: the name, if
+    the function is a definition. [is_proc]: whether the body is a [proc]. Without parameters, the
+    result is the body itself. *)
 
 val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
-(** A right-hand side: guards with their [where]. *)
+(** Checks a right-hand side: its guards and their [where]. *)
 
 val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding list later
-(** Local declarations. After the call, their names have types. *)
+(** Checks local declarations. After the call, their names have types. *)
 
 val annotated : expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
 (** [(e :: T)]: treated as a local binding with that signature. *)

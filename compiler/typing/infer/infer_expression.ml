@@ -52,7 +52,7 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
   | None ->
       Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
 
-(* Was the whole of this branch just reported as having the wrong type? Then the other branch is not
+(* Was this branch as a whole just reported as having the wrong type? If so, the other branch is not
    reported as well. *)
 let is_told_of (e : Resolve.Ir.expr) held =
   match List.rev_map Facts.fact held with
@@ -171,8 +171,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
 
-(* Infers both components before checking them, because they may be swapped: an output and its
-   event, for example. Separate messages about each component would be confusing. *)
+(* Infers both components before checking them, because they may be swapped, such as an output and
+   its event. Separate messages about the components would be confusing. *)
 and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expected.t) =
   let inferred x = if is_inferred x then Some (infer ctx x) else None in
   let first = inferred a in
@@ -222,7 +222,7 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
         let first = first () in
         node e.span expected.ty (Tuple [ first; second () ])
 
-(* Is this expression checked by inferring its type first? *)
+(* Is this an expression whose type is inferred before it is checked? *)
 and is_inferred (e : Resolve.Ir.expr) =
   match e.desc with
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Tuple _ | Array _ | Record _ -> false
@@ -261,7 +261,7 @@ and array ctx (e : Resolve.Ir.expr) elements =
 
 and case ctx e scrutinee branches expected =
   let value = infer ctx scrutinee in
-  (* a scrutinee of the wrong type is reported once, not in every branch *)
+  (* report a scrutinee of the wrong type once, not in every branch *)
   let matched = ref value.ty in
   let taken = ref [] in
   let branch (done_, expected) (b : Resolve.Ir.branch) =

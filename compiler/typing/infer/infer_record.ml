@@ -94,8 +94,8 @@ let rec number (e : Resolve.Ir.expr) : Expected.number option =
       Option.map (fun (n : Expected.number) -> { n with negative = not n.negative }) (number e)
   | _ -> None
 
-(* If there is no [wanted] type, the units that the program writes determine those of the type; units
-   that remain open become `m` and `m/s`, as examples. *)
+(* If there is no [wanted] type, the units in the program determine those of the type. Units that
+   remain undetermined become `m` and `m/s`, as examples. *)
 let completed ctx (constructor : Environment.constructor) ?wanted fields : Expected.completed =
   let environment = ctx.reader.environment in
   let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
@@ -128,12 +128,12 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
   let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
   let types, result = Environment.fields constructor ty in
-  (* the caller reports a mismatch *)
+  (* the caller reports any mismatch *)
   Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
   let types = Array.of_list types in
   let before = errors ctx in
   let several = List.compare_length_with constructor.scheme.units 1 > 0 in
-  (* if wanted units are still open, the wrong numbers would determine them *)
+  (* if wanted units are still undetermined, the wrong numbers would determine them *)
   let wanted =
     match Option.map Type.expand wanted with
     | Some (Type.Data { units; _ } as t) when not (List.exists Units.is_open units) -> Some t
@@ -147,7 +147,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
-    (* after one field with a wrong unit, the others would seem wrong too *)
+    (* after one field with a wrong unit, the units of the others would seem wrong, too *)
     let ty = if several && errors ctx > before then Type.Erroneous else types.(index) in
     let because =
       Expected.Field

@@ -5,7 +5,7 @@ open Context
 type sequence = {
   input : Type.t;
   output : Type.t;
-  whole : Type.t; (* the type of the remaining statements; does not depend on earlier ones *)
+  whole : Type.t; (* the type of the remaining statements, which does not depend on earlier ones *)
 }
 
 let task s result = Environment.task_of s.input s.output result
@@ -26,7 +26,8 @@ let rec place ~first (reason : Expected.reason) =
   | Statement (Some at) -> Some at
   | Unknown | Operand _ | Condition | Value _ | Pattern _ | Output _ | Statement None -> first
 
-(* Applies the primitive for [do] to a task and to a function that represents the rest. *)
+(* Applies the primitive for [do] to a task and to a function that represents the remaining
+   statements. *)
 let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr =
   match Resolve.Global_table.find_opt ctx.globals Environment.sequence with
   | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"
@@ -59,7 +60,7 @@ let next (others : Resolve.Ir.statement list) (last : Resolve.Ir.expr) =
   | Task { pattern = None; task } :: _ -> Some task.span
   | Values _ :: _ -> None
 
-(* [first]: the place of the first task, if there has been one. *)
+(* [first]: the place of the first task, if it has already been checked. *)
 let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements last
     : Ir.expr later =
   match (statements : Resolve.Ir.statement list) with
@@ -85,7 +86,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
         expressions.check ctx written
           { ty = task s result; because = Statement (place ~first expected.because) }
       in
-      (* After an error in the task, the pattern is not checked against its type. *)
+      (* If the task has an error, the pattern is not checked against its type. *)
       let result = if errors ctx > before then Type.Erroneous else result in
       let pattern =
         match pattern with

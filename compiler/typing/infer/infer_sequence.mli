@@ -12,5 +12,4 @@ val check :
   Resolve.Ir.expr ->
   Expected.t ->
   Ir.expr later
-(** The arguments are the whole [do], its statements, and its last expression, which determines the
-    result. *)
+(** Takes the whole [do], its statements, and its last expression, which determines the result. *)

@@ -43,7 +43,7 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
 let tell_out_of_range (ctx : Context.t) ~at number =
   Context.tell ctx (Number_out_of_range { at; number; real = ctx.real })
 
-(* Only literals like these can exceed the range of a Float. *)
+(* Only literals of this kind can exceed the range of a Float. *)
 let is_long digits = String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
 
 let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =

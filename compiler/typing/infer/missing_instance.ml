@@ -13,8 +13,8 @@ let is_no_robot t =
         [ "Event"; "Maybe"; "Either"; "Array" ]
   | Flexible _ | Rigid _ | Size _ | Erroneous | Alias _ -> false
 
-(* Comparison of tuples that contain a function, as in `max(0, min(a, b))`, whose arguments have
-   been reported already. *)
+(* Is this a comparison of tuples that contain a function, as in `max(0, min(a, b))`? The arguments
+   have already been reported. *)
 let follows_from_a_tuple ctx (required : required) (lack : Instance_fact.lack) =
   let is_function_type t = match Type.expand t with Function _ -> true | _ -> false in
   let rec holds_a_function t =
@@ -50,8 +50,8 @@ let same_signature ctx a b =
   | None, None -> true
   | Some _, None | None, Some _ -> false
 
-(* Lists each missing class of a variable once, with the first use that needs it. Leaves out classes
-   that other missing ones imply. *)
+(* Lists each missing class of a variable once, with the first use that needs it. Omits classes that
+   other missing classes imply. *)
 let essential ctx (missing : Instance_fact.promise list) =
   let implies (a : Instance_fact.promise) (b : Instance_fact.promise) =
     a.variable.id = b.variable.id

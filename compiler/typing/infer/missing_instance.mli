@@ -10,6 +10,6 @@ val report : t -> required -> Instance_fact.lack -> unit
 (** Reports that an instance needed for the required constraint is missing. *)
 
 val report_unpromised : t -> Instance_fact.promise list -> unit
-(** Reports the missing classes in the order in which they are needed, as one fact for each
-    signature, because the fix changes one line. Leaves out a class that another missing one
-    implies. *)
+(** Reports the missing classes in the order in which they are needed. There is one fact for each
+    signature, because the fix changes one line. Omits a class that another missing class implies.
+*)

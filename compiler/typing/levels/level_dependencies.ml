@@ -1,11 +1,11 @@
 open Basis
 open Ir
 
-(* A function or proc that encloses the current place. [owner]: the innermost definition inside the
+(* A function or proc that encloses the current place. [owner]: the innermost definition in this
    frame that contains the place. *)
 type frame = {
   depth : int;
-  proc_depth : int;  (** depth of the innermost proc that is this frame or encloses it *)
+  proc_depth : int;  (** depth of the innermost proc that encloses this frame or is this frame *)
   mutable owner : Level_graph.node option;
 }
 
@@ -13,7 +13,7 @@ type walk = {
   facts : Fact.t Facts.t;
   graph : Level_graph.t;
   unfinished : unit Int_table.t;
-      (** variables of [let]s whose definitions have not been completely traversed *)
+      (** variables of [let]s whose definitions have not been traversed completely *)
 }
 
 let origin (b : binding) : Level_graph.origin =
@@ -24,7 +24,8 @@ let origin (b : binding) : Level_graph.origin =
 
 let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (Parts.variables p)
 
-(* Types that allow recursion: their values start later, so a definition may mention itself. *)
+(* Types that allow recursion. Their values start later, so a definition of such a type may mention
+   itself. *)
 let rec starts = function
   | Signal_function _ -> true
   | Data { tycon; _ } -> tycon = Environment.task
@@ -59,7 +60,7 @@ let innermost = function
   | frame :: _ -> frame
   | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a walk outside of all frames"
 
-(* An instance in a function may belong to the enclosing proc. *)
+(* An instance in a function may belong to the proc that encloses the function. *)
 let runs w frames (e : expr) =
   let proc_depth = (innermost frames).proc_depth in
   List.iter

@@ -22,7 +22,7 @@ and dependent =
 
 type t = {
   variables : node Int_table.t;
-  signals : node Queue.t;  (** nodes to propagate from *)
+  signals : node Queue.t;  (** nodes from which to propagate *)
   statics : node Queue.t;
 }
 

@@ -14,7 +14,7 @@ type node
 type origin =
   | Derived  (** no minimum *)
   | Bound_signal_function
-      (** no minimum: a single variable that must be static; if it is a signal, the error is
+      (** no minimum. For a single variable that must be static: if it is a signal, the error is
           reported only at its definition, not at its uses *)
   | Parameter  (** a function parameter: static for the procs inside the function *)
   | Input  (** a proc's input: a signal *)
@@ -34,8 +34,8 @@ val depth : node -> int
 
 val mention : Ir.Local.t -> at:Span.t -> node -> within:node -> inside_proc:bool -> unit
 (** Records that the definition of [within] mentions this variable of the first node. [inside_proc]:
-    the place is in a proc inside the variable's scope, where signals from outside are not allowed
-    and other values are at most static. *)
+    whether the place is in a proc inside the variable's scope. In such a proc, signals from outside
+    are not allowed, and other values are at most static. *)
 
 val contain : node -> within:node -> unit
 (** Records that the definition of the first node is part of the definition of [within]. *)

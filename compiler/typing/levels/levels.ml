@@ -17,10 +17,10 @@ type place = {
   proc_depth : int;
   regions : region list;  (** innermost first *)
   conditional : pattern list;
-      (** patterns bound inside the code that does not run at every instant, innermost first *)
+      (** patterns bound by the code that does not run at every instant, innermost first *)
   lifted : bool;
-      (** inside a local function that is lifted to a separate definition and therefore cannot
-          contain instances *)
+      (** whether the code is in a local function that is lifted to a separate definition and
+          therefore cannot contain instances *)
 }
 
 type walk = {
@@ -69,7 +69,7 @@ let mention w place (x : Local.t) (e : expr) =
 
 (* {1 Places of instances} *)
 
-(* A variable of the expression that does not have a value at every instant. *)
+(* A variable in the expression that does not have a value at every instant. *)
 let bound_here place e =
   let found = ref None in
   let bound (e : expr) =
@@ -162,7 +162,7 @@ let index w (array : expr) (k : expr) =
       0
 
 (* {1 The walk} *)
-(* A pattern that binds no variable has no node. Its level does not matter, so this is a
+(* A pattern that does not bind any variable has no node. Its level does not matter, so this is a
    conservative guess. *)
 let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
@@ -172,8 +172,8 @@ let level w place (p : pattern) =
 let remember w (b : binding) =
   match b.pattern.desc with Bound x -> Hashtbl.replace w.values x.id b.value | _ -> ()
 
-(* Shares unchanged subexpressions, because large programs contain very many and most of them do not
-   change. *)
+(* Shares unchanged subexpressions, because large programs contain very many of them, and most do
+   not change. *)
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with

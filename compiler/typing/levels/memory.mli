@@ -12,4 +12,5 @@ val local : t -> Ir.binding -> unit
 (** Records a local binding of a signal function, which procs may run. *)
 
 val remembers : t -> Ir.expr -> bool
-(** Is this signal function, with all its arguments, stateful? If unknown, the answer is [true]. *)
+(** Is this signal function stateful when it has all its arguments? If this is unknown, returns
+    [true]. *)

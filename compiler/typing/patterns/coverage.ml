@@ -22,7 +22,8 @@ type result = { missing : missing option; guarded_only : int option; useless : i
 type value =
   | Anything
   | Constructed of string * value list
-  | Record of string * (string * value) list  (** at least one field is not [Anything] *)
+  | Record of string * (string * value) list
+      (** at least one field is something other than [Anything] *)
   | Tuple of value list
   | Array of value list
 
@@ -114,7 +115,7 @@ let rebuild head parts =
 (* The first elements of a list, and the number of further ones. *)
 type 'a some = { first : 'a list; besides : int }
 
-(* Caps the count, because the real number may not fit in an [int]. *)
+(* Limits the count, because the real number may not fit in an [int]. *)
 let limited n = min n 1_000_000
 
 let some_of t all =
@@ -138,7 +139,7 @@ let pairs t f a b =
   let { first; _ } = some_of t (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
   { first; besides = limited (count a * count b) - List.length first }
 
-(* Values of the type whose heads differ from these. Together they cover all other values. *)
+(* Values of the type whose heads differ from these heads. Together they cover all other values. *)
 let others t (ty : ty) heads =
   Work.steps (List.length heads);
   let given = Hashtbl.create 16 in
@@ -175,7 +176,7 @@ let others t (ty : ty) heads =
 
 (* {1 The decision tree} *)
 
-(* A row of the matrix: the patterns still to be examined, from left to right. *)
+(* A row of the matrix: the patterns that remain to be examined, from left to right. *)
 type line = { index : int; guards : bool; rest : pattern list }
 
 (* The rows of a matrix, grouped by the head in their first column. *)
@@ -268,7 +269,7 @@ let rec gaps t used width lines =
         let beside value gap = { gap with values = value :: gap.values } in
         append t (pairs t beside heads (gaps t used (width - 1) rest)) below
 
-(* No columns are left: selects the first row whose guards are true. *)
+(* No columns are left, so this selects the first row whose guards are true. *)
 and reached t used = function
   | [] -> some_of t [ { values = []; passed = None } ]
   | line :: rest ->

@@ -11,7 +11,7 @@ val create : Ir.data list -> t
 
 type row = {
   pattern : Ir.pattern;
-  guarded : bool;  (** all its guards may fail, so it covers nothing *)
+  guarded : bool;  (** whether all its guards may fail; if so, it covers nothing *)
 }
 
 type missing = Pattern_fact.missing = { named : string list; more : int }

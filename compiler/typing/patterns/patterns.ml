@@ -26,7 +26,7 @@ let rec falls (e : expr) =
 
 let most_listed = 20
 
-(* Does the last branch match everything, and so cover all remaining values? *)
+(* Does the last branch match everything, so that it covers all remaining values? *)
 let ends_in_any (branches : branch list) =
   match List.rev branches with
   | { pattern = { desc = Any | Bound _; _ }; value; _ } :: _ -> not (falls value)
@@ -105,7 +105,7 @@ let rec expr w (e : expr) =
       expr w record;
       List.iter (fun (_, e) -> expr w e) fields
 
-(* The right-hand side of a branch: if its guards fail, the next branch is tried. *)
+(* The right-hand side of a branch. If its guards fail, the next branch is tried. *)
 and right w (e : expr) =
   match e.desc with
   | Guards (guarded, last) -> guards w guarded last

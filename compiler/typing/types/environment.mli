@@ -27,7 +27,7 @@ val add_type : t -> Ir.Global.t -> type_ -> unit
 val type_ : t -> Ir.Global.t -> type_
 
 val built_in : string -> Ir.Global.t
-(** The global of a built-in type or constructor. *)
+(** The global name of a built-in type or constructor. *)
 
 val array : Ir.Global.t
 
@@ -60,7 +60,7 @@ val add_class : t -> Ir.Global.t -> class_ -> unit
 val class_ : t -> Ir.Global.t -> class_
 
 val superclasses : t -> Ir.class_ -> Ir.class_ list
-(** Handles the built-in classes too. *)
+(** Also handles the built-in classes. *)
 
 type instance = {
   context : (Ir.class_ * int) list;

@@ -1,10 +1,10 @@
-(** The type expected of an expression, and the reason. *)
+(** The type that an expression is expected to have, and the reason. *)
 
 open Basis
 
 type decider = {
   place : Span.t;
-  decides : Type.t;  (** the type of that argument *)
+  decides : Type.t;  (** the type of this argument *)
   a_size : bool;  (** the shared variable is an array size *)
 }
 (** An earlier argument whose type shares a variable with the parameter's type. *)
@@ -19,8 +19,9 @@ type number = {
 
 type completed = {
   ty : Type.t;
-  units : Units.t list;  (** the arguments of [ty] *)
-  is_example : bool;  (** nothing determines some of these units, so they are examples *)
+  units : Units.t list;  (** the type arguments of [ty] *)
+  is_example : bool;
+      (** whether nothing determines some of these units, so that they are only examples *)
   fields : (Syntax.Ir.name * number option * Units.t option) list;
       (** for each field, the number that it is set to, and the unit that this number needs *)
 }
@@ -61,10 +62,10 @@ type reason =
       name : string;
       at : Span.t;
       constructor : Environment.constructor option;
-          (** of the record, if the units of its fields depend on each other *)
+          (** the type of the record, if the units of its fields depend on each other *)
       completed : completed Lazy.t option;
-          (** if the field is such a number without a unit, the record with all units; inference
-              computes it when a message needs it *)
+          (** the record with all units, if the field is such a number without a unit; computed when
+              a message needs it *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

@@ -15,7 +15,7 @@ val deepest : int
 (** Maximum nesting depth. The curried arguments of a function count as one level. *)
 
 val ty : Type.t -> Ir.ty
-(** Calls share their work: the total time is linear in the size of a definition's types, however
+(** Calls share their work, so the total time is linear in the size of a definition's types, however
     often these occur.
     @raise Too_large beyond either limit, without building the large type *)
 

@@ -350,8 +350,8 @@ let is_any_number t =
       | _ -> false)
   | _ -> false
 
-(* A type as part of a sentence. If the representation of a number is open, the text does not need a
-   generated name for it. *)
+(* A type as part of a sentence. If the representation of a number is undetermined, the text does
+   not need a generated name for it. *)
 let described words t =
   match Type.expand t with
   | _ when is_any_number t -> "a number"

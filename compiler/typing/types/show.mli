@@ -25,8 +25,8 @@ type words
 (** The variable names chosen so far in one message, and the context that the message may mention.
 *)
 
-(** A construct with type variables of its own. [Signature]: of the definition with this name.
-    [Class] and [Instance]: of the class with this name. *)
+(** A construct that has type variables. A [Signature] is that of the definition with this name. A
+    [Class] or an [Instance] is that of the class with this name. *)
 type construct = Signature of string | Class of string | Instance of string
 
 type owned = { by : construct; place : Span.t }
@@ -35,7 +35,7 @@ type place = {
   environment : Environment.t;
   sources : Source.t;
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
-  needs_class : Type.t -> bool;  (** does some use require a class for this type? *)
+  needs_class : Type.t -> bool;  (** whether some use requires a class for this type *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
       (** the value of a local variable without parameters *)
   local : Resolve.Ir.Local.t -> Type.t option;  (** the type of a local variable *)
@@ -71,7 +71,7 @@ val sources : words -> Source.t
 val environment : words -> Environment.t
 
 val quote : words -> Span.t -> string option
-(** The source text at the span, if it is short. *)
+(** The source text in this span, if it is short. *)
 
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
@@ -95,7 +95,7 @@ val owner : words -> Ir.variable -> owned option
 val makers : words -> Type.t -> of_:Type.t -> string list
 
 val declared : words -> Resolve.Ir.Global.t -> string option
-(** The type in the signature. *)
+(** The type that the signature contains. *)
 
 val is_input : words -> string -> bool
 (** Is this the name of an input of the enclosing proc? *)
@@ -118,7 +118,7 @@ val quoted : words -> Type.t -> string
 *)
 
 val is_any_number : Type.t -> bool
-(** Is the type known only to be a number? Its text then does not contain variable names. *)
+(** Is the type known only to be a number? If so, its text does not contain variable names. *)
 
 val described : words -> Type.t -> string
 (** A type as part of a sentence: quoted, or [a number]. *)

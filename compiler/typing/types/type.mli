@@ -89,8 +89,8 @@ val expand : t -> t
 val representation : representation -> representation
 
 val shared : t -> t
-(** An equal type whose final form is computed only once. Useful for a type that many expressions
-    extend by one layer. *)
+(** A type that is equal to this one, but whose final form is computed only once. Useful for a type
+    that many expressions extend by one layer. *)
 
 (** {1 Instantiating a scheme} *)
 

@@ -31,8 +31,8 @@ let representations a b =
   | (Int | Float | Rigid_representation _), (Int | Float | Rigid_representation _) ->
       clash (Different_representations (a, b))
 
-(* Checks that the variable may be set to [t] (occurs check), and limits the depth of the variables
-   in [t] to the variable's depth. *)
+(* Checks that the variable may be set to [t] (the occurs check), and limits the depth of the
+   variables in [t] to the variable's own depth. *)
 let rec admit (variable : flexible) t =
   Basis.Work.step ();
   match repr t with

@@ -108,7 +108,7 @@ let unify a b =
   ||
   match (a, b) with
   | { flexible = []; _ }, { flexible = []; _ } -> same a b
-  (* Fast path: one or both are almost always a single variable. *)
+  (* Fast path: in almost all cases, at least one of the two is a single variable. *)
   | { base = []; rigid = []; flexible = [ (x, power) ] }, ({ flexible = []; _ } as other)
   | ({ flexible = []; _ } as other), { base = []; rigid = []; flexible = [ (x, power) ] }
     when Rational.equal power Rational.one ->

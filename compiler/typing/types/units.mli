@@ -42,7 +42,7 @@ val lower : depth:int -> t -> bool
     [false] if the unit already depends on one. *)
 
 val is_open : t -> bool
-(** Does it contain unsolved variables? *)
+(** Does the unit contain unsolved variables? *)
 
 (** {1 The parts of a resolved unit, sorted} *)
 
@@ -54,7 +54,7 @@ val flexible_powers : t -> (int * Rational.t) list
 
 val generalize : fresh:(unit -> rigid) -> t -> rigid option
 (** Solves one unsolved variable such that the whole unit becomes a new rigid variable; [None] if
-    nothing is unsolved. Applying this to the units of a type from left to right gives the simplest
+    nothing is unsolved. Applied to the units of a type from left to right, it produces the simplest
     principal form: [Float[u] -> Float[u^2]], never [Float[m u] -> Float[m^2 u^2]]. *)
 
 val substitute : (int -> t option) -> t -> t

@@ -74,7 +74,7 @@ let either a b =
   | Some Scaled, _ | _, Some Scaled -> Some Scaled
   | Some Heading, _ | _, Some Heading -> Some Heading
 
-(* The limits for an expression, and for a chain of equations. *)
+(* The maximum depths for an expression and for a chain of equations. *)
 let max_depth = 8
 let max_equations = 32
 
@@ -96,7 +96,7 @@ let rec kind ~depth ~equations t (e : expr) =
   | Apply ({ desc = Constructor _; _ }, a), _ -> kind a
   | _, Some (("+" | "-"), [ a; b ]) -> (
       match (kind a, kind b) with
-      (* a continuous angle plus a rotation is a continuous goal *)
+      (* a continuous angle plus a rotation is a goal that is also continuous *)
       | None, Some Rotation | Some Rotation, None | Some _, Some _ -> None
       | None, found | found, None -> found)
   | _, Some ("*", [ a; b ]) when is_plain e -> either (multiple a) (multiple b)

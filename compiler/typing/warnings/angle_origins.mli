@@ -15,11 +15,11 @@ val kind : t -> Ir.expr -> kind option
     it does not wrap. Follows equations, and functions that return their argument. *)
 
 val output : t -> Ir.expr -> kind option
-(** Like {!kind}, for the output of a signal function that is written as a composition. *)
+(** Like {!kind}, for the output of a signal function that is given as a composition. *)
 
 val within : t -> Ir.expr -> Ir.expr
-(** The angle itself, for an expression that is a multiple of an angle or runs a signal function
-    that passes it on, such as [delay]. *)
+(** The angle itself, if the expression is a multiple of an angle, or runs a signal function that
+    passes an angle on, such as [delay]. *)
 
 val is_heading : Ir.constructor -> int -> bool
 (** Is this field the heading of a [Pose] or an [Imu]? *)

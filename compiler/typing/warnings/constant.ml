@@ -56,8 +56,8 @@ let rec all_known = function
   | Some x :: rest -> Option.map (fun xs -> x :: xs) (all_known rest)
   | None :: _ -> None
 
-(* [depth]: the maximum depth of the evaluation. Deeper expressions are treated as unknown, so that
-   long sums are not evaluated again for each of their parts. *)
+(* [depth]: the maximum depth of the evaluation. Deeper expressions count as unknown, so that long
+   sums are not evaluated again for each of their parts. *)
 let rec at depth t (e : expr) =
   let value e = if depth = 0 then None else at (depth - 1) t e in
   match e.desc with
@@ -94,7 +94,7 @@ and call depth t (e : expr) =
             Option.bind
               (all_known (List.map (at (depth - 1) t) arguments))
               (fun values ->
-                (* limit the cost of nested calls *)
+                (* this limits the cost of nested calls *)
                 at
                   (min (depth - 1) 8)
                   { t with as_int = true; given = List.combine ids values }

@@ -32,7 +32,7 @@ let rec constant (e : Resolve.Ir.expr) =
 and both compute left right =
   match (constant left, constant right) with Some a, Some b -> Some (compute a b) | _, _ -> None
 
-(* Does not use [Context.report], which counts errors. *)
+(* Does not use [Context.report], because that function counts errors. *)
 let report (ctx : Context.t) (e : Resolve.Ir.expr) =
   let in_degrees (number : Resolve.Ir.expr) digits text d =
     Diagnostic.hint (Printf.sprintf text digits) d |> Diagnostic.write number.span (digits ^ "[deg]")

@@ -9,10 +9,11 @@ val operation : Resolve.Ir.expr -> (Resolve.Ir.expr * string * Resolve.Ir.expr) 
 (** The operands and the operator, if the expression applies a binary operator of the prelude. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Warns about a number without a unit, larger than a full turn, where a type written as [Angle] is
-    expected, or where the number is added to or subtracted from an angle. The number is a literal
-    or a product or quotient of literals. A factor of a signal is not suspicious: [sin (100 * t)] is
-    fine. Angles are dimensionless, so the unit checker cannot find this mistake. *)
+(** Warns about a number without a unit that is larger than a full turn, if a type written as
+    [Angle] is expected, or if the number is added to or subtracted from an angle. The number is a
+    literal or a product or quotient of literals. A factor of a signal is not suspicious:
+    [sin (100 * t)] is fine. Angles are dimensionless, so the unit checker cannot find this mistake.
+*)
 
 val compares : string -> bool
 (** Is this a comparison operator? *)

@@ -57,7 +57,7 @@ let requirement names text =
   | [ left; operator; right ] -> compared (term names left) operator right
   | _ -> None
 
-(* The name after a marker, and the module in parentheses after it. *)
+(* The name after a marker, and the name of the module in parentheses after it. *)
 let other_function text ~same_arguments marker =
   match Option.map (String.split_on_char '`') (after marker text) with
   | Some (_ :: name :: rest :: _) ->

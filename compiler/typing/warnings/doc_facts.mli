@@ -1,7 +1,7 @@
-(** Facts that doc comments state about functions and records, for warnings.
+(** Reads facts about functions and records from their doc comments, for warnings.
 
-    Because the library states them, the compiler needs no list of its own to keep up to date.
-    Programs can state such facts too. Three kinds of sentences are recognized:
+    Because the library states these facts, there is no list in the compiler that would have to be
+    kept up to date. Programs can state such facts, too. Three kinds of sentences are recognized:
 
     - [Requires: `tau >= 0`, `low <= high`.] Conditions on parameters, or on fields of a record. A
       condition compares a parameter, or the [sum] of an array, with a number in base units or with

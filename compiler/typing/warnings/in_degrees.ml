@@ -74,7 +74,7 @@ let rec has_degree ctx (e : Resolve.Ir.expr) =
       | _ -> false)
   | _ -> false
 
-(* Does not use [Context.report], which counts errors. *)
+(* Does not use [Context.report], because that function counts errors. *)
 let report (ctx : Context.t) ?beside (e : Resolve.Ir.expr) others =
   let quote (e : Resolve.Ir.expr) = Show.quote (Context.words ctx) e.span in
   let itself =

@@ -11,6 +11,6 @@ val meets : string -> bool
 (** Does this operator compare, add or subtract its operands? *)
 
 val warn_of_operands : Context.t -> Resolve.Ir.expr * Type.t -> Resolve.Ir.expr * Type.t -> unit
-(** Warns if one operand of an operator for which {!meets} is true is a product with the factor
-    180/π, and the other is an angle, an angular velocity or a number with the unit [deg]. Call it
-    when all types are known. *)
+(** Warns if one operand is a product with the factor 180/π, and the other one is an angle, an
+    angular velocity or a number with the unit [deg]. {!meets} must be true for the operator. Call
+    it when all types are known. *)

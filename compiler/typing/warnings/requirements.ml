@@ -24,7 +24,7 @@ let sum w (e : expr) =
   in
   match e.desc with Array es -> List.fold_left add (Some 0.) es | _ -> None
 
-(* [name k]: the name of parameter k by itself. [of_]: the name of the whole function or record. *)
+(* [name k]: the name of parameter k. [of_]: the name of the function or record. *)
 let check w ~of_ ~name ~argument (r : Doc_facts.requirement) =
   let value (t : Doc_facts.term) =
     match t with

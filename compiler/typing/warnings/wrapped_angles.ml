@@ -116,7 +116,7 @@ let accepts_turns (g : Global.t) index =
 
 type place =
   | Plain
-  | Turns  (** accepts angles with any number of additional turns *)
+  | Turns  (** it accepts angles with any number of additional turns *)
   | Equation of Local.t  (** the value of this variable *)
 
 let rec expr facts place (e : expr) =
