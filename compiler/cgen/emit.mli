@@ -1,4 +1,4 @@
-(** The C files of a program, as text. *)
+(** The C files of a program, as strings. *)
 
 type t = {
   header : string;  (** NAME.h *)
@@ -7,11 +7,11 @@ type t = {
       (** NAME_host.c, which only hosts need; [None] if the program's input or output contains a
           foreign type, which hosts do not support *)
   robot : string option;  (** the name of the program's robot, if it has one *)
-  node : Node_table.t option;  (** the topics, if the program is a ROS 2 node with its own *)
+  node : Node_table.t option;  (** the topics, if the program is a ROS 2 node with its own topics *)
   robot_header : (string * string) option;
       (** name and text of the header of the user's own robot, which [header] includes. It is
           generated from the robot's module ({!Interface_header}), not here *)
-  cameras : string list;  (** labels of the cameras that the program uses *)
+  cameras : string list;  (** labels of the cameras that the program reads *)
   simulated : string list;  (** sensors that only the simulator has, such as "the lidar `lidar`" *)
   foreign : foreign;
 }

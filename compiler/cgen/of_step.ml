@@ -256,7 +256,7 @@ let header (v : Program_names.t) { types; records; prototypes; states; of_source
       [ Text "#ifdef __cplusplus\n}\n#endif\n#endif\n" ];
     ]
 
-(* The comment with the definition's name appears only above its first function. *)
+(* The comment with the name of the definition appears only above its first function. *)
 let named_once functions =
   let name last (f : Ir.function_) =
     if String.equal f.comment last then (last, { f with comment = "" })
@@ -268,7 +268,7 @@ let program ?own ?units ?named ?(batch = false) ?(banner = []) (program : M.prog
   let v = V.of_program ?own ?units ?named program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  (* A function, preceded by the helpers that it is the first to call. *)
+  (* A function, preceded by the helpers that it calls and that are not defined yet. *)
   let made make =
     let functions = make () in
     V.take_pending v @ functions

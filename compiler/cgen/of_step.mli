@@ -21,6 +21,6 @@ val program :
   ?banner:string list ->
   Step.Ir.program ->
   t
-(** [units]: for the comments of members; {!Units.none} by default. [named]: the constants that keep
-    their names; {!Named_constants.none} by default. [batch]: also generates {!Batch}; false by
-    default. [banner]: lines for the comment at the top of both files. *)
+(** [units]: the units for the comments of struct members; {!Units.none} by default. [named]: the
+    constants that keep their names; {!Named_constants.none} by default. [batch]: also generates
+    {!Batch}; false by default. [banner]: lines for the comment at the top of both files. *)

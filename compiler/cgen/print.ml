@@ -234,10 +234,10 @@ let fits column text = column + String.length text <= width
 let is_comma piece = String.ends_with ~suffix:"," piece
 let is_choice piece = String.starts_with ~prefix:": " piece
 
-(* Writes a text that is too long for one line, and returns the column where it ends. Pieces that
-   end with commas, and operators of one level, are packed into lines. But each operator starts a
-   new line if one of its operands needs more than one line; otherwise, the looser operator would be
-   harder to see than the tighter ones at which the operand is broken. Both parts of a conditional
+(* Writes a text that is too long for one line, and returns the column where it ends. Packs pieces
+   that end with commas, and operators of one level, into lines. But if an operand needs more than
+   one line, each operator of that level starts a new line. Otherwise, this operator would be harder
+   to see than the tighter operators at which the operand is broken. Both parts of a conditional
    expression start new lines, too. *)
 let rec fill out ~indent ~column text =
   if fits column text || not (String.exists is_soft text) then (

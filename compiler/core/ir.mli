@@ -44,7 +44,7 @@ type program = {
 and param = {
   param : Global.t;  (** the definition of its default value *)
   given : Global.t option;
-      (** the definition of the value that overrides the default, if there is one *)
+      (** the definition of the value that overrides the default, if the command line sets one *)
   label : string;  (** its name for users: [k], or [M.k] *)
   ty : ty;  (** [Bool], [Int] or [Float] *)
   unit_ : string;  (** the unit as written in brackets: [1/m]; [1]; [""] for a [Bool] *)
@@ -63,13 +63,13 @@ and control = {
 (** A control on the operator's console, with a unique label. *)
 
 and control_kind =
-  | Button  (** an event of [()] when pressed *)
+  | Button  (** an event of type [()] that occurs when the button is pressed *)
   | Hold  (** a Bool that is True while the button is held down *)
   | Knob of { least : float; most : float; first : float }
   | Toggle of { first : bool }
-  | Map  (** an event of the clicked place, in metres *)
-  | Camera  (** an event of a camera frame *)
-  | Tags  (** an event of the tags detected in a frame *)
+  | Map  (** an event with the clicked place, in metres *)
+  | Camera  (** an event with a camera frame *)
+  | Tags  (** an event with the tags detected in a frame *)
   | Lidar of { rays : int }
       (** an event with a scan that is resampled to this number of directions *)
   | Imu  (** an event with the reading of an inertial measurement unit *)
@@ -149,7 +149,7 @@ and expr_desc =
       (** the element at this index, counted from 0; if the size is known here, the index is inside
           the array *)
   | Construct of { data : Global.t; constructor : int; arguments : expr list }
-      (** all arguments are given; Bool has its own constants *)
+      (** all arguments are present; Bool has its own constants *)
   | Is_constructor of expr * int  (** a Bool; the type of [expr] determines the data type *)
   | Payload of { value : expr; constructor : int; field : int }
   | If of expr * expr * expr
@@ -166,5 +166,7 @@ and equation = { binder : binder; rhs : rhs; span : Span.t }
 
 and rhs =
   | Pure of expr
-      (** an equation that holds at every instant: a signal, a static value or a local function *)
-  | Run of { signal_function : expr; input : expr }  (** an instance of a static signal function *)
+      (** an equation that holds at every instant and defines a signal, a static value or a local
+          function *)
+  | Run of { signal_function : expr; input : expr }
+      (** an equation that runs an instance of a static signal function *)

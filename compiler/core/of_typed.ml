@@ -54,7 +54,7 @@ let foreign (f : T.foreign) : Ir.foreign =
     values = List.map value f.values;
   }
 
-(* If several parameters share a name, only the parameter of the main module is labelled without its
+(* If several parameters share a name, only the one in the main module has a label without the
    module. *)
 let params (p : T.program) =
   let label (param : T.param) =

@@ -74,7 +74,7 @@ type t =
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
   | Node  (** [Float -> SF i o -> Program i o]: a ROS 2 node with topics, and its rate *)
-  | Ending  (** reports to the program's host whether it has ended, and with which result *)
+  | Ending  (** tells the program's host whether the program has ended, and with which result *)
   (* controls of the operator's console, by label; see {!Console} *)
   | Console of console
   (* drawings of the library's module Display *)
@@ -106,12 +106,13 @@ and elementary =
   | Atan
   | Atan2
 
-(** The arguments are a label (except for [Map], because there is only one map), the limits and the
-    initial value of a knob or the initial position of a toggle, and finally the console. *)
+(** The first argument is a label, except for [Map], because there is only one map. The limits and
+    initial value of a knob, or the initial position of a toggle, follow. The last argument is the
+    console. *)
 and console = Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu
 
-(** A shift by a negative number shifts in the other direction. A shift by 32 or more equals that
-    many shifts by one. Shifting right preserves the sign. *)
+(** A negative shift count shifts in the other direction. A count of 32 or more has the same effect
+    as that many shifts by one. Shifting right preserves the sign. *)
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
 and foreign = {

@@ -1,4 +1,4 @@
-(** The names and numbers of arguments of the primitives. *)
+(** The names and the numbers of arguments of the primitives. *)
 
 val of_name : string -> Primitive.t option
 (** Finds a primitive by the name declared in the library. *)

@@ -5,7 +5,7 @@ open Ir
    expressions may be nested ten thousand deep. *)
 type context = {
   out : Format.formatter;
-  qualifies : Global.t -> bool;  (** is this name printed with its module? *)
+  qualifies : Global.t -> bool;  (** whether this name is printed with its module *)
   data : (Global.t, Ir.data) Hashtbl.t;
   names : (int, string) Hashtbl.t;  (** names of the definition's variables, by id *)
   uses : (string, int) Hashtbl.t;  (** number of variables with each name *)
@@ -120,7 +120,7 @@ let constructor c (ty : ty) index =
 let is_conjunction (e : expr) =
   match e.desc with If (_, _, { desc = Boolean false; _ }) -> true | _ -> false
 
-(* Is the expression clearer on separate lines? *)
+(* Is the expression easier to read on several lines? *)
 let is_block (e : expr) =
   match e.desc with Let _ -> true | If _ -> not (is_conjunction e) | _ -> false
 
@@ -377,8 +377,8 @@ let instance c (i : instance) =
   close c;
   cut c
 
-(* An instance belongs to the module of the methods it defines, or, if it defines none, to its
-   class's module. *)
+(* The module of an instance is the one of the methods that it defines. If it defines none, it is
+   the module of its class. *)
 let belongs_to own (i : instance) =
   let given (_, implementation) =
     match implementation with Given g -> Some g | Default _ -> None

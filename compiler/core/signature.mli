@@ -1,4 +1,4 @@
-(** The types of the primitives, after units are erased. *)
+(** The types of the primitives, with units erased. *)
 
 val of_primitive : Primitive.t -> Ir.ty list -> Ir.ty option
 (** The primitive's type at these type arguments; [None] if their number is wrong. *)
@@ -28,4 +28,5 @@ val text : Ir.ty
 val drawing : Ir.ty
 
 val reading : Ir.Global.t
-(** The function that [number] is translated to. Its first argument is the unit, as a string. *)
+(** The function to which the library's [number] is translated. Its first argument is the unit, as a
+    string. *)

@@ -31,7 +31,7 @@ and foreign_type = {
 (** A type of the user's C code. *)
 
 type sum = {
-  name : string;  (** the type as the programmer would write it: [Maybe Float] *)
+  name : string;  (** the type as a programmer would write it: [Maybe Float] *)
   module_ : string;  (** module that declares the data type *)
   constructors : sum_constructor list;
 }
@@ -113,7 +113,7 @@ and rhs =
   | Payload of { value : atom; constructor : int; leaf : int }
       (** the result is unspecified, but harmless, if [value] has a different constructor *)
   | Delay of { init : atom; next : atom }
-      (** [init] in the first instant, then the previous value of [next]; [init] is static *)
+      (** [init] in the first instant, afterwards the previous value of [next]; [init] is static *)
   | Elements of atom list  (** an array with these elements *)
   | Fill of atom  (** an array of equal elements *)
   | Index of atom * int  (** the index is inside the array *)
@@ -122,7 +122,7 @@ and rhs =
   | Replace of { array : atom; index : atom; value : atom }
       (** the array with one element replaced; unchanged if the index is outside *)
   | Param of int  (** an element of [program.params], which is constant during a run *)
-  | Absent  (** a placeholder for a missing foreign value, which is never read *)
+  | Absent  (** a placeholder for a missing foreign value; it is never read *)
   | Time of { restart : atom }
       (** local time in seconds, a Float. Starts again at 0 whenever [restart] is true. The state
           contains nanoseconds, so a program that needs nanoseconds ([Elementary Nanoseconds]) gets
@@ -146,7 +146,7 @@ type instance = {
           values of the accumulators, then arrays of the other outputs *)
   loop : loop option;
   trials : trial list;
-      (** trial steps for outputs that do not depend on all inputs; never for a loop *)
+      (** trial steps for outputs that do not depend on all inputs; a loop has none *)
   span : Span.t;
 }
 (** An instance of a node with its own state, or a call if the node has no state. A loop has one
@@ -154,7 +154,7 @@ type instance = {
 
 and loop = {
   count : int;  (** at least 1 *)
-  arguments : argument list;  (** how each of [inputs] is passed *)
+  arguments : argument list;  (** how the loop passes each of [inputs] *)
 }
 
 and argument =
@@ -183,8 +183,8 @@ type import = {
   arguments : shape list;  (** a single one for a signal function *)
   result : shape;
 }
-(** An import from C code. Those of the user's C code are listed whether or not the program uses
-    them. *)
+(** A declaration that imports C code. The user's own imports are listed even if the program does
+    not use them. *)
 
 type foreign = {
   import : import;  (** the node's [inputs] are the leaves of its arguments *)
@@ -209,8 +209,8 @@ and follower =
   | Continuation of string  (** continuation of a switch *)
   | Statement of string  (** statement after a task *)
 
-(** Whether a mode's transition may occur in the mode's own first instant. {!Instantaneous_loops}
-    determines this. *)
+(** Whether a mode's transition may occur in the first instant of that mode, as determined by
+    {!Instantaneous_loops}. *)
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option
@@ -247,7 +247,7 @@ type node = {
   kind : kind;
   statics : signal list;  (** known when the node starts, and constant from then on *)
   inputs : signal list;
-  outputs : (string * atom) list;  (** name and value of each leaf *)
+  outputs : (string * atom) list;  (** its outputs: name and value of each leaf *)
   equations : equation list;
   instances : instance list;
   foreign : foreign option;
@@ -255,7 +255,8 @@ type node = {
       (** if present, the node has no other state: its equations are operations and its instances
           functions *)
   transitions : transition list;
-      (** for a mode of a machine; the first one that occurs is taken. Otherwise empty *)
+      (** the transitions of a mode, of which the first one that occurs is taken; empty if the node
+          is not a mode *)
   span : Span.t;
   file : string;
 }
@@ -263,7 +264,7 @@ type node = {
 type param = {
   label : string;  (** its name for users: the plain name, or [M.name] *)
   param_ty : ty;  (** [Bool], [Int] or [Float] *)
-  unit_ : string;  (** as written in brackets; [""] for a [Bool] *)
+  unit_ : string;  (** the unit as written in brackets; [""] for a [Bool] *)
   default : atom;
       (** the default value. It may be overridden, so it must not be treated as a constant *)
   doc : string option;
@@ -272,7 +273,7 @@ type param = {
 (** A parameter that is fixed when a run starts. *)
 
 type claim = {
-  column : string;  (** one of the [probes] *)
+  column : string;  (** one of the [probes], which contains the verdict *)
   is_assumption : bool;
   label : string;
   shown : bool;  (** whether it is a column of traces, like other probes *)
@@ -294,7 +295,7 @@ type program = {
       (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id may
           be an array of this size *)
   imports : import list;
-      (** imports from the user's C, and those of the library that a node calls; each once, by
+      (** imports from the user's C, and imports of the library that a node calls; each one once, by
           symbol *)
   headers : header list;  (** headers of the user's C *)
   input : shape;  (** the root's inputs *)
@@ -307,7 +308,7 @@ type program = {
   rate : float option;
       (** the steps per second of a ROS 2 node with topics of its own; [None] for other programs *)
   probes : (string * shape) list;
-      (** inner signals to show, with their names: the root returns their leaves after the leaves of
+      (** inner signals to show, with their names. The root returns their leaves after those of
           [output] *)
   claims : claim list;  (** the [probes] that are verdicts of assertions *)
   marks : int;

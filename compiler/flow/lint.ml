@@ -214,7 +214,7 @@ let transition scope (modes : Ir.node array) (t : Ir.transition) =
   check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments;
   List.iter (lasting scope) (signal_types modes.(t.target).statics)
 
-(* [modes_of]: for each preceding node that is a mode, the modes of its machine. *)
+(* [modes_of]: for each preceding node that is a mode, all modes of its machine. *)
 let machine scope modes_of (m : Ir.machine) =
   let modes =
     List.map

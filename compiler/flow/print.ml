@@ -1,6 +1,6 @@
 open Format
 
-(* The names under which the signals of a node are printed. *)
+(* The names that the dump uses for the signals of a node. *)
 type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
 
 let next names base =

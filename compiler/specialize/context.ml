@@ -9,7 +9,7 @@ type expansion = { by : string; elements : int; at : Span.t }
 type machine = { of_ : string; place : Span.t; mutable modes : int }
 type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
 
-(* The call stack at a place. Each list has its latest element first. *)
+(* The calls that lead to a place. The latest element of each list is first. *)
 type trail = {
   depth : int;
   calls : (string * Span.t) list;
@@ -212,7 +212,7 @@ let most table count =
       | Some _ | None -> Some (name, count name found))
     table None
 
-(* Operators are skipped: the names of the surrounding functions are more informative. *)
+(* Skips operators, because the names of the surrounding functions are more informative. *)
 let has_letters name =
   String.length name > 0 && match name.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> true | _ -> false
 
@@ -227,7 +227,8 @@ let allowed_work t =
   let own = t.options.work + (steps_of_expression * t.size) in
   if t.options.limit > default.limit then own / default.limit * t.options.limit else own
 
-(* The innermost call in the folder of the outermost call, which is the program's folder. *)
+(* The innermost call that is in the same folder as the outermost call. That folder is the
+   program's. *)
 let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
   let folder (at : Span.t) = Filename.dirname at.file in

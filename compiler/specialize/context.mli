@@ -6,7 +6,7 @@ type options = {
   limit : int;  (** maximum number of specializations of one definition *)
   nesting : int;  (** nesting depth beyond which a node is {!Postponed} *)
   depth : int;  (** maximum nesting depth of calls that create no nodes *)
-  work : int;  (** base limit of {!Work} steps; it grows with the length of the program *)
+  work : int;  (** base limit of {!Work} steps, which grows with the length of the program *)
   marks : int option;  (** maximum number of marks in a drawing; [None] disables drawing *)
 }
 
@@ -24,7 +24,8 @@ val from_here : trail -> trail
 val calls : trail -> Calls.t
 
 val since : trail -> trail -> Calls.t
-(** The calls in the second trail that are not in the first, with their places; last one first. *)
+(** The calls in the second trail that are not in the first, each with its place, in reverse order.
+*)
 
 (** {1 The context} *)
 
@@ -35,8 +36,8 @@ type definition = {
 
 type specialization = {
   callee : callee;
-  result : Value.t;  (** in terms of the node's own signals *)
-  outputs : Flow.Ir.atom list;  (** the atoms in the holes of the result *)
+  result : Value.t;  (** the value in terms of the node's own signals *)
+  outputs : Flow.Ir.atom list;  (** the atoms that fill the holes of the result *)
 }
 
 and callee =
@@ -54,7 +55,7 @@ type console =
 
 type t = {
   facts : Fact.t Facts.t;
-  mutable failed : bool;  (** whether it has reported a fact *)
+  mutable failed : bool;  (** whether a fact has been reported *)
   real : Real.t;
   foreign : Core.Ir.foreign;
   console : console;
@@ -84,7 +85,7 @@ type t = {
   wide : wide Int_table.t;  (** by layout; see {!defining} *)
   mutable latest : trail;
   size : int;  (** number of expressions in the program *)
-  mutable draws : bool;  (** has the program drawn a mark? *)
+  mutable draws : bool;  (** whether the program has drawn a mark *)
 }
 
 val create : Fact.t Facts.t -> options -> ?seeks:bool -> Core.Ir.program -> t
@@ -104,18 +105,19 @@ exception Stopped
 (** Raised after reporting an error from which specialization cannot continue. *)
 
 exception Postponed of (unit -> unit)
-(** Raised if the stack has become too deep. The function evaluates the part that was too deep, and
-    must be called on a fresh stack. The evaluation that raised the exception is then repeated, and
-    finds the result. *)
+(** Raised if the stack has become too deep. Its argument is a function that evaluates the part that
+    was too deep, and must be called on a fresh stack. Afterwards, the evaluation that raised the
+    exception is repeated and finds the result. *)
 
 val settle : (unit -> unit) -> unit
-(** Calls the function, then every function that this call postpones. *)
+(** Calls the function, then every function that was postponed during the call. *)
 
 val nests_deeply : t -> trail -> bool
 
 (** {1 Causes of excessive work}
 
-    Data for {!Used_up}, which reports the cause when the limit of steps is reached. *)
+    These functions collect data for {!Used_up}, which reports the cause when the limit of steps is
+    reached. *)
 
 type expansion = {
   by : string;  (** the function that expands the elements one by one *)
@@ -129,7 +131,7 @@ val expanding : t -> trail -> by:string -> elements:int -> span:Span.t -> trail
 (** Enters the expansion of the elements of an array. May raise {!Work.Used_up}. *)
 
 val defining : t -> trail -> Core.Ir.ty -> unit
-(** Notes that an equation or a call defines a value of this type, for {!widest}. *)
+(** Records that an equation or a call defines a value of this type, for {!widest}. *)
 
 val widest : t -> wide option
 (** The type whose values account for the most leaves, over all equations and calls. *)
@@ -155,7 +157,7 @@ val most_specialized : t -> (string * int) option
 val allowed_work : t -> int
 
 val enter : t -> trail -> name:string -> span:Span.t -> trail
-(** Enters a call. If calls nest too deeply, reports that and raises {!Stopped}. *)
+(** Enters a call. If calls are nested too deeply, reports that and raises {!Stopped}. *)
 
 val count : t -> trail -> name:string -> span:Span.t -> unit
 (** Counts one more specialization of the definition, or one more mode of the surrounding machine.
@@ -171,13 +173,15 @@ val stop : t -> Fact.t -> 'a
 (** Reports the fact and raises {!Stopped}. *)
 
 val report_control : t -> Control_fact.t -> unit
-(** Reports the fact unless it was already reported: the same place may be evaluated many times. *)
+(** Reports the fact unless it has already been reported, because the same place may be evaluated
+    many times. *)
 
 val report_stored : t -> trail -> span:Span.t -> Core.Ir.ty -> unit
 (** Reports a [delay] of a value of this type, which contains a function. *)
 
 val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
-(** Reports a value to be stored in the program's state that is valid for one instant only, unless
-    such a value was already reported for one of the calls that led here. *)
+(** Reports a value that would be stored in the program's state although it is valid for only one
+    instant. Does nothing if such a value was already reported for one of the calls that led here.
+*)
 
 val add_node : t -> Flow.Ir.node -> int

@@ -14,8 +14,8 @@ type position = {
 
 type t = {
   run : position -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t;
-      (** Runs a signal function and returns its output. The equations of a proc are added to the
-          position's own node. *)
+      (** Runs a signal function and returns its output. For a proc, adds the equations to the node
+          of the position. *)
   apply : position -> result:Core.Ir.ty -> Value.t -> Value.argument list -> Value.t;
   static : position -> Value.closure -> Core.Ir.expr -> Value.t;
       (** Evaluates an expression of a proc that mentions no signal of the proc. *)

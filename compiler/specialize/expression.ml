@@ -5,7 +5,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string; (* the name for anonymous functions *)
+  owner : string; (* the name to use for anonymous functions *)
   trail : Context.trail;
 }
 
@@ -28,7 +28,7 @@ let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entr
 let bind (binder : Ir.binder) ty value locals =
   enter binder { Value.local = binder.local; local_ty = ty; contents = Known value } locals
 
-(* Expressions so simple that a node for them would contain no equations. They are evaluated in
+(* Expressions so simple that a node for them would not contain any equations. They are evaluated in
    place. *)
 let rec is_trivial (e : Ir.expr) =
   match e.desc with
@@ -171,7 +171,7 @@ and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
   | None -> definition c s target e name types
   | Some k -> param c s e name k
 
-(* A parameter is read once per node. *)
+(* A node reads each parameter only once. *)
 and param (c : Context.t) s (e : Ir.expr) (name : Ir.Global.t) k =
   let { Context.code; _ } = Resolve.Global_table.find c.definitions name in
   match (Node.global s.node code, (Types.layout c.types e.ty).leaves) with
@@ -532,8 +532,8 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
 
 (* Adds the equations of a proc to the node under construction, and returns the output. *)
 and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
-  (* Equations may refer to each other. An equation that Flow can represent is visible as a signal,
-     which is created first; other equations are visible as suspensions. *)
+  (* Equations may refer to each other. If Flow can represent an equation, the others see a signal,
+     which is created in advance. Otherwise, they see a suspension. *)
   let inside = ref s in
   let declare (locals, promises) (eq : Ir.equation) =
     let ty = Types.close s.types eq.binder.ty in
@@ -567,7 +567,7 @@ and equation (c : Context.t) s target ty (eq : Ir.equation) =
       let signal_function = expr c s Unnamed signal_function in
       match signal_function with
       | Primitive { primitive = Delay; _ } when not (Types.layout c.types ty).first_order ->
-          (* reported before evaluating the input, which may depend on this output *)
+          (* reported before the input is evaluated, because the input may depend on this output *)
           Context.report_stored c s.trail ~span:eq.span ty;
           Unspecified
       | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input))

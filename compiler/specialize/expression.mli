@@ -9,7 +9,7 @@ type scope = {
   locals : Value.environment;
   types : Value.substitution;
   node : Node.t;
-  owner : string;  (** the name for anonymous functions *)
+  owner : string;  (** the name to use for anonymous functions *)
   trail : Context.trail;
 }
 
@@ -30,4 +30,5 @@ val run :
 (** Runs an instance of a signal function on its input. [result]: the closed type of its output. *)
 
 val proc_body : Context.t -> scope -> Core.Ir.proc -> Value.t
-(** The output of a proc whose input is bound. Its equations are added to the scope's own node. *)
+(** The output of a proc whose input is already bound. Adds the proc's equations to the node of the
+    scope. *)

@@ -24,8 +24,8 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 
 exception Unlike_ends
 
-(* A program: its signal function, the type of its result, if the program ends, and the rate of
-   a node, with its place. *)
+(* A program: its signal function, the type of its result if it ends, and the rate of a node with
+   the place of the rate. *)
 type in_program = {
   signal_function : Value.t;
   ended : Ir.ty option;
@@ -93,8 +93,8 @@ let drawings = function
   | [ only ] -> [ ("draw", only) ]
   | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
 
-(* Builds the root node. Returns the type of the program's result, if the program ends, the names of
-   its drawings, and the rate of a node. *)
+(* Builds the root node. Returns the type of the program's result (if the program ends), the names
+   of its drawings, and the rate of a node. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =
@@ -174,7 +174,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   if not (is_first_order output) then refuse_interface c core Output output;
   let ended = ref None and drawings = ref [] and rate = ref None in
   (if not c.failed then
-     (* the root gets the first choice of names, however often its evaluation is restarted *)
+     (* the root always chooses names first, even if its evaluation is restarted *)
      let chosen = ref None in
      let unique name =
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);
@@ -256,7 +256,7 @@ let closed (c : Context.t) ~name ~default ~(entry : Ir.Global.t) =
             entry.name)
 
 let controls options facts ~name ~entry (program : Ir.program) =
-  (* recursion is reported by the final specialization *)
+  (* the final specialization reports recursion *)
   if (not (Core.Console.asks program)) || Core.Recursion.facts program <> [] then Some []
   else
     let c = Context.create facts options ~seeks:true program in

@@ -18,9 +18,9 @@ val controls :
   Core.Ir.program ->
   Core.Ir.control list option
 (** The controls that the entry requests from its operator, for {!Core.Console.declare}. If the
-    program may request any, finds them by evaluating everything static. A control requested at
-    several places occurs several times, and the controls' units are not set. [None] if errors were
-    reported. *)
+    program may request controls, finds them by evaluating everything static. A control that is
+    requested at several places occurs several times in the result. The units of the controls are
+    not set. [None] if errors were reported. *)
 
 val program :
   ?options:Context.options ->

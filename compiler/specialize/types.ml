@@ -7,8 +7,8 @@ and kind = Scalar | Product of part list | Sum of part list array | Array of int
 and part = { part : string; ty : Ir.ty }
 and leaf = { path : string list; leaf : Flow.Ir.ty }
 
-(* Polymorphic comparison and hashing would traverse the whole type, including the characters of
-   names. *)
+(* Not polymorphic comparison and hashing, which would traverse the whole type, including the
+   characters of names. *)
 module Types = Hashtbl.Make (struct
   type t = Ir.ty
 
@@ -33,8 +33,8 @@ module Types = Hashtbl.Make (struct
 
   and equal_all a b = List.compare_lengths a b = 0 && List.for_all2 equal a b
 
-  (* Parts of a type may be shared, so a type may have far more paths than parts. Hashing visits
-     every path, so it counts as work. *)
+  (* A type may share its parts, so it may have far more paths than parts. Hashing visits every
+     path, so it counts as work. *)
   let rec hash (ty : t) =
     Work.step ();
     match ty with
@@ -108,8 +108,8 @@ let join name path =
 
 let path_name (leaf : leaf) = String.concat "." leaf.path
 
-(* The constructors of a data type, with these arguments for its parameters. Empty for a built-in
-   type such as [Program]. *)
+(* The constructors of a data type with these type arguments. Empty for a built-in type such as
+   [Program]. *)
 let constructors table tycon arguments =
   match Global_table.find_opt table.data tycon with
   | None -> []
@@ -133,7 +133,7 @@ let scalar leaf = (Scalar, true, [ { path = []; leaf } ])
 let is_drawing (ty : Ir.ty) = ty = Core.Signature.drawing
 let is_text (ty : Ir.ty) = ty = Core.Signature.text
 
-(* Names that no field of a program can have. *)
+(* Names that a program cannot use for fields. *)
 let count_path = "count#"
 let marks_path = "marks#"
 let paths_of_drawing = [ count_path; marks_path ]

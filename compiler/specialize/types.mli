@@ -17,9 +17,9 @@ val close : Value.substitution -> Core.Ir.ty -> Core.Ir.ty
 type layout = {
   id : int;  (** equal types have equal ids *)
   kind : kind;
-  first_order : bool;  (** contains no functions, signal functions or labels *)
-  leaves : leaf list;  (** in order; empty unless the type is first-order *)
-  nesting : int;  (** levels of tuples, data and arrays *)
+  first_order : bool;  (** whether values contain no functions, signal functions or labels *)
+  leaves : leaf list;  (** the leaves in order; empty unless the type is first-order *)
+  nesting : int;  (** the number of nested levels of tuples, data and arrays *)
 }
 
 and kind =
@@ -52,7 +52,7 @@ val layout : table -> Core.Ir.ty -> layout
 (** The layout of a closed type. *)
 
 val path_name : leaf -> string
-(** The path in one word: [position.x], [""] for a scalar. *)
+(** The path as one word: [position.x]. It is [""] for a scalar. *)
 
 val join : string -> string -> string
 (** Appends a path to a name: [join "p" "x"] is [p.x]. Either may be empty. *)

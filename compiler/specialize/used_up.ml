@@ -1,4 +1,5 @@
-(* At the place in the program (not in the library), with the calls that led there. *)
+(* Reports the fact at a place in the program rather than the library, with the calls that lead to
+   it. *)
 let report (c : Context.t) trail ~span excess =
   let at = Context.own_place c trail ~span in
   Context.report c (Limit { at; calls = Context.calls trail; excess })

@@ -28,8 +28,8 @@ type t =
       *)
   | Program of t  (** a [Program i o], as its signal function *)
   | Unspecified
-      (** an arbitrary value: the payload of another constructor, or the result of an expression
-          that was reported as an error *)
+      (** an arbitrary value, for the payload of another constructor or for an expression that was
+          reported as an error *)
 
 and argument = { value : t; ty : Core.Ir.ty  (** closed *) }
 
@@ -38,7 +38,7 @@ and closure = {
       (** identifies this evaluation of the code: shared closures have equal identities *)
   name : string;  (** the definition or local function that contains the code *)
   code : code;
-  captured : environment;  (** exactly the free variables of the code *)
+  captured : environment;  (** the values of exactly the free variables of the code *)
   types : substitution;
   span : Basis.Span.t;
 }
@@ -58,6 +58,6 @@ and entry = {
 and contents =
   | Known of t
   | Suspended of (unit -> t)
-      (** an equation of a proc that Flow cannot represent; evaluated on first use, so that the
-          order of equations is irrelevant *)
+      (** an equation of a proc that Flow cannot represent. It is evaluated on first use, so that
+          the order of equations is irrelevant *)
   | Being_evaluated

@@ -46,8 +46,8 @@ let rec of_value real sums (ty : Ir.ty) =
       let present = List.filter (fun (count, _) -> count > 0) runs in
       snd (of_members (List.map (fun (count, member) -> run count member) present))
 
-(* Adds up [of_slots] over all sums and [of_scalar] over all other scalars; counts each array
-   element. *)
+(* The total of [of_slots] over all sums and [of_scalar] over all other scalars. Each element of an
+   array counts. *)
 let rec count sums ~of_slots ~of_scalar (ty : Ir.ty) =
   match ty with
   | Bool | Int | Float | Nanoseconds | Foreign _ -> of_scalar ty

@@ -7,16 +7,17 @@ let nanoseconds t = Array.get t.nanoseconds
 (* One of the two times of a step. *)
 type time = {
   expr : Ir.expr;
-  is_read : Ir.node -> bool;  (** by the step or a callee *)
+  is_read : Ir.node -> bool;  (** whether the step or one of its callees reads it *)
   is_safe : Ir.node -> bool;  (** the step's own code limits the time wherever it uses it *)
 }
 
-(* What a step does with one of its times. *)
+(* How a step uses one of its two times. *)
 type use = {
-  itself : bool;  (** it needs the time limited, for its own code or for all that it calls *)
-  steps : int list;  (** nodes whose steps it passes the time to, except for modes *)
+  itself : bool;
+      (** whether it needs the limited time, for its own code or for everything that it calls *)
+  steps : int list;  (** nodes to whose steps it passes the time, except modes *)
   modes : int list;  (** modes of its machine that read the time *)
-  others : bool;  (** some modes do not read it *)
+  others : bool;  (** whether there are modes that do not read it *)
 }
 
 let use_of (program : Ir.program) time (node : Ir.node) =
@@ -41,7 +42,7 @@ let use_of (program : Ir.program) time (node : Ir.node) =
   if List.exists is_foreign modes then itself := true;
   { itself = !itself; steps = !steps; modes; others = others <> [] }
 
-(* Whether the callees limit the time, instead of a step with this use. *)
+(* Whether the callees limit the time, rather than the step that uses it in this way. *)
 let is_passed_on = function
   | { itself = false; steps = [] | [ _ ]; modes = []; others = _ } -> true
   | { itself = false; steps = []; modes = _ :: _; others } -> others
@@ -66,7 +67,7 @@ let safe (program : Ir.program) time =
   in
   Basis.In_order.map ~stage:"Step.Dt_limits" safe program.nodes
 
-(* The nodes whose steps receive a time unlimited, and those that limit it at their start. *)
+(* The nodes whose steps receive an unlimited time, and those whose steps limit it at the start. *)
 let limiting (program : Ir.program) time =
   let count = Array.length program.nodes in
   let limits = Array.make count false and unlimited = Array.make count false in

@@ -15,7 +15,7 @@ let reads_dt body =
   Walk.expressions note (List.filter (fun s -> not (is_integral s)) body);
   !found
 
-(* The modes that may take a step in the node's first instant, with the dt of the caller. *)
+(* The modes that may take a step with the caller's dt in the node's first instant. *)
 let first_modes (node : node) run =
   let numbers = ref [] in
   let note = function Enter { entry; _ } -> numbers := entry.mode :: !numbers | _ -> () in
@@ -34,7 +34,7 @@ let shows_in shows (node : node) =
   Walk.statements statement node.step.body;
   !found
 
-(* A delay of the program that is False in the first instant and True afterwards. *)
+(* A delay in the program that is False in the first instant and True afterwards. *)
 let delayed (node : node) =
   let becomes value body (field : field) =
     List.exists

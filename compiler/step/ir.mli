@@ -30,12 +30,14 @@ type variable = {
 
 type field = {
   id : int;  (** unique in the node *)
-  name : string;  (** from the source; not always unique *)
+  name : string;  (** a name from the source, which may occur several times *)
   content : content;
   bound : int64 option;
-      (** for [Nanoseconds]: if present, the field has 32 bits, and a time that [Later] returns for
-          it stops at this number (see {!Short_times}) *)
-  purpose : string;  (** for readers of the generated C: [delay], [integral], a callee's name *)
+      (** for [Nanoseconds]: if present, the field has 32 bits, and the time that [Later] returns
+          for it never exceeds this number (see {!Short_times}) *)
+  purpose : string;
+      (** purpose of the field, for readers of the generated C: [delay], [integral], or a callee's
+          name *)
   origin : origin option;  (** the signal whose values the field stores, if any *)
   span : Span.t;
 }
@@ -44,7 +46,7 @@ type field = {
 and origin = { signal : string; written : Span.t; role : role }
 (** A signal of Flow: its name, or [""], and its place in the source. *)
 
-(** The relation of the field's value to this signal. *)
+(** How the value of the field is related to this signal. *)
 and role =
   | Its_value
   | Its_integrand  (** the signal is an integral *)
@@ -72,7 +74,7 @@ type expr =
   | Int of int32
   | Float of float
   | Zero_time  (** 0 nanoseconds *)
-  | Absent of Flow.Ir.foreign_type  (** a placeholder for a missing value, which is never read *)
+  | Absent of Flow.Ir.foreign_type  (** a placeholder for a missing value; it is never read *)
   | Variable of variable
   | Field of field  (** a field of the node's own state *)
   | Param of int  (** an element of [program.params] *)
@@ -119,7 +121,7 @@ type statement =
       state : field option;  (** [None] if the node has no state *)
       arguments : expr list;
       results : variable list;  (** declared here *)
-      on_trial : bool;  (** runs on a copy of the state, which is discarded afterwards *)
+      on_trial : bool;  (** whether it runs on a copy of the state that is discarded afterwards *)
       span : Span.t;
     }
   | Loop of loop
@@ -128,7 +130,7 @@ type statement =
   | Enter of { entry : entry; span : Span.t }
   | Run of run
   | Return of { value : expr; span : Span.t }
-      (** the last statement; only if there is a single output *)
+      (** must be the last statement; occurs only if there is a single output *)
 
 and loop = {
   node : int;
@@ -158,12 +160,13 @@ and entry = {
 and run = {
   active : expr option;  (** if False, nothing runs, and the results are unspecified *)
   clock : clock option;  (** present if [active] is present and a mode reads dt *)
-  steps : int;  (** maximum number of modes that run in an instant *)
+  steps : int;  (** maximum number of modes that run in one instant *)
   controls : (expr * entry) list;  (** the first one whose condition is true is taken *)
-  late : bool;  (** controls are checked after the step of the running mode instead of before it *)
+  late : bool;
+      (** whether controls are checked after the step of the running mode instead of before it *)
   drops : bool;
-      (** after a late control or a delayed transition, the results of modes are discarded *)
-  cases : case list;  (** one for each mode *)
+      (** whether the results of modes are discarded after a late control or a delayed transition *)
+  cases : case list;  (** one case for each mode *)
   results : variable list;  (** declared here *)
   span : Span.t;
 }
@@ -179,7 +182,8 @@ and clock = {
 
 and case = {
   arguments : expr list;  (** arguments for the step of the mode's node *)
-  others : variable list;  (** results of the step other than the machine's, declared here *)
+  others : variable list;
+      (** results of the step that are not results of the machine, declared here *)
   transitions : next list;  (** the first one whose condition is true is taken *)
 }
 
@@ -212,16 +216,18 @@ type node = {
   step : code;
   outputs : (string * ty) list;  (** the outputs, then those that only transitions read *)
   ends_early : int option;
-      (** present for a mode whose step can end early: if one of its transitions occurs, the step
-          only returns the outputs with this or a higher number (see {!Early_end}) *)
-  seconds : bool;  (** the step, or a callee, reads [Dt] *)
-  nanoseconds : bool;  (** the step, or a callee, reads [Dt_nanoseconds] *)
+      (** present for a mode whose step can end early. If one of its transitions occurs, the step
+          returns only the outputs with this number or a higher one (see {!Early_end}) *)
+  seconds : bool;  (** whether the step, or a callee, reads [Dt] *)
+  nanoseconds : bool;  (** whether the step, or a callee, reads [Dt_nanoseconds] *)
   operations : int;  (** approximate number of operations in the step, without callees *)
 }
 
 type mark = {
   field : field;
-  own : bool;  (** if true, the step sets it at its start; if false, at its end, like any delay *)
+  own : bool;
+      (** whether the step sets it at its start. If false, the step sets it at its end, like any
+          delay *)
 }
 (** A Bool of the root that is False until the first step. *)
 
@@ -242,6 +248,6 @@ type program = {
   marks : int;  (** as in {!Flow.Ir.program} *)
   params : Flow.Ir.param list;
   started : mark option;
-      (** present if the dt of the first instant can be observed and therefore must be replaced by 0
-      *)
+      (** present if the program can observe the dt of the first instant, which must therefore be
+          replaced by 0 *)
 }

@@ -11,7 +11,7 @@ type context = {
 let variable = Modes.variable
 let parameters reads signals = Reads.parameters reads (Long_list.map variable signals)
 
-(* The nodes that this node steps, by calls in its own code or as modes. *)
+(* The nodes whose steps this node calls, in its own code or as modes. *)
 let stepped body modes =
   let nodes = Int_table.create 8 in
   Walk.statements

@@ -28,7 +28,7 @@ let reads t (node : Ir.node) body =
     body;
   !found
 
-(* Callees come before callers, so one iteration is enough. *)
+(* Callees come before callers, so one pass over the nodes is enough. *)
 let of_program (program : Ir.program) =
   let count = Array.length program.nodes in
   let t = { steps = Array.make count false; resets = Array.make count false } in

@@ -4,15 +4,15 @@ open Basis
    are always true. *)
 let most = 0xFFFFFFFEL
 
-(* What a step does with a time. *)
+(* How a step uses a time. *)
 type uses = {
-  mutable bound : int64;  (** the largest constant that it is compared with *)
-  mutable compared : int;  (** number of reads that are compared with constants *)
+  mutable bound : int64;  (** the largest constant with which it is compared *)
+  mutable compared : int;  (** number of reads that compare it with constants *)
   mutable advanced : int;  (** number of reads that advance the time *)
-  mutable all : int;  (** number of all reads *)
+  mutable all : int;  (** total number of reads *)
 }
 
-(* The uses of each field of a node, by id. *)
+(* The uses of each field of a node, by the field's id. *)
 let uses_in real (node : Ir.node) =
   let found = Int_table.create 8 in
   let uses (f : Ir.field) =
@@ -55,7 +55,7 @@ let uses_in real (node : Ir.node) =
   fun (f : Ir.field) ->
     match f.content with Value Nanoseconds -> Int_table.find_opt found f.id | _ -> None
 
-(* Whether only advances and restarts write the field. *)
+(* Whether the field is written only to advance or restart it. *)
 let is_written_simply (node : Ir.node) (field : Ir.field) =
   let is_advance : Ir.expr -> bool = function
     | Later (Field f, Dt_nanoseconds) | Soon (Field f, Dt_nanoseconds) -> f.id = field.id

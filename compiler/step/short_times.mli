@@ -9,8 +9,8 @@ val program : Ir.program -> Ir.program
 (** Sets the bounds of the fields. *)
 
 val reached : Basis.Real.t -> Ir.node -> Ir.field list
-(** The fields that the outermost statements of the node's step advance, and whose bounds later
-    statements compare them with. *)
+(** The fields that the outermost statements of the node's step advance and that later statements
+    compare with their bounds. *)
 
 val only_advances : Ir.program -> Ir.node -> bool
 (** Whether the node's step, without its callees, uses dt in nanoseconds only to advance bounded

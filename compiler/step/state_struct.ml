@@ -72,7 +72,7 @@ let in_order members =
   let compare a b = compare (b.block.Block.alignment, is_time a) (a.block.alignment, is_time b) in
   List.stable_sort compare members
 
-(* Splits members into those that fit into this number of bytes, and the others. *)
+(* Splits members into those that fit into this number of bytes, and the rest. *)
 let fitting most members =
   let fit (bytes, within, others) member =
     let { Block.bytes = own; alignment } = member.block in
@@ -82,7 +82,7 @@ let fitting most members =
   let _, within, others = List.fold_left fit (0, [], []) members in
   (List.rev within, List.rev others)
 
-(* The unions that the modes' members share. [union] builds one union from the members in it. *)
+(* The unions that the modes' members share. [union] builds a union from its members. *)
 let rec unions ~union (modes : (int * member list) list) =
   match List.filter (fun (_, members) -> members <> []) modes with
   | [] -> []
@@ -124,8 +124,8 @@ let of_program (program : Ir.program) =
         in
         unions ~union (List.mapi (fun number mode -> (number, of_mode k mode)) modes)
   and of_fields k ~within fields = List.concat (List.rev (List.rev_map (of_field k ~within) fields))
-  (* The state of a mode is not named, because the struct of the mode only contains this state and
-     the parameters. *)
+  (* The state of a mode does not need a name, because the mode's struct contains only this state
+     and the parameters. *)
   and of_mode k (mode : Ir.mode) =
     let parameters = of_fields k ~within:[] (List.map snd mode.parameters) in
     let state =

@@ -1,4 +1,5 @@
-(** The C structs of the state: which struct contains the fields of each node, and in which order.
+(** Lays out the state in C structs: decides which struct contains the fields of each node, and in
+    which order.
 
     Most nodes have no struct of their own: their fields are members of the struct of the node that
     contains them, so that small fields of many nodes share the padding. A node has its own struct
@@ -31,7 +32,7 @@ type t
 val of_program : Ir.program -> t
 
 val home : t -> int -> int
-(** The node whose struct contains the fields of this node; often the node itself. *)
+(** The node whose struct contains the fields of this node. Often it is the node itself. *)
 
 val members : t -> int -> member list
 (** The members of the struct of a node, in order; empty for a node without a struct of its own. *)

@@ -12,4 +12,4 @@ val expressions : (Ir.expr -> unit) -> Ir.statement list -> unit
 (** Visits each expression and its subexpressions, in the order of the code. *)
 
 val statements : (Ir.statement -> unit) -> Ir.statement list -> unit
-(** Visits each statement; an [If] comes before the statements inside it. *)
+(** Visits each statement. An [If] comes before the statements inside it. *)

@@ -23,5 +23,5 @@ val elements :
   c:(Ir.expr list -> Ir.expr) ->
   own:Ir.expr ->
   Ir.statement list
-(** Assigns a value that may be an array. [c] returns the place in the user's C, given an index for
-    each array among the steps; [own] is the program's value. *)
+(** Assigns a value that may be an array. [own] is the program's value. [c] returns the place in the
+    user's C, given an index for each array on the path. *)

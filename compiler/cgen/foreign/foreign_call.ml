@@ -28,7 +28,7 @@ let bare name : Ir.expr list -> Ir.expr = function
   | [ index ] -> Subscript (Name name, index)
   | [] | _ :: _ :: _ -> bug "elements of elements"
 
-(* The statements that prepare an argument, and the argument. *)
+(* The statements that prepare an argument, and the expression for the argument. *)
 let argument names k (passing : Foreign_interface.passing) values =
   let own () = Name.fresh (Expression.scope names) (Printf.sprintf "argument%d" (k + 1)) in
   let variable ty name = plain (Ir.Variables { ty; names = [ name ] }) in
@@ -55,7 +55,7 @@ let argument names k (passing : Foreign_interface.passing) values =
 (* The place of the C function's result. *)
 type results =
   | Whole of Ir.expr  (** a single leaf *)
-  | Bare of string  (** a single array, in a variable that is a plain C array *)
+  | Bare of string  (** a single array, stored in a variable that is a plain C array *)
   | Inside of Ir.expr * Interface.t  (** a pointer to a struct *)
 
 type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if the function returns it *) }
@@ -76,7 +76,8 @@ let result names results { ty; leaf; _ } =
       if Interface.is_in_array steps then copy steps (Access.path from steps)
       else in_one_piece (Access.path from steps [])
 
-(* The index of the result's leaf for an output of the node. Some leaves may be unused. *)
+(* For an output of the node, the index of the corresponding leaf of the result. Some leaves may be
+   unused. *)
 let leaf_number (foreign : F.foreign) name =
   let rec find k = function
     | (s : F.signal) :: _ when String.equal s.name name -> k
@@ -101,7 +102,7 @@ let give output value =
     (if String.equal output.pointer "" then Ir.Return value
      else Assign (Unary (Dereference, Name output.pointer), value))
 
-(* Uses a variable for each output, which receives the C function's result before the output is
+(* Declares a variable for each output. It receives the C function's result before the output is
    assigned. *)
 let through_variables v names ~initial outputs results call =
   let own output =

@@ -1,7 +1,7 @@
 let plain desc : Ir.statement = { desc; comment = "" }
 let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "a place without an access path"
 
-(* A place in the input or output, given the indices of the arrays that contain it. *)
+(* A place in the input or output struct, given an index for each array that contains it. *)
 let path from steps indices =
   let step (e, indices) (step : Interface.step) =
     match (step, indices) with

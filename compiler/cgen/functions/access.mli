@@ -1,8 +1,8 @@
 (** Accesses places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that the steps reach from a pointer to the struct, given the indices of the arrays
-    that contain it. *)
+(** The place that the steps lead to from a pointer to the struct, given an index for each array
+    that contains it. *)
 
 val for_each :
   Expression.names ->

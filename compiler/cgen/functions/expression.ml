@@ -12,7 +12,7 @@ type names = {
   limits : M.expr Int_table.t; (* see {!Limits} *)
   limits_dt : bool; (* at each use *)
   reaches : M.field list; (* see {!Step.Short_times} *)
-  reached : string Int_table.t; (* names of truth values, by field *)
+  reached : string Int_table.t; (* names of Boolean variables, by field *)
   mutable reaches_state : bool;
 }
 
@@ -82,8 +82,9 @@ let literal : M.expr -> float option = function
       Some (-.x)
   | _ -> None
 
-(* With a literal, [limit < x ? limit : x] is correct, unless the first argument is a zero, which
-   must win over the other zero: it needs [limit <= x], which C compilers translate to a mask. *)
+(* If one argument is a literal, [limit < x ? limit : x] is correct, unless that literal is the
+   first argument and is 0. In that case, the result must be the literal's zero rather than a zero
+   of the other sign. This requires [limit <= x], which C compilers translate to a mask. *)
 let limited n general simple ~zero (a : M.expr) (b : M.expr) x y =
   match (literal a, literal b) with
   | _, Some _ -> V.call n.v simple [ x; y ]
@@ -101,7 +102,8 @@ let limit (operator : Flow.Ir.operator) : M.expr -> (M.expr * float * M.expr) op
       | _, _ -> None)
   | _ -> None
 
-(* A minimum and a maximum that one function computes: its name and arguments. *)
+(* A minimum of a maximum that can be computed by one function: the function's name and
+   arguments. *)
 let clamp n (e : M.expr) =
   match Limits.limited e with
   | Some ((Variable v as x), y) when Int_table.mem n.limits v.id ->
@@ -235,7 +237,7 @@ let param n k : Ir.expr =
 
 let is_whole_period period = period >= 1. && period < 0x1p63
 
-(* The bound of a time. *)
+(* The bound at which a time stops counting. *)
 let bound n : M.expr -> int64 option = function
   | Field { id; _ } ->
       let is_time (f : M.field) = f.id = id in
@@ -245,7 +247,7 @@ let bound n : M.expr -> int64 option = function
 let nanoseconds ns : Ir.expr =
   if ns <= 0x7FFFFFFFL then Integer (Int64.to_int32 ns) else Cast (Uint32, Long ns)
 
-(* The value of an expression that is an operand at this place, or a statement's value. *)
+(* The value of an expression that is an operand at this place, or of a statement. *)
 let rec operand n ~at (e : M.expr) =
   match e with Float x -> V.literal n.v ~at x | e -> of_step n e
 

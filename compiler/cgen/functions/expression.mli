@@ -36,13 +36,13 @@ val reaches_state : names -> bool
 (** Whether any field of the state has been accessed. *)
 
 val bounded : names -> Step.Ir.field -> Step.Ir.expr -> Ir.statement_desc option
-(** Writes a bounded time ({!Step.Short_times}); [None] for other fields. The state stores the time
-    that is left until the bound. If {!Step.Short_times.reached} contains the time, the statement
-    declares a variable that later comparisons with the bound read. *)
+(** The statement that writes a bounded time ({!Step.Short_times}); [None] for other fields. The
+    state stores the time that is left until the bound. If {!Step.Short_times.reached} contains the
+    time, the statement declares a variable that later comparisons with the bound read. *)
 
 val unlimited : names -> Step.Ir.variable -> Step.Ir.expr -> Step.Ir.expr
-(** The value with which to declare a variable: for a variable of {!Limits}, the number without the
-    maximum. *)
+(** The initial value in the declaration of a variable. For a variable of {!Limits}, this is the
+    number without the maximum. *)
 
 val parameters : names -> Step.Ir.variable list -> (Ir.ty * string) list
 (** The parameters of a node's function: arrays are passed by address. *)

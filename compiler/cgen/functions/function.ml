@@ -21,7 +21,7 @@ let place c : M.place -> Ir.expr = function
   | Result _ -> Diagnostic.bug ~stage:"Cgen.Function" "a result that is read"
 
 let rec statement c rest (s : M.statement) : Ir.statement list =
-  (* [rest]: the preceding statements, last one first. *)
+  (* [rest]: the preceding statements, in reverse order. *)
   match s with
   | Declare { variable; value; span } ->
       let value = Expression.unlimited c.names variable value in
@@ -48,7 +48,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let declarations = uninitialized c variables in
       let condition = expression c condition in
       let condition =
-        (* an [if] without [else] is compiled to a branch anyway *)
+        (* an [if] without [else] is compiled to a branch in any case *)
         if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ]) else condition
       in
       let comment = comment c span in
@@ -112,8 +112,8 @@ and step c rest ~node ~own arguments results span =
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
 
-(* Chooses the programmer's names before the generated ones, so that the programmer's [t1] stays
-   [t1]. *)
+(* Chooses names for the programmer's variables before generated ones, so that the programmer's [t1]
+   stays [t1]. *)
 let name_variables names body =
   let named pass (variable : M.variable) =
     if Bool.equal pass (not (String.equal variable.name "")) then
@@ -208,7 +208,7 @@ let read_elements names variable steps =
 
 let input (v : Program_names.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
-(* Limits the times that the caller of the root's step passes. *)
+(* Limits the values of dt that the caller of the root's step passes. *)
 let limited_times (v : Program_names.t) k =
   let limit name function_ = [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] in
   (if Step.Dt_limits.nanoseconds v.dt_limits k then limit "dt_ns" "frob_span" else [])
@@ -246,7 +246,7 @@ let own_step (v : Program_names.t) k : Ir.function_ =
     | [ (_, ty) ] -> (V.ty v ty, [])
     | _ ->
         let result (name, ty) =
-          (* An output without a name is called [out] or [out.x]. *)
+          (* An output that has no name is called [out] or [out.x]. *)
           let is_out = List.hd (String.split_on_char '.' name) = "out" in
           let name = if is_out then name else "out_" ^ name in
           (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) name)

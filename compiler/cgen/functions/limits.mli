@@ -4,7 +4,7 @@
     [most] does not matter. *)
 
 val limited : Step.Ir.expr -> (Step.Ir.expr * Step.Ir.expr) option
-(** Matches [max (-most) (min most y)]: [most] and [y]. *)
+(** Matches [max (-most) (min most y)], and returns [most] and [y]. *)
 
 val in_body : Step.Ir.statement list -> Step.Ir.expr Basis.Int_table.t
-(** For each such variable of a function, by id: [x]. *)
+(** Maps the id of each such variable of a function to [x]. *)

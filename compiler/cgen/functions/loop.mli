@@ -5,5 +5,5 @@ val statements :
   Step.Ir.loop ->
   call:(string -> Ir.expr list -> Ir.expr list -> Ir.expr) ->
   Ir.statement list
-(** The loop, after the declarations of its results. [call] generates the step of an iteration from
-    the index, the arguments, and the places for the results, if there are several. *)
+(** The loop, preceded by the declarations of its results. [call] generates the step of an iteration
+    from the index, the arguments, and the places for the results if there are several. *)

@@ -75,7 +75,7 @@ let step ?entered c mode case = function
 (* Maximum number of operations in a step that may be duplicated in each transition to its mode. *)
 let direct_size = 24
 
-(* Subtracts the operations of this node's step and its callees from [most]. *)
+(* Subtracts the number of operations in this node's step and its callees from [most]. *)
 let rec remaining (program : M.program) most k =
   let node = program.nodes.(k) in
   let most = ref (most - node.operations - 1) in
@@ -97,8 +97,8 @@ let is_direct c (run : M.run) k =
 
 let fresh c (v : M.variable) = (v, Name.fresh (Expression.scope c.names) v.name)
 
-(* The step of the mode that [n] enters. None of the mode's own transitions can occur in this
-   instant. *)
+(* The step of the mode that the transition [n] enters. None of that mode's own transitions can
+   occur in this instant. *)
 let step_directly c (run : M.run) (n : M.next) results =
   let mode = List.nth c.node.modes n.entry.mode and case = List.nth run.cases n.entry.mode in
   let unread = List.map (fresh c) case.others in
@@ -112,7 +112,7 @@ let one_case c (run : M.run) ~direct ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
   let results = List.map (fun v -> (v, place c v)) run.results in
-  (* If results may be discarded, they are first stored in variables of the case. *)
+  (* If results may be discarded, they are first stored in variables that are local to the case. *)
   let own =
     if String.equal dropped "" then []
     else List.map (fun (v, result) -> (fresh c v, result)) results
@@ -147,7 +147,7 @@ let one_case c (run : M.run) ~direct ~again ~dropped k (case : M.case) =
 let variable ty name value = plain (Ir.Variable { ty; name; value })
 let set name value = plain (Ir.Assign (Name name, Boolean value))
 
-(* The time since the machine last ran becomes its dt. *)
+(* The time since the machine last ran is used as its dt. *)
 let wake c (clock : M.clock) =
   let since = Expression.field c.names clock.since in
   let seconds = in_seconds c.v (Name "dt_ns") in

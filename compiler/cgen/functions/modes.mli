@@ -7,4 +7,4 @@ val enter : Context.t -> Step.Ir.entry -> Span.t -> Ir.statement list
 (** Stores the mode's number and parameters, and resets its state. *)
 
 val run : Context.t -> Step.Ir.run -> Ir.statement list
-(** The declarations of the results, and the statements that run one instant. *)
+(** The declarations of the results, and the statements that run the machine for one instant. *)

@@ -3,8 +3,8 @@ open Context
 
 let is_machine (node : M.node) = match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true
 
-(* The nodes whose state contains the number of a running mode, by index. Nodes contain only
-   preceding nodes. *)
+(* The nodes whose state contains the number of a running mode, by index. A node contains only nodes
+   with a smaller index. *)
 let nodes_with_machines (program : M.program) =
   let has = Array.make (Array.length program.nodes) false in
   let rec contains (field : M.field) =
@@ -22,16 +22,16 @@ let nodes_with_machines (program : M.program) =
 
 let valid = Ir.Name "valid"
 
-(* [valid] stays true only if this holds, too. *)
+(* [valid] stays true only if this condition also holds. *)
 let require condition = plain (Ir.Assign (valid, Binary (And, valid, condition)))
 
 type t = {
   v : Program_names.t;
   has : bool array;
-  names : string array;  (** names of the functions, by node *)
+  names : string array;  (** names of the nodes' functions, by node *)
 }
 
-(* The number of the running mode is one of the constants. *)
+(* The condition that the number of the running mode is one of the constants. *)
 let in_range (v : Program_names.t) k running =
   let modes = v.nodes.(k).modes in
   let count = Array.length modes in
@@ -73,7 +73,8 @@ let rec checks t k =
   let own = match running with Some running -> in_range t.v k running | None -> [] in
   own @ List.concat_map field node.state
 
-(* The first check needs no earlier value of [valid], and a single check no variable. *)
+(* The first check does not use an earlier value of [valid], and a single check does not need a
+   variable. *)
 let body checks =
   let start value = plain (Ir.Variable { ty = Bool; name = "valid"; value }) in
   let return value = [ plain (Ir.Return value) ] in

@@ -21,8 +21,8 @@ val input : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
 val is_own : side -> Interface.step list -> bool
-(** Whether this path leads to a part of the host's struct that does not belong to the robot: the
-    program's result or probes. In both structs, such a part has the program's own type. *)
+(** Whether this path leads to a part of the host's struct that belongs to the program rather than
+    the robot: the result or the probes. Such a part has the program's own type in both structs. *)
 
 val includes : side list -> string
 (** The lines that include the robots' headers. *)

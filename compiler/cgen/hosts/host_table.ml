@@ -8,7 +8,7 @@ type context = {
   struct_name : string;  (** the struct to which offsets refer *)
   prefix : string;  (** prefix of the tables' names *)
   mutable count : int;
-  mutable console : string list;  (** names of the console's values *)
+  mutable console : string list;  (** names of the console's values, for the table *)
   enumerations : Node_table.enumeration list ref;
       (** the constructors of values whose constructors have no fields *)
 }
@@ -226,8 +226,8 @@ let margins out (program : Step.Ir.program) =
       "extern const char *const frob_margins[];\nconst char *const frob_margins[] = {%s};\n"
       (String.concat ", " (List.map text program.claims))
 
-(* The tables of the output, of its last leaf if that is the program's result, of visible probes,
-   and of the verdicts of assertions. *)
+(* The tables of the output, of the visible probes and of the verdicts of assertions. If the last
+   leaf of the output is the program's result, it has a table of its own. *)
 let outputs ~enumerations out (program : Step.Ir.program) (side : Border.side) =
   let probes = Interface.record_of program.probes in
   let all =
@@ -329,7 +329,7 @@ let params out (program : Step.Ir.program) params =
       sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
         (List.length program.params)
 
-(* The table's function that checks the state. *)
+(* The expression in the table for the function that checks the state. *)
 let validity (files : Of_step.t) =
   match files.is_valid with
   | None -> "    (void)state;\n    return true;\n"

@@ -1,5 +1,5 @@
-(** NAME_host.c: the table of <frob/program.h>. Hosts, which are written without knowledge of the
-    program, use it to read and write the program's values. *)
+(** Generates NAME_host.c, which contains the table of <frob/program.h>. Hosts use this table to
+    read and write the values of any program. *)
 
 val robot : ?own:Robot.t -> Step.Ir.program -> Robot.t option
 (** The robot whose input or output type the program has. [own]: the user's own robot, if the

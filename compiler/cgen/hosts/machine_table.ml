@@ -9,7 +9,8 @@ type t = {
   within : (int * int) option;
 }
 
-(* The table omits longer arrays of machines, because nobody can read so many columns. *)
+(* The table omits arrays of more machines than this, because they would have too many columns to
+   read. *)
 let longest_array = 64
 
 type search = {

@@ -6,7 +6,7 @@ type t = {
   wide : bool;  (** whether this number has 32 bits instead of 8 *)
   modes : string list;  (** names of the modes, by number *)
   within : (int * int) option;
-      (** the enclosing machine, by its index in the list, and the number of its mode that contains
+      (** the enclosing machine, as an index into the list, and the number of its mode that contains
           this machine *)
 }
 

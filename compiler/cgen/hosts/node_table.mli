@@ -4,8 +4,8 @@ type topic = {
   field : string;  (** the name of the field in the program's input or output *)
   name : string;  (** before remapping: ["cmd_vel"] *)
   type_ : string;  (** the type of its messages: ["geometry_msgs/msg/Twist"] *)
-  is_counted : bool;  (** the field is an event of a [Counted] *)
-  is_command : bool;  (** a message of zeros stops what it controls *)
+  is_counted : bool;  (** the field is an event from a [Counted] *)
+  is_command : bool;  (** whether a message of zeros stops what the topic controls *)
 }
 
 type texts = {

@@ -46,7 +46,7 @@ val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
 (** Splits the output of a program: the robot's command, and the result if the program can end. *)
 
 val record_of : (string * Flow.Ir.shape) list -> Flow.Ir.shape
-(** A record of the signals that a program with probes shows. *)
+(** A record of the signals that a program with probes outputs. *)
 
 val with_others : types -> name:string -> first:string -> t -> (string * Flow.Ir.shape) list -> t
 (** A struct whose member [first] is a struct defined elsewhere, followed by other members, such as
@@ -57,7 +57,8 @@ val with_leaves : at:int -> int -> t -> t
     [at] leaves. *)
 
 val definitions : types -> Ir.declaration list
-(** All structs, in an order in which each is defined before its uses. *)
+(** All structs. Each is defined before it is used. *)
 
 val direct : Flow.Ir.shape -> bool
-(** Whether the shape is a record, so that its members have the programmer's names. *)
+(** Whether the shape is a record. If so, its members have the names that the programmer gave them.
+*)

@@ -6,7 +6,7 @@ type scope = {
   kind : kind;
   within : scope option;
   taken : unit String_table.t;
-  counts : int String_table.t;  (** the last number appended to a name *)
+  counts : int String_table.t;  (** the last number that was appended to a name *)
 }
 
 let is_reserved kind name =

@@ -6,8 +6,8 @@
 
 type scope
 
-(** Members of a struct, unlike other identifiers, may have the names of functions of the C library.
-*)
+(** The scope of a struct's members which, unlike other identifiers, may have the names of functions
+    of the C library. *)
 type kind = Identifiers | Members
 
 val scope : ?within:scope -> ?taken:string list -> kind -> scope

@@ -1,4 +1,4 @@
-(** The constants to which the programmer has given names.
+(** Named constants of the program.
 
     Step contains only their values. Callers that have the source supply the names in this form. *)
 

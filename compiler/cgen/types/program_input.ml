@@ -1,12 +1,13 @@
 module M = Step.Ir
 
 (* The arguments that calls pass for a parameter. *)
-type passed = Leaf of int  (** always this leaf of the input *) | Different
+type passed = Leaf of int  (** in all calls, this leaf of the input *) | Different
 
 type node = {
-  passed : (int, passed) Hashtbl.t;  (** arguments, by the parameter's id *)
+  passed : (int, passed) Hashtbl.t;  (** arguments, by the id of the parameter *)
   mutable refused : bool;
-      (** a caller has no pointer to the input, or a call is not a separate statement *)
+      (** other arguments, a caller without a pointer to the input, or a call that is not a separate
+          statement *)
   mutable given : bool;
 }
 

@@ -1,12 +1,15 @@
-(** The file-level names of a program, which are all chosen in advance, and the types and helpers
-    that the generated code uses. *)
+(** The file-level names of a program, and the types and helpers that the generated code uses. All
+    names are chosen before any code is generated. *)
 
-type mode = { constant : string;  (** its number *) member : string  (** of the modes' union *) }
+type mode = {
+  constant : string;  (** its number *)
+  member : string;  (** names of the union of the modes' structs *)
+}
 
 type member = {
   name : string;
   stores : Step.State_struct.member;
-  modes : (string * member list) list;  (** the structs of a union, with their names in the union *)
+  modes : (string * member list) list;  (** the structs in a union, with their member names *)
 }
 (** A member of a state struct. *)
 
@@ -32,17 +35,18 @@ type t = {
   structs : Step.State_struct.t;
   units : Units.t;
   named : Named_constants.t;
-  name : string;  (** the prefix of all names *)
+  name : string;  (** the prefix of all file-level names *)
   file_scope : Name.scope;
   types : Value_types.t;
-  foreign_types : Value_types.t;  (** types for the user's C *)
+  foreign_types : Value_types.t;  (** value types for the user's C *)
   sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
   in_seconds : string;  (** name of the root's step that takes dt in seconds and rounds it *)
   is_valid : string;  (** name of the function that checks the state *)
   input : Interface.t;
   output : Interface.t;
-  params : Param_struct.t option;  (** parameters; functions receive a pointer [params] to them *)
+  params : Param_struct.t option;
+      (** the parameters; functions receive a pointer [params] to them *)
   param_use : Step.Param_use.t;
   dt_limits : Step.Dt_limits.t;
   by_pointer : Program_input.t;  (** steps that read the input through the pointer *)

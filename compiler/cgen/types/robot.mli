@@ -12,7 +12,7 @@ type t = {
       (** for example [frob/pioneer.h]; for a user's own robot [rover.h], which is generated next to
           the program *)
   file : string option;  (** file of the module, if the robot is the user's own *)
-  steps : step list;  (** resolution of the speeds in commands; empty for a user's own robot *)
+  steps : step list;  (** resolution of the speeds in commands; empty for a user-defined robot *)
 }
 
 val all : t list

@@ -6,7 +6,8 @@
 
 type value = {
   unit_ : string;
-  part : string -> value;  (** by the name of a field, or the number of a component, from 1 *)
+  part : string -> value;
+      (** the units of the fields by name, or of the components by number, from 1 *)
 }
 (** The units of a value and of its parts. An array has the units of its elements. *)
 

@@ -6,7 +6,7 @@ type owner = Program | Robot | Foreign_code
 type known = {
   program : F.sum array;
   sum_owners : owner array;
-  array_owners : (M.ty, owner) Hashtbl.t;  (** owners of arrays that are not the program's own *)
+  array_owners : (M.ty, owner) Hashtbl.t;  (** owners of arrays that do not belong to the program *)
 }
 
 type t = {
@@ -126,7 +126,8 @@ let arrays t = List.rev_map (fun ty -> (ty, Hashtbl.find t.names ty)) t.met
 
 (* {1 Definitions} *)
 
-(* Several programs, and the user's own header, may define the types that the user's C uses. *)
+(* A type that the user's C uses may be defined by several programs, and by the user's own
+   header. *)
 let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
 
 let once struct_name declarations =
@@ -153,7 +154,7 @@ let inner_sums t (sum : F.sum) =
     (fun constructor -> List.filter_map inner (Flow.Shape.payload constructor))
     sum.constructors
 
-(* Each type follows the types that it consists of. *)
+(* Each type comes after the types that it consists of. *)
 let definitions t ~of_:wanted =
   let sums = t.known.program in
   let done_ = Hashtbl.create 16 and definitions = ref [] in

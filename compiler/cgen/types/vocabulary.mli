@@ -23,12 +23,13 @@ val float : Program_names.t -> float -> Ir.expr
 (** The literal. Negative zero is a function call; [<frob/step.h>] explains why. *)
 
 val literal : Program_names.t -> at:Basis.Span.t -> float -> Ir.expr
-(** An operand of the operation at this place: the name of a constant, or the literal. *)
+(** An operand of the operation at this place: the name of a constant if the programmer used one,
+    otherwise the literal. *)
 
 val is_negative_zero : float -> bool
 
 val in_precision : Program_names.t -> string -> string
-(** The name of a function of [frob/step.h] for the program's precision. *)
+(** The function of <frob/step.h> with this name, in the program's precision. *)
 
 val call : Program_names.t -> string -> Ir.expr list -> Ir.expr
 (** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)

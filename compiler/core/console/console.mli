@@ -10,7 +10,7 @@ val asks : Ir.program -> bool
 (** Might any definition request a control? *)
 
 val asks_itself : Ir.expr -> bool
-(** Does the expression itself request a control, not counting the definitions it calls? *)
+(** Does the expression itself request a control? Ignores the definitions that it calls. *)
 
 val is_console : Ir.Global.t -> bool
 (** Is this the type [Console]? *)

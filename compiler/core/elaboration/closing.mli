@@ -1,4 +1,4 @@
-(** Instantiates a robot-independent program or signal function with the types of a robot. *)
+(** Specializes a robot-independent program or signal function to the types of a robot. *)
 
 val program :
   Ir.program ->
@@ -7,5 +7,5 @@ val program :
   input:Ir.ty ->
   output:Ir.ty ->
   Ir.program * Ir.Global.t
-(** Adds a definition that instantiates the open one (of type [Program i o] or [SF i o]) with these
+(** Adds a definition that specializes the open one (of type [Program i o] or [SF i o]) to these
     types. Its name is the name of the open definition, followed by the suffix. *)

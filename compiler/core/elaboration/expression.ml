@@ -115,7 +115,7 @@ and application env (e : T.expr) arguments =
   | _ ->
       List.fold_left
         (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
-          (* already available as the result type of [f] *)
+          (* already known, as the result type of [f] *)
           let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
           Term.apply f (expr env argument) ty whole.span)
         (expr env e) arguments
@@ -161,8 +161,8 @@ and update env (e : T.expr) record c fields =
       in
       Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
 
-(* Makes sure that a value is computed only once: binds it to a variable, which [use] may mention
-   several times. *)
+(* Binds a value to a variable, so that it is computed only once even if [use] mentions it several
+   times. *)
 and once env (value : Ir.expr) use =
   match value.desc with
   | Local _ -> use value
@@ -271,7 +271,7 @@ and proc env (e : T.expr) input equations output =
   Term.make (Erasure.ty e.ty) e.span
     (Ir.Proc { name = env.name; input = binder; equations = Equations.all mine; output })
 
-(* An instance that is the whole right-hand side does not need a separate variable. *)
+(* An instance that is the whole right-hand side does not need an additional variable. *)
 and equation env equations (b : T.binding) =
   let binder = Matching.binder env.ctx b.pattern in
   let inner = named b.pattern env in

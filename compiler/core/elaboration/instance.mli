@@ -11,5 +11,5 @@ val find :
   Ir.ty ->
   Ir.ty list ->
   (Ir.Global.t * Ir.ty list) option
-(** The definition of a method at a type, and its type arguments, given those for the method's own
-    parameters. [None] for a type variable. *)
+(** The definition of a method for a type, and its type arguments, given the arguments for the
+    method's own parameters. [None] for a type variable. *)

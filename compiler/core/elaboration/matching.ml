@@ -101,7 +101,7 @@ type branch = { pattern : T.pattern; falls : bool; value : fall:Ir.expr option -
 let bind found body = List.fold_left (fun body (b, value) -> Term.let_ b value body) body found
 let with_variables (p : T.pattern) root body = bind (collect p root []) body
 
-(* Calls [use] with [rest] as an expression that may be used in two places. *)
+(* Passes [rest] to [use] as an expression that may be used in two places. *)
 let shared ctx span (rest : Ir.expr) use =
   if Term.is_trivial rest then use rest
   else

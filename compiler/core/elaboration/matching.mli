@@ -17,11 +17,11 @@ type branch = {
   pattern : Typing.Ir.pattern;
   falls : bool;  (** whether all its guards may fail *)
   value : fall:Ir.expr option -> Ir.expr;
-      (** takes the expression to use if all guards fail, provided that [falls] is true, and uses it
-          exactly once *)
+      (** a function that takes the expression for the case that all guards fail; if [falls] is
+          true, it uses this expression exactly once *)
 }
 
 val case : Context.t -> root:Ir.expr -> Basis.Span.t -> branch list -> Ir.expr
-(** The first branch that matches and whose guards do not all fail. The last branch is not tested,
-    because cases are exhaustive. If the rest after a branch is needed in two places, it becomes a
-    local function of [()], a join point. *)
+(** The value of the first branch that matches and whose guards do not all fail. The last branch is
+    not tested, because cases are exhaustive. If the branches after some branch are needed in two
+    places, they become a local function of [()], a join point. *)

@@ -1,4 +1,4 @@
-(** The margin of a condition, as a formula over columns of a run.
+(** The margin of a condition, as a formula over the columns of a recorded run.
 
     The value of the formula is a number at each instant. If it is positive, the condition is True;
     if it is negative, False. Its distance from 0 says how close the condition is to changing. This
@@ -18,7 +18,7 @@ type t =
   | And of t * t
   | Or of t * t
   | Choice of t * t * t
-      (** the second formula at the instants at which the first is true, otherwise the third *)
+      (** the second formula at instants at which the first one is true, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
       (** a function of the library's module Past, and the column of its time argument *)
 

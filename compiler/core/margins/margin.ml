@@ -13,7 +13,7 @@ let is_column = String.starts_with ~prefix:word
 
 let past name : Global.t = { module_ = "Past"; name }
 
-(* The functions with a time argument, and those without. *)
+(* The functions that take a time argument, and those that do not. *)
 let with_time = List.map past [ "within"; "heldFor"; "by"; "respondsWithin" ]
 let without = List.map past [ "ever"; "always"; "since" ]
 let is_timed g = List.mem g with_time || List.mem g without
@@ -63,8 +63,8 @@ let binary p ty result (a : expr) (b : expr) =
   let p = Term.make (Function (ty, partial)) a.span (Primitive (p, [ ty ])) in
   Term.apply (Term.apply p a partial a.span) b result a.span
 
-(* The difference of two numbers; 0 if they are equal, because infinity minus infinity would be NaN.
-   *)
+(* The difference of two numbers. It is 0 if they are equal, because infinity minus infinity would
+   be NaN. *)
 let difference c env (span : Span.t) (a : expr) (b : expr) =
   let number (e : expr) =
     let e = Reading.copy c.reading env e in
@@ -189,7 +189,7 @@ and timed c (g : Global.t) env given { env = of_input; expr = input } =
     | _ -> None
   else Some (timed [ formula c of_input input ])
 
-(* The verdict itself determines whether the condition fails. *)
+(* Whether the condition fails is determined by the verdict itself. *)
 let of_verdict c env (e : expr) =
   Formula.not_ (is c env e fails ~otherwise:(fun () -> has c env e fails))
 

@@ -18,14 +18,16 @@ type t = {
 
 type env = {
   types : (variable * ty) list;
-  values : value Int_map.t ref; (* mutable, because the equations of a proc refer to each other *)
+  values : value Int_map.t ref;
+      (* mutable, because the equations of a proc may refer to each
+                                   other *)
 }
 
 and value =
   | Expression of expr * env (* the variable is defined as this expression *)
   | Renamed of Local.t
   | Equation of equation * env (* an equation of the proc that is being analysed *)
-  | Instance of instance (* an instance in a proc that was entered *)
+  | Instance of instance (* an instance in a proc that the analysis has entered *)
 
 and instance = {
   binder : binder;
@@ -98,7 +100,7 @@ let enter env (p : proc) ~input =
 
 let ty env ty = if env.types = [] then ty else Erasure.substitute env.types ty
 
-(* The definition of a method, if the type is known by now. *)
+(* The definition of a method, if the type is already known. *)
 let method_ t env (e : expr) =
   match e.desc with
   | Method { class_; name; ty = of_; types } -> (

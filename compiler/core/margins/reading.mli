@@ -12,7 +12,7 @@ type env
 (** The meaning of the variables and types in an expression. *)
 
 val of_proc : t -> Ir.proc -> env
-(** The environment of the proc itself. Starts a new analysis, for which {!added} collects
+(** The environment of the proc itself. This call starts a new analysis, for which {!added} collects
     equations. *)
 
 type head = { env : env; expr : Ir.expr }

@@ -1,5 +1,5 @@
-(** What the checks of Core report, as values without any text. [Advice] turns each of them into a
-    diagnostic. *)
+(** The facts that the checks of Core report, as values without text. [Advice] translates each of
+    them to a diagnostic. *)
 
 open Basis
 
@@ -10,16 +10,18 @@ type cause =
           definition is part of the cycle, and the type that it is used for *)
 
 type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
-(** A use of the definition with the number [index], whose name is [by], at these types. *)
+(** A use of the definition whose number is [index] and whose name is [by], at these types. *)
 
 type t =
   | Cycle of { cycle : (Ir.definition * Span.t) list; cause : cause }
-      (** Each definition needs the next one, and the last one needs the first, each with the place
+      (** Each definition needs the next one, and the last one needs the first. Each has the place
           of that use. *)
   | Growing_types of { definition : Ir.definition; at : Span.t }
-      (** the definition uses itself through methods at ever larger types, for example here *)
+      (** the definition uses itself through methods at ever larger types, for example at this one
+      *)
   | Too_many_types of { definition : Ir.definition; combinations : int }
-      (** definitions that use methods are needed at more combinations of types than this *)
+      (** definitions that use methods are needed at more than this number of combinations of types
+      *)
   | Larger_type of {
       definition : Ir.definition;
       use : use;

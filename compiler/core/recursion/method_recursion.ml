@@ -41,7 +41,8 @@ type vertex = {
   definition : definition;
   types : Ir.ty list;
   mutable out : (int * Span.t * bool) list;
-      (** successors: number, place of the use, and whether the use goes through a method *)
+      (** successors, each with its number, the place of the use, and whether the use goes through a
+          method *)
 }
 
 type graph = {
@@ -123,8 +124,8 @@ let rec follow_all g =
       follow g v;
       follow_all g
 
-(* Starts from the closed definitions, and from the methods of all instances at the instances' own
-   variables. *)
+(* Starts from the closed definitions, and from the methods of all instances at the variables of the
+   instances. *)
 let start g (program : Ir.program) =
   let own (d : definition) = List.map (fun v -> Ir.Variable v) d.core.parameters in
   let enter name types =

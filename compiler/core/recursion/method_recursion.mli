@@ -6,5 +6,5 @@
     an instance's methods may be class defaults that are defined in terms of each other. *)
 
 val facts : Ir.program -> Uses.t -> Fact.t list
-(** Each cycle that goes through a method, and each method that is required at ever larger types.
-    Linear in the number of uses followed. *)
+(** Reports each cycle that goes through a method, and each method that is required at ever larger
+    types. Linear in the number of uses followed. *)

@@ -4,4 +4,4 @@
     continuations of switches, that would create a mode for each of infinitely many types. *)
 
 val facts : Uses.t -> Fact.t list
-(** Each such use. Linear time. *)
+(** Reports each such use. Takes linear time. *)

@@ -7,8 +7,8 @@
 open Basis
 
 val facts : Ir.program -> Fact.t list
-(** Each cycle; see also {!Method_recursion} and {!Polymorphic_recursion}. Linear time. Does not
-    depend on the invariants that {!Lint} checks. *)
+(** Reports each cycle; see also {!Method_recursion} and {!Polymorphic_recursion}. Takes linear
+    time. Does not depend on the invariants that {!Lint} checks. *)
 
 val check : Fact.t Facts.t -> Ir.program -> unit
 (** Reports the {!facts}. *)

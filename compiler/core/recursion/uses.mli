@@ -10,8 +10,8 @@ type use = {
   target : target;
   span : Span.t;
   later : bool;
-      (** in an argument that is a function that returns a signal function or task, such as the
-          continuation of a switch: it runs later, if at all *)
+      (** whether the use is in an argument that is a function that returns a signal function or
+          task, such as the continuation of a switch. Such a function runs later, if at all *)
 }
 
 type t = {

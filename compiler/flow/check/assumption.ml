@@ -8,8 +8,8 @@ type t = {
   definitions : (int, Ir.rhs) Hashtbl.t;
   narrowed : (int, unit) Hashtbl.t;  (** signals whose ranges have been narrowed *)
   followed : (int, unit) Hashtbl.t;
-      (** signals whose definitions were visited in this round. Signals are shared, so they are
-          visited again only after further narrowing *)
+      (** signals whose definitions were visited in this round. Several definitions may read the
+          same signal, so it is visited again only after further narrowing *)
   mutable changed : bool;
 }
 
@@ -113,8 +113,9 @@ and back t atom continue =
   let made = origin t atom in
   if made <> atom then continue made
 
-(* A conjunction ([all] is true) or disjunction ([all] is false). If the result equals [all], both
-   operands do. Otherwise, if one operand certainly equals [all], the other one does not. *)
+(* Assumes the result of a conjunction ([all] is true) or disjunction ([all] is false). If the
+   result equals [all], so do both operands. Otherwise, if one operand certainly equals [all], the
+   other one does not. *)
 and both t x y ~all b =
   if b = all then (
     assume t x b;
@@ -154,7 +155,7 @@ and some t atom allowed =
   | Constructors found -> List.exists allowed found
   | Bools _ | Ints _ | Floats _ -> true
 
-(* The intersection of the known range and the computed range. *)
+(* The intersection of the known range and the range computed from the definition. *)
 let meet known computed =
   match Range.meet known computed with Some both -> both | None -> raise Contradiction
 

@@ -20,7 +20,7 @@ let passage (program : Ir.program) passages (node : Dependency.node) (instance :
     output = snd (List.nth through.outputs k);
   }
 
-(* The hop for an edge: a definition of vertex [v] that reads one of vertex [w]. *)
+(* The hop for an edge: a definition of vertex [v] that reads a signal of vertex [w]. *)
 let hop program passages (node : Dependency.node) (v, w) : Fact.hop =
   let reading definition =
     let read = List.find_opt (fun s -> node.vertex s = w) (Dependency.reads passages definition) in
@@ -44,8 +44,8 @@ let rotate_to first hops =
   in
   go [] hops
 
-(* The loop, starting at the named signal that comes first in the source. Hops over unnamed signals
-   are merged; the place is where the named signal is read. *)
+(* The loop, starting at the named signal that comes first in the source. Merges hops over unnamed
+   signals; the place of a merged hop is where the named signal is read. *)
 let named_hops hops =
   let earlier (a : Fact.hop) (b : Fact.hop) =
     if Span.compare b.reader.span a.reader.span < 0 then b else a

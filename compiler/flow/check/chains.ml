@@ -59,8 +59,8 @@ let possible modes states =
     states;
   possible
 
-(* The maximum number of modes that run, starting with each state. Components must be sorted so that
-   targets precede sources. *)
+(* The maximum number of modes that run in one instant, for each state in which the instant can
+   start. Components must be sorted so that targets precede sources. *)
 let lengths graph components =
   let length = Array.make (Array.length graph) 1 in
   List.iter

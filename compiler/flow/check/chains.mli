@@ -1,5 +1,5 @@
 (** The chains of transitions that a machine may take in one instant, as a graph of states. A state
-    is a mode together with what is known about its parameters and inputs.
+    consists of a mode and the known ranges of its parameters and inputs.
 
     This analysis is more precise than {!First_transitions.of_machine}, but slower, because a mode
     that counts has one state for each value of the counter. *)
@@ -15,7 +15,7 @@ type outcome =
           the transitions that may occur in its first instant, physically equal to those of its node
       *)
   | Goes_round of hop list  (** a shortest cycle *)
-  | Goes_far  (** more than {!most} steps, or too many states *)
+  | Goes_far  (** more than {!most} modes run, or there are too many states *)
 
 val most : int
 

@@ -23,7 +23,7 @@ let kept (e : equation) =
   | Time _ | Ticks _ | Integral _ | Derivative _ -> 1.
   | _ -> 0.
 
-(* The child nodes of a node, each with its count and source location. *)
+(* The child nodes of a node, each with the number of its instances and a place in the source. *)
 let parts (n : node) =
   let instance (i : instance) =
     (i.node, Option.fold i.loop ~none:1. ~some:(fun l -> float_of_int l.count), i.span)
@@ -51,7 +51,7 @@ let sizes (p : program) =
     p.nodes;
   sizes
 
-(* Follows the largest part from node to node. *)
+(* Follows the largest part from node to node, down to the innermost one. *)
 let rec largest (p : program) measure k steps =
   let size (j, count, _) = count *. measure j in
   let larger best part =

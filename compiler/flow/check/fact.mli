@@ -1,5 +1,5 @@
-(** What the checks of Flow report, as values without any text. [Advice] turns each of them into a
-    diagnostic.
+(** The facts that the checks of Flow report, as values without text. [Advice] translates each of
+    them to a diagnostic.
 
     [entry] is the place of the program's definition, for {!Own_code}. *)
 
@@ -8,8 +8,8 @@ open Basis
 (** {1 Loops within one instant} *)
 
 type passage = { through : Ir.node; input : string; output : Ir.atom }
-(** An instance in a loop: its node [through] uses the input [input] for its output [output] in the
-    same instant. *)
+(** An instance that is part of a loop: to compute its output [output], its node [through] uses the
+    input [input] in the same instant. *)
 
 type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage list }
 (** An edge of a loop: the definition of [reader] reads [read], at the place [at]. *)
@@ -17,11 +17,12 @@ type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage li
 type loop = {
   hops : hop list;
   named : bool;
-      (** if true, the loop starts at the named signal that comes first in the source, and all
+      (** whether the loop starts at the named signal that comes first in the source, and all its
           signals are named *)
   sums : Ir.sum array;
   run_by : (string * Span.t) option;
-      (** for a loop in another module: the name and place of the instance in the entry's module *)
+      (** for a loop in another module: the name and place of the instance in the entry's module
+          that leads to it *)
   entry : Span.t;
 }
 
@@ -38,7 +39,7 @@ type part = { whole : string; part : string; count : float; at : Span.t }
 
 type step = {
   mode : int;  (** index into [program.nodes] of the mode that it leaves *)
-  target : int;  (** the same for the mode that it enters *)
+  target : int;  (** index of the mode that it enters *)
   by : Ir.transition;
   source : (string * Span.t) option;
       (** the signal function whose event causes the transition, with its place *)
@@ -52,7 +53,7 @@ type t =
       measure : measure;
       amount : float;
       limit : float;
-      largest : part list;  (** the path to the largest part, from the outermost definition *)
+      largest : part list;  (** the path from the outermost definition to the largest part *)
     }
   | Endless of {
       at : Span.t;
@@ -60,5 +61,6 @@ type t =
       program : Ir.program;
       steps : step list;  (** a cycle *)
       limit : int option;
-          (** present if no cycle was proven, but no end was found within this number of steps *)
+          (** present if no cycle was proven, but the analysis found no end within this number of
+              steps *)
     }

@@ -33,7 +33,7 @@ let schedule a index =
 
 let map = Long_list.map
 
-(* A signal without an entry may have any value. *)
+(* A signal that is not in this table may have any value. *)
 type values = Assumption.values
 
 (* Maps a signal to an equal signal of the same node. *)
@@ -123,7 +123,8 @@ let equation a instant same values (e : Ir.equation) =
 (* The result of evaluating a node in an instant. *)
 type evaluated = { values : values; same : same }
 
-(* The transitions that may be the first to occur, each with the possible values in that case. *)
+(* The transitions that may be the first to occur, each with the possible values of signals in that
+   case. *)
 let possible a instant node { values; same } (transitions : Ir.transition list) =
   let equations =
     lazy
@@ -155,8 +156,8 @@ let parameters a index =
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
 
-(* Whether any call or transition leads to this node. This is always assumed for a node without
-   static parameters. *)
+(* Whether any call or transition leads to this node. Assumes so for each node without static
+   parameters. *)
 let is_entered a index = Array.for_all Option.is_some a.parameters.(index)
 
 let arguments a index =
@@ -164,7 +165,7 @@ let arguments a index =
   | Some ranges -> ranges
   | None -> anything_of a a.program.nodes.(index).inputs
 
-(* The inputs in any iteration of a loop. *)
+(* The inputs of a loop's node in any iteration. *)
 let inputs_of a values (i : Ir.instance) =
   match i.loop with
   | None -> map (read a values) i.inputs
@@ -208,7 +209,7 @@ let rec outputs a instant index ~statics ~inputs =
       Hashtbl.replace a.known key found;
       found
 
-(* [pattern] tells which static parameters and inputs are equal (see [pattern_of]). *)
+(* [pattern] states which static parameters and inputs are equal (see [pattern_of]). *)
 and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   a.budget <- a.budget - 1;
   let node = a.program.nodes.(index) in
@@ -275,7 +276,7 @@ and machine a instant index values (m : Ir.machine) =
 
 let most_steps = 200
 
-(* An Int is mostly compared with literals of the program, so these are good bounds. *)
+(* Programs mostly compare Ints with their own literals, so literals are good bounds. *)
 let literals (program : Ir.program) =
   let add found : Ir.atom -> int list = function
     | Int n ->
@@ -334,7 +335,7 @@ let parameters_of_modes a values (m : Ir.machine) =
   in
   if Array.exists (fun index -> a.program.nodes.(index).statics <> []) modes then again 1
 
-(* In a trial step, inputs that do not matter may have any value. *)
+(* In a trial step, inputs that do not affect the result may have any value. *)
 let with_trials a (i : Ir.instance) ranges =
   let on_trial ranges (trial : Ir.trial) =
     List.map2 (fun range -> function Some _ -> range | None -> None) ranges trial.given
@@ -346,7 +347,7 @@ let with_trials a (i : Ir.instance) ranges =
 
 let pass_inputs a index ranges = a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
-(* Whether each node contains machines; inputs are computed only for nodes that do. *)
+(* Whether each node contains machines. Inputs are computed only for such nodes. *)
 let with_machines (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
   Array.iteri
@@ -394,7 +395,7 @@ let at_first_instant a index =
   evaluate a First index ~statics:(parameters a index)
     ~inputs:(anything_of a a.program.nodes.(index).inputs)
 
-(* A mode to which no possible transition leads. *)
+(* Is this a mode to which no possible transition leads? *)
 let never_runs a index = a.parameters_known && not (is_entered a index)
 
 let of_machine a (m : Ir.machine) =
@@ -462,7 +463,7 @@ let of_program ?(patient = false) (program : Ir.program) =
   if not a.parameters_known then (
     Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
     Array.fill a.arguments 0 count None);
-  (* Cached results were computed with incomplete parameters. *)
+  (* Discards cached results, which were computed with incomplete parameters. *)
   Hashtbl.reset a.known;
   a.budget <- budget;
   a

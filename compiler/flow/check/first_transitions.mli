@@ -30,17 +30,19 @@ type state = {
       (** for each of these values, the index of the first value that is certainly equal to it;
           empty if all may be different *)
 }
-(** A mode that has just been entered, with what is known about it. *)
+(** A mode that has just been entered, with the known ranges of its parameters and inputs. *)
 
 val from_running : t -> int -> (Ir.transition * state) list
-(** The possible transitions of this node, a mode that may have run for any time. *)
+(** The possible transitions of this node, which is a mode that may have been running for any time.
+*)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** Keeps only the possible transitions of this list, which is the start or the controls of this
-    node's machine. *)
+(** The possible ones among these transitions, which are the start or the controls of this node's
+    machine. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
-(** The possible transitions of this node, a mode that has just been entered in this state. *)
+(** The possible transitions of this node, which is a mode that has just been entered in this state.
+*)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
 (** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function

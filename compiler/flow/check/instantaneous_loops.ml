@@ -35,8 +35,8 @@ let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.
   in
   search (Operands.signals [ t.occurs ])
 
-(* The place of the cycle. For a cycle of the library's modes, it is the place where the program
-   uses them. *)
+(* The place of the cycle. If the cycle consists of the library's modes, this is the place where the
+   program uses them. *)
 let place ~entry uses index (program : Ir.program) modes transitions first_mode =
   let span = program.nodes.(first_mode).span in
   let own = Own_code.is_own ~entry in
@@ -92,8 +92,8 @@ let hops_of steps cycle =
   in
   List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
 
-(* Analyzes a version of the program in which small nodes are inlined, because this is more precise.
-   Its transitions correspond to those of the program. *)
+(* Analyzes a version of the program in which small nodes are inlined, because that makes the
+   analysis more precise. Its transitions correspond to those of the program. *)
 let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
   let expanded : Ir.program = Lazy.force expanded in
   let by_number (t : Ir.transition) mode =

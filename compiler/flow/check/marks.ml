@@ -7,12 +7,12 @@ type t = {
   program : Ir.program;
   carries : bool array;  (** whether values of each sum can contain marks *)
   known : (int * int list, int list * int list list) Hashtbl.t;
-      (** cached results: maps a node, and bounds for its static parameters and inputs, to bounds
-          for its outputs and for the arguments of its transitions *)
+      (** cached bounds for a node's outputs and the arguments of its transitions, by the node and
+          the bounds for its static parameters and inputs *)
 }
 
-(* Whether the sum is a slot for a mark. The module is checked because programs may define their own
-   [Mark]. *)
+(* Whether the sum is the type of a slot for a mark. Checks the module, because programs may define
+   their own [Mark]. *)
 let slot (program : Ir.program) (sum : Ir.sum) =
   String.equal sum.name "Event Mark"
   &&
@@ -107,8 +107,8 @@ and settle t (n : Ir.node) bounds =
   let handed_on (transition : Ir.transition) = atoms transition.arguments in
   (List.map (fun (_, a) -> atom a) n.outputs, List.map handed_on n.transitions)
 
-(* The outputs of a loop: final values of accumulators, and the maximum over all iterations for the
-   others. *)
+(* The outputs of a loop: the final values of accumulators and, for other outputs, the maximum over
+   all iterations. *)
 and rounds ~run (loop : Ir.loop) inputs =
   let accumulators = List.length (List.filter (fun a -> a = Ir.Accumulator) loop.arguments) in
   let rec go k inputs before =

@@ -9,4 +9,4 @@
 val limit : int
 
 val most : Ir.program -> int option
-(** [None] if there may be more than {!limit}. *)
+(** [None] if the program may draw more marks than {!limit}. *)

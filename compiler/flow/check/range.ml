@@ -140,7 +140,7 @@ let rec compared (operator : Ir.operator) a b holds =
 
 and swapped operator a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
 
-(* The range minus the other's single value. *)
+(* Removes the single value of the second range from the first range. *)
 and without least most other_least other_most =
   if other_least < other_most then Ints { least; most }
   else
@@ -212,7 +212,7 @@ let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t 
         let vanishing =
           (has_zero al ah && has_infinity bl bh) || (has_infinity al ah && has_zero bl bh)
         in
-        (* At a corner 0 * inf, uses 0: that is the product of 0 and every finite number. *)
+        (* Uses 0 for a corner 0 * inf, because 0 is the product of 0 and every finite number. *)
         let times x y = if x = 0. || y = 0. then 0. else x *. y in
         Some (floats real ~nan:(nan || vanishing) (corners times (al, ah) (bl, bh)))
     | Divide when bl > 0. || bh < 0. ->

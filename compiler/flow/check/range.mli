@@ -3,7 +3,7 @@
     value that covers all elements. *)
 
 type t =
-  | Bools of { true_ : bool; false_ : bool }  (** the values it may have *)
+  | Bools of { true_ : bool; false_ : bool }  (** the values that it may have *)
   | Ints of { least : int; most : int }
   | Floats of { least : float; most : float; nan : bool }
       (** contains no numbers if [least > most]; [nan] tells whether NaN is included; the bounds are
@@ -33,8 +33,8 @@ val meet : t -> t -> t option
 (** The intersection; [None] if it is empty. *)
 
 val compared : Ir.operator -> t -> t -> bool -> (t * t) option
-(** The possible values of two numbers in these ranges if the comparison ([Less], [Less_equal] or
-    [Equal]) has this truth value; [None] if it never has. *)
+(** Restricts the ranges of two numbers, given that their comparison ([Less], [Less_equal] or
+    [Equal]) has this truth value; [None] if it never has this value. *)
 
 val may_be_true : t -> bool
 val may_be_false : t -> bool

@@ -35,7 +35,7 @@ let reads passages = function
 
 let not_delayed = List.filter (fun (t : Ir.transition) -> not t.delayed)
 
-(* Everything that an output of a machine needs in the same instant. *)
+(* Everything that an output of the machine needs in the same instant. *)
 let needed_by_machine (passages : passage array) (machine : Ir.machine) =
   let needed_by_mode needed mode =
     let { passed; decisive; _ } = passages.(mode) in

@@ -25,16 +25,17 @@ type passage = {
 (** The properties of a node that its callers need. *)
 
 type node = {
-  graph : Basis.Graph.t;  (** an edge means "needs in the same instant" *)
+  graph : Basis.Graph.t;  (** the dependency graph; an edge means "needs in the same instant" *)
   definitions : definition list array;  (** definitions of the leaves in each vertex *)
-  vertex : Ir.signal -> int;  (** vertex of one of the node's own signals *)
+  vertex : Ir.signal -> int;  (** the vertex of one of the node's own signals *)
   components : int list list;  (** strongly connected components of [graph] *)
   passage : passage;
 }
 
 val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
-(** The passages of all nodes. Calls [each] with one node at a time, callees first, and the passages
-    of the preceding nodes; keeping the graphs of all nodes would need too much memory. *)
+(** Computes the passages of all nodes, callees first. Passes each node with the passages of the
+    preceding nodes to [each], one at a time, because keeping the graphs of all nodes would take too
+    much memory. *)
 
 val passed_by : passage -> Ir.instance -> int -> Inputs.t
 (** For an instance of the node: the indices of the inputs that this output needs. *)

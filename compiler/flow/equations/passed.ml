@@ -45,7 +45,7 @@ let places (program : Ir.program) =
 
 let settle (program : Ir.program) visit =
   let calls = Array.of_list (calls program) and place = places program in
-  (* For each node, the calls that pass on one of its parameters. *)
+  (* For each node, the calls in it that pass on one of its own parameters. *)
   let passing_on = Array.make (Array.length program.nodes) [] in
   let note call (_, atom) =
     match place atom with Some (k, _) -> passing_on.(k) <- call :: passing_on.(k) | None -> ()

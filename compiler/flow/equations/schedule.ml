@@ -76,7 +76,7 @@ let in_order items components =
   let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
   List.rev (List.fold_left append [] components)
 
-(* The items of a node, their graph, and its components in evaluation order. *)
+(* The items of a node, their dependency graph, and its components in evaluation order. *)
 let components ~needs node =
   let items = Array.of_list (in_source_order node) in
   let graph = graph ~needs items in

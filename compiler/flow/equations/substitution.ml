@@ -1,8 +1,8 @@
 open Basis
 
 type t = {
-  atoms : Ir.atom Int_table.t;  (** replacements, by the id of the replaced signal *)
-  names : Ir.signal Int_table.t;  (** signals whose name and place another signal inherits *)
+  atoms : Ir.atom Int_table.t;  (** replacement atoms, by the id of the replaced signal *)
+  names : Ir.signal Int_table.t;  (** signals whose name and place are inherited by another signal *)
 }
 
 let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }

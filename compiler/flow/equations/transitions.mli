@@ -1,7 +1,7 @@
 (** The atoms of machines and their modes, and functions that replace them. *)
 
 val atoms : Ir.transition list -> Ir.atom list
-(** Conditions and arguments of the transitions. *)
+(** The conditions and arguments of the transitions. *)
 
 val map : (Ir.atom -> Ir.atom) -> Ir.transition list -> Ir.transition list
 

@@ -1,5 +1,5 @@
-(* The arguments for a parameter in the calls seen so far. *)
-type passed = Nothing | Always of Ir.atom  (** always the same literal *) | Different
+(* The arguments for a parameter in the calls visited so far. *)
+type passed = Nothing | Always of Ir.atom  (** all of them are the same literal *) | Different
 
 let of_atom : Ir.atom -> passed = function
   | Signal _ -> Different

@@ -1,6 +1,6 @@
 open Basis
 
-(* For each node, the largest number of accumulators in any loop over it. That many of its first
+(* For each node, the maximum number of accumulators in the loops over it. This number of its first
    inputs may come from the outputs with the same index. *)
 let accumulators (program : Ir.program) =
   let most = Array.make (Array.length program.nodes) 0 in
@@ -15,7 +15,7 @@ let accumulators (program : Ir.program) =
 type found = {
   needed : Bytes.t;  (** whether a signal is needed, by id *)
   outputs : bool array array;  (** whether an output is needed, by node and index *)
-  runs : bool array;  (** whether anything needed runs the node *)
+  runs : bool array;  (** whether anything that is needed runs the node *)
 }
 
 let is_needed found (s : Ir.signal) = Bytes.get found.needed s.id <> '\000'
@@ -137,13 +137,13 @@ type sweep = {
   numbers : int array;  (** new indices of the nodes *)
   owners : int option array;  (** for a mode, the node with its machine *)
   modes : int array array;  (** the modes of each node's machine *)
-  of_statics : bool list array;  (** the needed statics of each node *)
+  of_statics : bool list array;  (** the needed static parameters of each node *)
   of_inputs : bool list array;
   of_outputs : bool list array;
 }
 
 (* The needed inputs of each node. All modes of a machine must have the same inputs, and the root
-   keeps all of its own. *)
+   keeps all of its inputs. *)
 let needed_inputs found (program : Ir.program) owners =
   let root = Array.length program.nodes - 1 in
   let flags (node : Ir.node) = Long_list.map (is_needed found) node.inputs in

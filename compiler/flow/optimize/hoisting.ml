@@ -1,13 +1,13 @@
 open Basis
 
-(* Whether a call takes longer than passing its result. *)
+(* Whether it takes longer to call the function again than to pass its result. *)
 let is_costly : Core.Primitive.elementary -> bool = function
   | Floor_float | Ceiling_float | Nanoseconds -> false
   | Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 -> true
 
 type value = { function_ : Core.Primitive.elementary; arguments : Ir.atom list }
 
-(* Equal keys have equal values in one node. *)
+(* Equations of a node with equal keys have equal values. *)
 let key value = (value.function_, List.map Operands.key value.arguments)
 
 let costly (e : Ir.equation) =
@@ -53,7 +53,7 @@ let at_call (node : Ir.node) (i : Ir.instance) value =
     Some { value with arguments = List.filter_map Fun.id arguments }
   else None
 
-(* Nodes whose callers cannot compute values for them. *)
+(* Nodes for which callers cannot compute values. *)
 let closed (program : Ir.program) =
   let closed = Array.map Option.is_some (Transitions.owners program) in
   closed.(Array.length closed - 1) <- true;

@@ -26,10 +26,10 @@ let uses (program : Ir.program) =
 
 type context = {
   nodes : Ir.node array;  (** callees, already processed *)
-  is_small : bool array;  (** whether each processed node is inlined *)
+  is_small : bool array;  (** for each node processed so far, whether it is inlined *)
   passages : Dependency.passage array Lazy.t;
-      (** computed for the original program, because inlining does not change which inputs affect
-          which outputs. Only needed for dependency cycles *)
+      (** computed for the original program, because inlining does not change which outputs depend
+          on which inputs. Needed only for dependency cycles *)
   mutable fresh : int;
 }
 

@@ -14,7 +14,7 @@ type group = {
 type work = {
   program : Ir.program;
   varying : unit Int_table.t; (* signals that are not known at the start *)
-  mutable groups : group list; (* latest one first; only the latest may grow *)
+  mutable groups : group list; (* the groups, latest one first; only the latest may grow *)
 }
 
 let note table = List.iter (fun (s : Ir.signal) -> Int_table.replace table s.id ())
@@ -72,7 +72,7 @@ let groups_of program (node : Ir.node) =
 (* {1 The node of a joined loop} *)
 
 type context = {
-  mutable nodes : Ir.node list; (* finished nodes, last one first *)
+  mutable nodes : Ir.node list; (* the nodes finished so far, in reverse order *)
   mutable done_ : int;
   numbers : int array; (* new indices of the program's nodes *)
   names : Names.t;
@@ -94,7 +94,9 @@ type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 type joined = {
   context : context;
   callees : Ir.node array;
-  mutable statics : (Ir.atom * Ir.signal) list; (* arguments and parameters, last one first *)
+  mutable statics : (Ir.atom * Ir.signal) list;
+      (* the arguments and parameters so far, in reverse
+                                                   order *)
   mutable given : given list; (* last one first *)
   mutable results : (bool * Ir.signal * Ir.signal) list;
       (* whether it is the final value of an accumulator, the signal outside the loop, and the
@@ -106,7 +108,7 @@ type joined = {
 
 let parameter joined (like : Ir.signal) = signal joined.context ~name:like.name like.ty like.span
 
-(* The parameter for an input, which members share if they read the same array or value. *)
+(* The parameter for an input. Members that read the same array or value share one parameter. *)
 let pass joined argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
   let same g =
     g.argument = argument

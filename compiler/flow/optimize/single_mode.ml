@@ -11,8 +11,7 @@ let is_end (nodes : Ir.node array) mode =
 type sole = {
   mode : int;
   arguments : Ir.atom list;
-  ends : (Ir.transition * int) list;
-      (** transitions of the mode, with the nodes to which they lead *)
+  ends : (Ir.transition * int) list;  (** transitions of the mode, each with the node it leads to *)
 }
 
 let sole (nodes : Ir.node array) (m : Ir.machine) =

@@ -37,7 +37,7 @@ let reached (node : Ir.node) =
       | _ -> None)
     node.equations
 
-(* A mode continues only if no transition occurs. *)
+(* A mode continues only in an instant in which none of its transitions occurs. *)
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
   fun k ->

@@ -33,12 +33,12 @@ let key_of_equation ~unsigned (e : Ir.equation) rhs =
   in
   (operands, Equation (e.defines.ty, Operands.map without_operand rhs))
 
-(* Visits each item after the items that it reads in the same instant. Therefore one round finds all
-   equal items except those that are equal only because delays are equal. *)
+(* Visits each item after the items that it reads in the same instant. Therefore a single round
+   finds all equal items, except those whose equality depends on equal delays. *)
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
   let duplicates = Hashtbl.create 4 in
-  (* Differences by their operands, and the numbers of which signals are the negation. *)
+  (* Differences, by their operands, and the numbers of the signals that are their negations. *)
   let differences = Hashtbl.create 16 and negated = Hashtbl.create 4 in
   let atom = Substitution.atom substitution in
   let meet key defined =

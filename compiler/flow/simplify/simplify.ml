@@ -29,7 +29,7 @@ let is_not known a b =
   | Some (Op (Not, [ a' ])), Signal _ -> same a a'
   | _, _ -> false
 
-(* [(if c then x else b) && not b] equals [c && (x && not b)]. Returns [Some (c, x)] for the
+(* [(if c then x else b) && not b] equals [c && (x && not b)]. Returns [Some (c, x)] for such a
    choice. *)
 let excluding_else known choice other =
   match definition known choice with
@@ -71,7 +71,7 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
       | Some _ | None -> unchanged)
   | _ -> unchanged
 
-(* The value of an atom if the condition has this value. *)
+(* The value of an atom in the case that the condition has this value. *)
 let given known condition value atom =
   match definition known atom with
   | Some (If c) when same c.condition condition -> if value then c.then_ else c.else_
@@ -172,8 +172,8 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       (* [init] is static, so the delay is constant. *)
       Copy init
   | Delay { init = Bool first; next } -> (
-      (* Delays the signal inside the negation, which exists anyway, so that another delay of it may
-         be shared. *)
+      (* Delays the signal inside the negation, which exists in any case, so that several delays of
+         this signal can be merged. *)
       match definition (Lazy.force written) next with
       | Some (Op (Not, [ next ])) ->
           Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
@@ -212,7 +212,7 @@ let of_loop known atom (i : Ir.instance) =
 
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
-  (* Lazy, because few equations need it. *)
+  (* Lazy, because only few equations need it. *)
   let written : known Lazy.t =
     lazy
       (let written = Int_table.create 64 in

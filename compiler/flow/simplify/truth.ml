@@ -2,8 +2,8 @@ open Basis
 
 type t = {
   definitions : Ir.rhs Int_table.t;
-  known : (Ir.signal * bool) list;  (** the few given values *)
-  values : bool Int_table.t option;  (** the values learned so far, by signal *)
+  known : (Ir.signal * bool) list;  (** the values that were given *)
+  values : bool Int_table.t option;  (** the values derived so far, by signal *)
 }
 
 let rec given (s : Ir.signal) = function

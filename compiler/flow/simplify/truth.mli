@@ -10,8 +10,8 @@ val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
     result to values any number of times. *)
 
 val while_running : Ir.node -> (Ir.signal * bool) list -> t
-(** The same for an instant in which a mode continues to run: also uses the fact that none of the
-    mode's transitions occurs. *)
+(** Like {!consequences}, for an instant in which a mode continues to run, so none of its
+    transitions occurs. *)
 
 val at_first_instant : Ir.node -> t
 (** Derives the values in the node's first instant from the initial values of delays; no time has

@@ -29,7 +29,7 @@ let elements (p : position) (a : Value.argument) : Value.argument list =
 
 let number k : Value.argument = { value = Atom (Int (Int32.of_int k)); ty = Int }
 
-(* The name of the node for one iteration, and the names of its arguments. *)
+(* The name of the node that computes one iteration, and the names of its arguments. *)
 let name_of (f : Value.t) primitive =
   match f with
   | Function { name; _ } | Signal_function { name; _ } -> name
@@ -100,8 +100,8 @@ let one_by_one (p : position) ~by count =
   let by = Core.Primitive_table.name by in
   { p with trail = Context.expanding p.context p.trail ~by ~elements:count ~span:p.span }
 
-(* The array of the results of [f] on each element of [arrays], and on the element's index if
-   [numbered]. *)
+(* The array of the results of [f] for each element of [arrays]. If [numbered], [f] also receives
+   the index of the element. *)
 let elementwise (p : position) evaluator target primitive ~result ~numbered f arrays =
   let count, element = size_and_element result in
   let all_first_order =
@@ -138,7 +138,7 @@ let fold (p : position) evaluator primitive target (f : Value.argument) (first :
 
 (* {1 Single elements} *)
 
-(* Calls [make] with the target and the array of each leaf, and builds the value from the
+(* Calls [make] for each leaf, with its target and its array, and builds the value from the
    results. *)
 let for_leaves (p : position) target ty (array : Value.argument) make =
   let leaves = (Types.layout p.types ty).leaves in

@@ -42,7 +42,7 @@ let fields (p : position) ty value constructor parts =
       (part.ty, Leaves.payload p.types p.node Unnamed ~span:p.span ty value ~constructor ~field))
     parts
 
-(* The pairs of fields of two values that both have this constructor. *)
+(* The pairs of corresponding fields of two values that both have this constructor. *)
 let field_pairs p ty a b constructor parts =
   let of_a = fields p ty a constructor parts in
   List.map2 (fun (ty, a) (_, b) -> (ty, a, b)) of_a (fields p ty b constructor parts)
@@ -98,7 +98,7 @@ and equal_parts p target pairs : Ir.atom =
       let first = equal p Node.Unnamed ty a b in
       and_ p target first (equal_parts p Node.Unnamed others)
 
-(* Loops over two arrays. The accumulator tells whether all elements so far are equal. *)
+(* Loops over two arrays. The accumulator is true as long as all elements so far are equal. *)
 and equal_arrays p target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with
@@ -110,7 +110,8 @@ and equal_arrays p target ~count element a b : Ir.atom =
   | [ Value.Atom same ] -> same
   | _ -> refuse element
 
-(* A loop over the elements of two arrays, with these initial truth values as accumulators. *)
+(* A loop over the elements of two arrays, whose accumulators are Bools with these initial
+   values. *)
 and compare_arrays (p : position) targets ~name ~count element initial a b round =
   let local name : Core.Ir.Local.t = { id = 0; name; span = p.span } in
   let accumulator initial : Loop.argument =
@@ -132,7 +133,7 @@ and compare_arrays (p : position) targets ~name ~count element initial a b round
     }
     (fun p _ values -> round p values)
 
-(* The difference between [<] and [<=]: the operator on numbers, and the result for products whose
+(* What distinguishes [<] from [<=]: the operator on numbers, and the result for products whose
    parts are all equal. *)
 type order = { of_scalars : Ir.operator; of_equals : bool }
 
@@ -183,8 +184,8 @@ and ordered_parts p order target pairs : Ir.atom =
       let rest = ordered_parts p order Node.Unnamed others in
       or_ p target less (and_ p Node.Unnamed equal rest)
 
-(* Loops over two arrays. The accumulators tell whether the first array is less, according to the
-   elements so far, and whether these are all equal. *)
+(* Loops over two arrays. One accumulator is true if the elements so far make the first array less
+   than the second, and the other one if they are all equal. *)
 and ordered_arrays p order target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with

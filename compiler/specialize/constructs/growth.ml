@@ -90,8 +90,8 @@ let rec before head t steps =
 (* After this many consecutive growth steps, growth is assumed to be endless. *)
 let most_steps = 20
 
-(* The continuation that occurs most often among those waiting for the running task, if it occurs
-   often enough. If there are several such continuations, the innermost one. *)
+(* The continuation that occurs most often among those that wait for the running task, if it occurs
+   often enough. If several of them occur equally often, the innermost one. *)
 let waiting (value : Value.t) =
   let rec all found (value : Value.t) =
     match value with
@@ -129,7 +129,7 @@ let of_value value ~at ~from =
 
 let is_endless t = t.steps > most_steps
 
-(* The modes since the last one with the same code, in order. *)
+(* The modes since the last mode with the same code, in order. *)
 let since t =
   let rec go found = function
     | Some earlier when earlier.head <> t.head -> go (earlier :: found) earlier.from
@@ -137,7 +137,7 @@ let since t =
   in
   go [] t.from
 
-(* The nearest place that is outside the library. *)
+(* The nearest place outside the library. *)
 let rec in_program c (t : t) =
   match t.from with
   | Some before when Context.in_library c t.at -> in_program c before
@@ -148,7 +148,7 @@ let restart c ~name (t : t) : Restart_fact.t =
   match (t.waiting, t.task) with
   | Some waiting, task -> Before_the_end { at; waiting; task }
   | None, task ->
-      (* Library places do not help the user. *)
+      (* Places in the library do not help the user. *)
       let is_own hop = not (Context.in_library c hop.at || String.equal hop.name "") in
       Growing
         {

@@ -14,7 +14,7 @@ type request = {
   elements : Core.Ir.ty list;
 }
 
-(* Used in keys in place of the code number of a definition or function. *)
+(* Keys contain this number in place of the code number of a definition or function. *)
 let code = max_int
 let array count ty : Core.Ir.ty = Array (Size count, ty)
 
@@ -24,7 +24,7 @@ let number_of_form : Ir.argument -> int = function
   | Same -> 2
   | Counter -> 3
 
-(* The leaves of an argument as holes, which have the types of the node's inputs. *)
+(* Replaces the leaves of an argument with holes, which have the types of the node's inputs. *)
 let holes (c : Context.t) node ~span request argument : Specialization_key.hole list =
   let given =
     match argument.form with
@@ -98,9 +98,9 @@ let key_of (c : Context.t) node ~span request =
   let captured = Specialization_key.take_holes walk in
   (Specialization_key.key walk, captured)
 
-(* The holes that become inputs of the node, in the order of the inputs: accumulators, captured
-   values that are the same in all iterations, other arguments. In a signal function, captured
-   values are static. *)
+(* The holes that become inputs of the node. The order is: accumulators, captured values that are
+   the same in all iterations, other arguments. In a signal function, captured values are static
+   instead. *)
 type inputs = {
   accumulated : Specialization_key.hole list;
   same : Specialization_key.hole list;

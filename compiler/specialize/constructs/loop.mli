@@ -5,9 +5,9 @@ type argument = {
   form : Flow.Ir.argument;
   ty : Core.Ir.ty;  (** closed and first-order; the type in one iteration *)
   value : Value.t;
-      (** the initial value, the array, or the number to count from; [Same] is only used for
-          captured values, see below *)
-  local : Core.Ir.Local.t;  (** the name for the node's inputs *)
+      (** the initial value of an accumulator, the array of the elements, or the number to count
+          from; [Same] occurs only for captured values, see below *)
+  local : Core.Ir.Local.t;  (** the name of the argument for the node's inputs *)
 }
 
 type request = {
@@ -28,6 +28,6 @@ val run :
   request ->
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
-(** The final accumulators and the resulting arrays, given one target each. The function builds one
-    iteration in a separate node: it computes the next accumulators and the elements from the
-    captured values and the arguments. May raise {!Context.Postponed}. *)
+(** Returns the final accumulators and the resulting arrays, which have one target each. The
+    function builds one iteration in a separate node: it computes the next accumulators and the
+    elements from the captured values and the arguments. May raise {!Context.Postponed}. *)

@@ -5,7 +5,7 @@ let bug format = Diagnostic.bug ~stage:"Specialize.Machine" format
 
 type mode = {
   number : int;
-  value : Value.t; (* its atoms belong to the node in which the mode was found first *)
+  value : Value.t; (* its atoms belong to the node in which the mode was first found *)
   holes : Specialization_key.hole list;
   name : string;
   at : Span.t; (* the place that switches to it *)
@@ -42,7 +42,7 @@ let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
 (* {1 Finding modes} *)
 
-(* The eta-reduction of [proc x -> sf x] to [sf]. *)
+(* Eta-reduces [proc x -> sf x] to [sf]. *)
 let eta (proc : Core.Ir.proc) =
   match (proc.equations, proc.output.desc) with
   | ( [ { binder; rhs = Run { signal_function; input = { desc = Local input; _ } }; _ } ],
@@ -130,7 +130,8 @@ let transitions m node ?input ~from ~by ~span ~delayed occurs value =
 
 (* {1 Events} *)
 
-(* Occurrence and value of an event. [Event] is the second constructor. *)
+(* Splits an event into a condition that is true if it occurs, and its value. [Event] is the second
+   constructor. *)
 let occurrence m node ~span ty event =
   let types = m.context.types in
   let occurs = Leaves.is_constructor types node Unnamed ~span (Core.Signature.event ty) event 1 in
@@ -312,7 +313,7 @@ let finish m name (b : built) outputs =
 
 (* The parts of a machine, in its own node. *)
 type parts = {
-  first : Value.t; (* the initial signal function *)
+  first : Value.t; (* the signal function that runs first *)
   own_input : Value.t; (* the input of the modes *)
   active : Ir.atom option;
   controls : unit -> Ir.transition list;

@@ -7,7 +7,7 @@ type given = { node : Node.t; place : Span.t; value : Value.t }
 
 type leaves = {
   key : int option;
-  (* [None] if any value is acceptable *) holes : Specialization_key.hole list;
+  (* [None] if any value will do *) holes : Specialization_key.hole list;
 }
 
 type variant = { key : int; shape : Value.t; holes : Specialization_key.hole list }

@@ -17,13 +17,14 @@ type leaves
 (** The leaves of one mode's output. *)
 
 type variant
-(** A skeleton that some mode returns. *)
+(** A skeleton that at least one mode returns. *)
 
 val leaves : Context.t -> Core.Ir.ty -> given -> leaves
 (** The leaves of an output of this type. *)
 
 val variants : given list -> leaves list -> variant list
-(** The distinct skeletons of all modes' outputs; empty if in each mode any value is acceptable. *)
+(** The distinct skeletons of the outputs of all modes. Empty if any value is acceptable in every
+    mode. *)
 
 val of_mode : Context.t -> variant list -> given -> leaves -> (string * Flow.Ir.atom) list
 (** The outputs of a mode's node, named by their paths. *)

@@ -3,8 +3,8 @@ module Ir = Flow.Ir
 
 type position = Evaluator.position
 
-(* [x ^ k] by squaring. The intermediate powers are unnamed, because the program names only the
-   result. *)
+(* Computes [x ^ k] by squaring. The intermediate powers have no names, because the program names
+   only the result. *)
 let power (p : position) target leaf x k =
   let one : Ir.atom = match (leaf : Ir.ty) with Int -> Int 1l | _ -> Float 1. in
   let define target operator operands =

@@ -14,8 +14,8 @@ val apply :
     limits of a knob, E0442 for two different controls with the same label. *)
 
 val is_looked_for : Context.t -> Core.Ir.expr -> bool
-(** Does the function body itself request a control, and are requests being recorded? If so, it must
-    be evaluated at each call, because each place counts as a request. *)
+(** Does the body of the function itself request a control, while requests are being recorded? If
+    so, the body must be evaluated at each call, because each place counts as a request. *)
 
 val at_rest : Context.t -> Value.t
 (** The console with all controls in their initial positions. *)

@@ -3,7 +3,7 @@
 open Basis
 
 val place : otherwise:Span.t -> Value.t -> Span.t
-(** The place of a signal function, or of the result of a continuation. *)
+(** The source place of a signal function, or of the result of a continuation. *)
 
 val name : Value.t -> string
 (** The name of a machine, taken from its signal function. *)

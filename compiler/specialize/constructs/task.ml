@@ -37,7 +37,7 @@ let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
 let place_of ~otherwise (continuation : Value.t) =
   match continuation with Function { code = Lambda (_, body); _ } -> body.span | _ -> otherwise
 
-(* No sensible program has this many consecutive tasks that end immediately. *)
+(* No reasonable program has this many consecutive tasks that end immediately. *)
 let most_at_once = 1000
 
 let report_circle (c : Context.t) ~span (hops : Restart_fact.hop list) =
@@ -46,8 +46,8 @@ let report_circle (c : Context.t) ~span (hops : Restart_fact.hop list) =
   let at = match List.rev own with [] -> span | last :: _ -> last in
   Context.stop c (Restart (In_one_instant { at; hops; own }))
 
-(* For messages: in a task that ends immediately, replaces the name of the library function with
-   that of the program's definition that uses the function. *)
+(* In messages about a task that ends immediately, replaces the name of the library function with
+   the name of the definition that uses it. *)
 let rec ended_by (c : Context.t) owner (task : Value.t) : Value.t =
   let is_library's name =
     Resolve.Global_table.mem c.definitions { Core.Ir.Global.module_ = "Prelude"; name }
@@ -119,8 +119,7 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* The key of the continuation and the result, apart from the numbers in them; and these
-     numbers. *)
+  (* The key of the continuation and the result with their numbers left out, and these numbers. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Specialization_key.walk c.keys node Holes in
     Specialization_key.add walk (unnamed span) rest.ty rest.value;
@@ -130,9 +129,9 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
     in
     (Specialization_key.key walk, numbers)
   in
-  (* Returns the extended chain, or [None] if the task must become a mode. A step that recurs with
-     the same numbers is an endless cycle, and so is a chain that is too long. A step that recurs with
-     other numbers may end, which is only known at run time, so it becomes a mode. *)
+  (* Returns the extended chain, or [None] if the task must become a mode. If a step recurs with the
+     same numbers, or if the chain is too long, the cycle is endless. If a step recurs with other
+     numbers, whether the chain ends is known only at run time, so the task becomes a mode. *)
   let enter ~span ~ended ~by chain (rest : Value.argument) value =
     let key, numbers = key ~span rest value in
     let rec since found = function

@@ -14,14 +14,14 @@ type head =
       output : Core.Ir.ty;  (** the type of its output while it runs *)
       result : Core.Ir.ty;  (** the type of its result *)
     }
-  | Ends of Value.argument  (** the whole task has ended *)
+  | Ends of Value.argument  (** whether the whole task has ended *)
   | Passes
       (** the first part has ended, and the task continues immediately. This becomes a separate
           mode, because it is not yet known how often it happens *)
 
 val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
-(** If a task created by the prelude is the value of one of the program's definitions, names the
-    task after that definition. Its place becomes the place where the program uses the prelude's
+(** If one of the program's definitions consists of a task that the prelude creates, names the task
+    after that definition. The task's place becomes the place where the program uses the prelude's
     function. Other values are returned unchanged. *)
 
 val name : Value.t -> string
@@ -31,7 +31,7 @@ val place : Value.t -> Span.t
 (** The place of the task that runs first in a reduced task. *)
 
 val next : Value.t -> string * Span.t
-(** The definition that determines what runs next, and the place. *)
+(** The definition that determines what runs next, and its place. *)
 
 val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
 (** An equivalent task, or choice of tasks, that has a head: the parts that end immediately are
@@ -41,10 +41,10 @@ val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Valu
     {!Context.Stopped}. *)
 
 val head : Value.t -> head
-(** The head of a reduced task that is not a choice. *)
+(** The head of a reduced task that is not a choice between tasks. *)
 
 val first : Value.t -> Value.t option
-(** The signal function that runs first, if it is known without reduction. *)
+(** The signal function that runs first, if it is known without reducing the task. *)
 
 val after : Value.t -> Value.argument -> Value.t
 (** The task that remains when the head of a reduced task has ended with this result. *)

@@ -4,12 +4,12 @@ open Basis
 
 type problem =
   | Empty_label
-  | Odd_character  (** a character that a label cannot contain *)
+  | Odd_character  (** the label contains this character, which is not allowed *)
   | Space_at_an_end
   | Long_label of { limit : int }
-  | Unknown_label  (** not known at compile time *)
+  | Unknown_label  (** the label is not known at compile time *)
   | Not_finite  (** the limits or the initial value of a knob *)
-  | Limits of { least : float; most : float }  (** in the wrong order *)
+  | Limits of { least : float; most : float }  (** the limits are in the wrong order *)
   | Initial of { least : float; most : float; first : float }  (** outside the limits *)
   | Unknown_knob  (** numbers that are not known at compile time *)
   | Unknown_toggle  (** an initial position that is not known at compile time *)

@@ -10,4 +10,4 @@ type t =
   | Different_results of Core.Ir.definition  (** a choice between programs *)
   | Needs_itself of Core.Ir.Local.t  (** a function that depends on itself *)
   | Rate of { at : Span.t; rate : float option; slowest : float; fastest : float }
-      (** the rate of a node is outside these limits, in Hz, or unknown at compile time *)
+      (** the rate of a node is unknown at compile time, or outside these limits, in Hz *)

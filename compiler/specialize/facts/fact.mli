@@ -1,5 +1,5 @@
-(** What specialization reports, as values without any text. [Advice] turns each of them into a
-    diagnostic. All of them are errors. *)
+(** The facts that specialization reports, as values without text. [Advice] translates each of them
+    to a diagnostic. All of them are errors. *)
 
 open Basis
 
@@ -14,9 +14,10 @@ type t =
       (** the index is out of range for an array of this size, which depends on the call *)
   | Stored of { at : Span.t; calls : Calls.t; ty : Core.Ir.ty; by : (string * Span.t) option }
       (** a [delay] of a value that contains a function. [by]: the call in the program's own folder
-          that leads to this [delay], unless that is in this folder, too; [calls] lead to [by] *)
+          that leads to this [delay], unless the [delay] is also in this folder; [calls]: the calls
+          that lead to [by] *)
   | Of_the_instant of { at : Span.t; calls : Calls.t; ty : Flow.Ir.foreign_type }
-      (** a value of this type would be kept, but is valid for one instant only *)
+      (** a value of this type would be stored, although it is valid for only one instant *)
 
 (** A name in the user's C that is also a name in the generated C. *)
 and foreign_name = Function_or_component of Core.Primitive.foreign | Header of Core.Ir.header

@@ -3,12 +3,12 @@
 open Basis
 
 type hop = { ended : string; by : string; place : Span.t }
-(** A step into a continuation: the task that ended, the definition that determines what follows,
-    and the place. *)
+(** A step into a continuation: the task that ended, the definition that determines the next task,
+    and the place of that definition. *)
 
 type t =
   | In_one_instant of { at : Span.t; hops : hop list; own : Span.t list }
-      (** a cycle of tasks that end at once. [own]: the places of [hops] outside the prelude *)
+      (** a cycle of tasks that end immediately. [own]: the places of [hops] outside the prelude *)
   | Before_the_end of { at : Span.t; waiting : Span.t; task : string option }
       (** the task [task] restarts itself at [at], while the continuation [waiting] waits for it *)
   | Growing of {
@@ -24,6 +24,5 @@ type t =
       name : string;
       is_task : bool;
       goes_on : bool;  (** an [rSwitch], which never ends *)
-      calls : Calls.t;
-          (** the calls through which it runs again, the outermost one first; at least one *)
+      calls : Calls.t;  (** the calls through which it runs again, outermost first; at least one *)
     }

@@ -1,7 +1,7 @@
 (** Assigns each sequence of numbers a unique number, its key. *)
 
 type t
-(** The sequences seen so far. *)
+(** The table of all sequences seen so far. *)
 
 val create : unit -> t
 

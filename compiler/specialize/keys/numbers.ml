@@ -1,7 +1,7 @@
 type table = {
   types : Types.table;
   limit : int;
-  counts : int Variables.Table.t; (* counts by closure identity; see [in_closure] *)
+  counts : int Variables.Table.t; (* counts, by the identity of the closure; see [in_closure] *)
 }
 
 let table types ~limit = { types; limit; counts = Variables.Table.create 256 }

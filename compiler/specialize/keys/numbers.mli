@@ -4,7 +4,7 @@
     zero, that of [delay 1 >>> delay 2] is two. *)
 
 type table
-(** Remembers the counts of closures, so that the total time is linear. *)
+(** A cache for the counts of closures. It makes the total time linear. *)
 
 val table : Types.table -> limit:int -> table
 

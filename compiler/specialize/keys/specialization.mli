@@ -20,7 +20,7 @@ val find :
   request ->
   (Context.trail -> Node.t -> Flow.Ir.atom list -> Value.t) ->
   Context.specialization
-(** Returns the specialization with this key. If there is none yet, creates it as described at
+(** Returns the specialization with this key. If it does not exist yet, creates it as described at
     {!call}. *)
 
 val call :

@@ -12,7 +12,7 @@ type table = {
       (* maps the identity of a closure to the key of its captured variables, if these have no holes
          *)
   closed_with_numbers : int option Table.t;
-      (* the same for walks that treat numbers as part of the key *)
+      (* the same for walks in which numbers are part of the key *)
   numbers : Numbers.table;
   constants : Core.Constant_numbers.t;
   visiting : unit Table.t; (* closures whose captured variables are being visited *)
@@ -45,11 +45,12 @@ type walk = {
   mutable key : int;
   mutable holes : hole list; (* newest first *)
   mutable seen : int Variables.t;
-      (* closures with holes, numbered in the order in which they were
-                                     met *)
+      (* closures with holes, numbered in the order in which they were first visited *)
   mutable seen_count : int;
-  mutable inside : int; (* number of enclosing functions that are captured or passed *)
-  mutable constant : bool; (* inside a variable whose numbers must be known at compile time *)
+  mutable inside : int; (* the number of enclosing functions that are captured or passed *)
+  mutable constant : bool;
+      (* whether the walk is inside a variable whose numbers must be known at
+                              compile time *)
 }
 
 let walk table node numbers : walk =

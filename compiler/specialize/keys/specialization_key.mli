@@ -12,7 +12,7 @@ type table
 (** All keys so far. A key is a number. *)
 
 val table : Types.table -> constants:Core.Constant_numbers.t -> fresh:(unit -> int) -> table
-(** [constants]: the known values captured in one of these variables are part of the key instead of
+(** [constants]: known values that these variables contain are part of the key instead of being
     holes. *)
 
 type hole = {
@@ -28,7 +28,7 @@ val types : hole list -> Flow.Ir.ty list
 
 type walk
 
-(** The treatment of numbers inside functions that are captured or passed. *)
+(** How to treat the numbers inside functions that are captured or passed. *)
 type numbers = Holes | In_key  (** the numbers are part of the key *)
 
 val numbers_of : table -> Value.closure -> numbers
@@ -46,12 +46,12 @@ val add_captured : walk -> Value.closure -> unit
 (** Adds the captured variables and type arguments of a closure. *)
 
 val add_number : walk -> int -> unit
-(** Adds a number to the key, for anything else that the node depends on. *)
+(** Adds a number to the key. It represents anything else that the node depends on. *)
 
 val add_text : walk -> string -> unit
 
 val take_holes : walk -> hole list
-(** The holes found since the last call, in order. *)
+(** The holes that were found since the last call, in order. *)
 
 val key : walk -> int
 (** The key of everything that was added, in order. *)

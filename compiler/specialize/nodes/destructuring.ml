@@ -1,7 +1,7 @@
 module Ir = Core.Ir
 module Parts = Map.Make (String)
 
-(* The names of the parts by path; [""] is the path of the parameter itself. *)
+(* The names of the parts, by path. The path of the parameter itself is [""]. *)
 type t = { parameter : int; parts : string Parts.t }
 
 let none = { parameter = min_int; parts = Parts.empty }
@@ -47,7 +47,7 @@ let of_proc types substitution (proc : Ir.proc) =
   in
   { parameter = proc.input.local.id; parts = List.fold_left equation Parts.empty proc.equations }
 
-(* The name of the nearest enclosing part that has one, followed by the rest of the path. *)
+(* The name of the nearest enclosing part that has a name, followed by the rest of the path. *)
 let rec around parts prefix rest =
   match (Parts.find_opt prefix parts, String.rindex_opt prefix '.') with
   | Some name, _ -> Types.join name rest

@@ -1,4 +1,4 @@
-(** The programmer's names for the parts of an unnamed parameter.
+(** Finds the programmer's names for the parts of an unnamed parameter.
 
     An earlier stage has translated a tuple pattern in parameter position to an unnamed variable and
     one binding for each variable of the pattern. *)

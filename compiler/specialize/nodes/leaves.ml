@@ -6,7 +6,7 @@ let bug format = Diagnostic.bug ~stage:"Specialize.Leaves" format
 (* The leaves of a value of this type. *)
 let rec atoms table node ~span ty value = List.rev (add_atoms table node ~span ty value [])
 
-(* Prepends the leaves, last one first, to [rest]. *)
+(* Prepends the leaves to [rest], in reverse order. *)
 and add_atoms table node ~span ty (value : Value.t) rest =
   let layout = Types.layout table ty in
   match (value, layout.kind) with
@@ -33,7 +33,7 @@ and add_atoms table node ~span ty (value : Value.t) rest =
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       bug "a value of type %s has no leaves" (Types.to_string ty)
 
-(* One array per leaf. The rows are the elements, last one first. *)
+(* One array for each leaf. The rows are the elements, in reverse order. *)
 and columns node ~span (leaves : Types.leaf list) rows =
   match leaves with
   | [] -> []
@@ -47,7 +47,7 @@ and construct_leaf node ~span (layout : Types.layout) constructor payload =
   | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
   | [] | _ :: _ :: _ -> bug "a sum is not one leaf"
 
-(* The leaves of an arbitrary value of the type, to fill in for an unused value. *)
+(* The leaves of an arbitrary value of the type, used in place of an unused value. *)
 and zeros table node ~span ty : Ir.atom list =
   let layout = Types.layout table ty in
   match (layout.kind, layout.leaves) with
@@ -141,8 +141,8 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
   | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
       bug "a request for the constructor of a %s" (Types.to_string ty)
 
-(* Keeps the condition even if two leaves are equal, because the causality check must see that the
-   result depends on it. {!Flow.Simplify} removes unnecessary choices later. *)
+(* Keeps the condition even if both leaves are equal, because the causality check must see that the
+   result depends on the condition. {!Flow.Simplify} removes unnecessary choices later. *)
 let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) : Value.t =
   let layout = Types.layout table ty in
   if layout.first_order then

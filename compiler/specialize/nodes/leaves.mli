@@ -12,7 +12,7 @@ val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow
 (** The atom of a value whose type has a single leaf. *)
 
 val value : Types.table -> Core.Ir.ty -> Flow.Ir.atom list -> Value.t
-(** The value with these leaves. *)
+(** The value that consists of these leaves. *)
 
 val component : Value.t -> int -> Value.t
 (** A component of a tuple or of data with one constructor. *)
@@ -53,7 +53,7 @@ val select :
 
 val element :
   Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Value.t
-(** An element of an array, given the array's type. *)
+(** The element of an array at an index, given the array's type. *)
 
 val elements : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Value.t list
 (** All elements of an array. *)

@@ -10,10 +10,10 @@ val create : fresh:(unit -> int) -> t
 (** The destination of an expression's result. *)
 type target =
   | Unnamed
-  | Named of string  (** the programmer's name for the value *)
+  | Named of string  (** the name that the programmer has given to the value *)
   | Defines of Flow.Ir.signal list
-      (** these signals, one per leaf; evaluation either defines them as the result or leaves them
-          undefined, see {!settle} *)
+      (** these signals, one for each leaf. Evaluation either defines them as the result or leaves
+          them undefined, see {!settle} *)
 
 val parts : target -> Types.table -> Types.part list -> target list
 (** The targets for the components of a tuple or record. *)
@@ -25,8 +25,8 @@ val promise : t -> name:string -> span:Span.t -> Types.leaf list -> Flow.Ir.sign
 (** Creates signals that can be read before their equations exist. *)
 
 val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> unit
-(** Completes promised signals: signals that evaluation has not defined become copies of the values.
-*)
+(** Completes promised signals: defines those that evaluation has left undefined as copies of the
+    values. *)
 
 val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
 (** Adds an equation. The target must be for a single leaf. *)
@@ -42,7 +42,7 @@ val call :
   inputs:Flow.Ir.atom list ->
   Flow.Ir.ty list ->
   Flow.Ir.atom list
-(** Adds an instance, given one target and one type per output, and returns the outputs. *)
+(** Adds an instance, given a target and a type for each output, and returns the outputs. *)
 
 val set_machine : t -> Flow.Ir.machine -> unit
 val machine : t -> Flow.Ir.machine option

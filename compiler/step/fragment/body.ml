@@ -51,7 +51,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root (stat
   let states = List.rev_append (List.rev delayed) fragment.states in
   ({ fragment with results; states; returned; advances }, Draft.resolve d)
 
-(* The effects of one item in the reset. They come after the computation of all static values. *)
+(* The effects of one item in the reset. They follow the computation of all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
   match item with
   | Equation eq -> Memory.reset draft state eq

@@ -14,4 +14,4 @@ val step :
     one output returns it; the root always writes its outputs to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Fragment.t
-(** Computes the static values, then everything that is initialized with them. *)
+(** Computes the static values, and then everything that they initialize. *)

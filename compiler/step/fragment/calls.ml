@@ -45,7 +45,7 @@ let rec zero context (ty : F.ty) : Ir.expr =
       Fill { count; element = Layout.ty element; value = zero context element }
   | Foreign ty -> Absent ty
 
-(* A step on a copy of the state. Unknown inputs are replaced by zero. *)
+(* Runs a step on a copy of the state, with zeros in place of unknown inputs. *)
 let try_out context resolve (i : F.instance) (trial : F.trial) state =
   let node = context.callee i.node in
   let given = List.combine context.program.nodes.(i.node).inputs trial.given in

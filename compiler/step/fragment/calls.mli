@@ -1,4 +1,4 @@
-(** Translates an instance: to a call, a step of its node's state, a loop of such steps, or a trial
+(** Translates an instance to a call, a step of its node's state, a loop of such steps, or a trial
     step.
 
     A stateless instance with one result becomes a value, which is placed like any other value;
@@ -21,7 +21,8 @@ val try_out :
   Flow.Ir.trial ->
   Ir.field option ->
   Fragment.item
-(** A trial step, for some of the results. Inputs that are not known yet are replaced by zero. *)
+(** A trial step that computes some of the results. Inputs that are not known yet are replaced by
+    zero. *)
 
 val reset :
   context -> (Flow.Ir.atom -> Flow.Ir.atom) -> Flow.Ir.instance -> Ir.field -> Fragment.item

@@ -27,8 +27,8 @@ let operator_weight : F.operator -> int = function
 
 let one = function [ e ] -> e | _ -> broken "an operation with the wrong number of operands"
 
-(* Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is
-   kept, because it tests for NaN. *)
+(* Replaces comparisons of a signal with itself, because C compilers warn about them. Keeps [x ==
+   x], which tests for NaN. *)
 let without_self_comparison (rhs : F.rhs) : F.rhs =
   match rhs with
   | Op (((Less | Less_equal | Equal) as operator), [ (Signal a as x); Signal b ]) when a.id = b.id

@@ -7,11 +7,11 @@ val computed : Flow.Ir.equation -> Flow.Ir.rhs -> computed
     be stateless (not a {!Flow.Ir.Delay}, for example). *)
 
 val without_self_comparison : Flow.Ir.rhs -> Flow.Ir.rhs
-(** Replaces comparisons of a signal with itself, since C compilers warn about these. [x == x] is
-    kept, because it tests for NaN. *)
+(** Replaces comparisons of a signal with itself, because C compilers warn about them. Keeps
+    [x == x], which tests for NaN. *)
 
 val operation : span:Basis.Span.t -> Flow.Ir.operator -> Ir.ty -> Ir.expr list -> Ir.expr
 val atom_type : Flow.Ir.atom -> Ir.ty
 
 val one : Ir.expr list -> Ir.expr
-(** The element of a one-element list. *)
+(** The only element of the list. *)

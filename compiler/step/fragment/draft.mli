@@ -15,7 +15,7 @@ val add_computed : t -> Flow.Ir.equation -> unit
 (** Adds an equation without memory. *)
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
-(** Records that each read of this signal uses this expression directly. *)
+(** Records that every read of this signal uses this expression directly. *)
 
 val count_nanoseconds : t -> Flow.Ir.signal -> unit
 (** Records that the signal is a whole number of nanoseconds, regardless of its type in Flow. *)

@@ -25,7 +25,7 @@ type action = {
   defines : Flow.Ir.signal list;
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
-  always : bool;  (** if true, the action writes state, so it is part of every step *)
+  always : bool;  (** whether the action writes state; if so, it is part of every step *)
   advances : Ir.field option;  (** a field that it writes and that later items read *)
   weight : int;
   span : Span.t;
@@ -34,7 +34,7 @@ type action = {
 
 type item = Computed of computed | Action of action
 
-(** The change of a place at the end of the step. *)
+(** A change of a place at the end of the step. *)
 type update = Keep | Set of atom | Branch of { condition : atom; then_ : update; else_ : update }
 
 type write = { place : Ir.place; update : update; span : Span.t }
@@ -49,14 +49,14 @@ type t = {
   results : (Ir.place * atom * Span.t) list;
       (** written before any state, except for results that {!Late} moves after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
-      (** a field, its next value, and the signal that is read from the field. If the next value is
-          this signal, the field is unchanged *)
+      (** a field, its next value, and the signal that the step reads from it. If the next value is
+          this signal, the field does not change *)
   returned : (atom * Span.t) option;
   advances : Ir.statement list;
-      (** statements that advance times and integrals, before everything else *)
+      (** statements that advance times and integrals, executed before everything else *)
   ending : ending option;  (** see {!Early_end}; if present, [returned] is [None] *)
 }
 
 and ending = { ends : atom; told : int; span : Span.t }
-(** If [ends] is true, the mode ends. Of its [results], only those with the index [told] or higher
-    are then needed. *)
+(** If [ends] is true, the mode ends. In that case, only the [results] with the index [told] or
+    higher are needed. *)

@@ -44,7 +44,8 @@ let advance ~limited state (eq : F.equation) =
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
   | Some (Ticked { time; period }) ->
-      (* The time was less than the period, and dt is at most 10^18. *)
+      (* The sum cannot overflow, because the time was less than the period, and dt is at most
+         10^18. *)
       let limited = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
       Some (Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
@@ -63,8 +64,8 @@ let start_again draft time restart span =
   in
   Draft.add draft (Draft.work ~operands:[ restart ] ~advances:time span statements)
 
-(* The remaining time is stored with the other state at the end, after everything that reads the old
-   value. *)
+(* The step stores the remaining time at its end, with the other state, because everything else
+   reads the old value. *)
 let tick fresh draft (s : F.signal) time period span =
   let internal () =
     let internal = { s with id = fresh (); name = ""; ty = F.Float } in
@@ -88,7 +89,7 @@ let tick fresh draft (s : F.signal) time period span =
     | _ -> broken "a choice with a wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
 
-(* A time is read by converting its nanoseconds. *)
+(* Reads a time by converting its nanoseconds. *)
 let read_time fresh draft (eq : F.equation) time build =
   let now = { eq.defines with id = fresh (); name = "" } in
   Draft.count_nanoseconds draft now;

@@ -7,8 +7,8 @@
 open Basis
 
 val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
-(** The statement at the start of a step. [limited]: the node's time cannot overflow, so a time that
-    is never reset needs no check (see {!Flow.Time_limit}). *)
+(** The statement that advances a time or integral at the start of a step. If [limited], the node's
+    time cannot overflow, so a time that is never reset needs no check (see {!Flow.Time_limit}). *)
 
 val step : fresh:(unit -> int) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
 (** Adds the value of an equation, and the state changes at its own place. An equation without
@@ -26,4 +26,4 @@ val reset : Draft.t -> State.t -> Flow.Ir.equation -> Fragment.item list
 (** Initializes the memory. *)
 
 val keep : Draft.t -> State.t -> Span.t -> Flow.Ir.signal -> Fragment.item list
-(** In the reset, stores a static value in its field, if it has one, for use in the step. *)
+(** The reset stores a static value in its field, if it has one, for use in the step. *)

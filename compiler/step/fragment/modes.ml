@@ -52,7 +52,8 @@ let entry context targets read (t : F.transition) : Ir.entry =
       | Some _ -> given value (context.callee index).reset.parameters);
   }
 
-(* Reads a signal of a mode after the mode's step, which returns it as a result. *)
+(* The expression for a signal of a mode after the mode's step, which returns the signal as a
+   result. *)
 let read_result (atom : F.atom) : Ir.expr =
   match atom with
   | Signal s -> Variable (variable s)

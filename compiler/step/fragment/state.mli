@@ -18,7 +18,7 @@ type memory =
   | Kept of Ir.field  (** an expensive static value, computed by the reset *)
 
 val past_first : string
-(** The purpose of a Bool that is False until the end of the first instant. *)
+(** The purpose of the Bool that is False until the end of the first instant. *)
 
 val memory : t -> Flow.Ir.signal -> memory option
 val instance : t -> Flow.Ir.instance -> Ir.field option
@@ -32,7 +32,7 @@ val modes : t -> Ir.mode list
 (** The modes of the machine; empty without a machine. *)
 
 val fields_of_mode : Ir.mode -> Ir.field list
-(** The fields of its parameters and its state. *)
+(** The fields for its parameters and its state. *)
 
 val fields : t -> Ir.field list
 (** All fields: first the fields of the step's items, in order, then the fields of [Kept] values. *)

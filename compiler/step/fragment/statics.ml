@@ -34,7 +34,7 @@ let cost_of_operands work atoms =
 let lasts work (s : Flow.Ir.signal) =
   Option.is_none (Flow.Shape.of_the_instant work.program.sums s.ty)
 
-(* Classifies an item. The items it depends on must have been classified before. *)
+(* Classifies an item. All items that it depends on must have been classified already. *)
 let classify work item =
   List.iter
     (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
@@ -63,7 +63,7 @@ let operands_of_item = function
   | Machine m -> Flow.Transitions.read_in_step m
 
 (* The signals from which [roots] are computed through static definitions, including the roots. The
-   search does not continue from signals that satisfy [stop]. *)
+   search stops at signals that satisfy [stop]. *)
 let closure work ~stop roots =
   let seen = Int_table.create 16 in
   let rec walk = function
@@ -137,7 +137,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   let read = gather (read_in_step program callee) in
   let in_step = static_only (Flow.Operands.signals (List.rev_append outputs read)) in
   let is_costly (s : Flow.Ir.signal) = Int_table.find_opt work.static s.id = Some Costly in
-  (* A cheap static value depends only on cheap ones, so the search ends at values that are
+  (* A cheap static value depends only on other cheap ones, so the search stops at values that are
      stored. *)
   let needed_in_step = closure work ~stop:is_costly in_step in
   let kept =

@@ -10,13 +10,13 @@
 
 type t = {
   at_reset : Flow.Schedule.item list;
-      (** items for the initial values of delays, the static arguments of instances, and [kept], in
-          order *)
+      (** items that compute the initial values of delays, the static arguments of instances, and
+          [kept], in order *)
   kept : Flow.Ir.signal list;
       (** signals computed in the reset and stored in the state for the step *)
   in_step : Flow.Schedule.item list;
-      (** items for the outputs and the state, in order, except for [kept]; cheap static items may
-          also be in [at_reset] *)
+      (** items that compute the outputs and the state, in order, except for [kept]; cheap static
+          items may also be in [at_reset] *)
   read_by_step : Flow.Ir.signal list;
       (** static parameters of the node that the step needs as arguments, for itself or for its
           instances *)

@@ -152,8 +152,8 @@ let negated ~span = function
   | Operation { operator = Not; arguments = [ e ]; _ } -> e
   | e -> Operation { operator = Not; ty = Bool; arguments = [ e ]; span }
 
-(* Goes from the last statement to the first, because a variable that is read only for unread
-   variables is also unread. *)
+(* Goes from the last statement to the first, because a variable is also unread if only unread
+   variables depend on it. *)
 let rec without_unread read body =
   let is_read (v : variable) = Int_table.mem read v.id in
   List.fold_left

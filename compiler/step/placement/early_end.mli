@@ -1,13 +1,12 @@
 (** Ends the step of a mode early by checking the mode's transitions first.
 
     If a transition occurs, the outputs of the mode in that instant are discarded, and so is its
-    state, because the next mode runs in the same instant. As soon as it is known that a transition
-    occurs, the rest of the step can be skipped, as in handwritten code:
+    state, because the next mode runs in the same instant. When a transition is known to occur, the
+    rest of the step can be skipped, as in handwritten code:
 
     {v
-    const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15;
-    *out_arrived = arrived;
-    if (!arrived) {
+const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15; *out_arrived = arrived; if
+    (!arrived) {
         ...
     }
     v} *)

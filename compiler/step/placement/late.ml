@@ -9,11 +9,11 @@ type user =
 
 type t = {
   fragment : Fragment.t;
-  definer : int Int_table.t; (* index of the item that defines a signal *)
-  users : user list Int_table.t; (* needed users of a signal *)
-  written : unit Int_table.t; (* fields that are written *)
+  definer : int Int_table.t; (* index of the item that defines each signal *)
+  users : user list Int_table.t; (* users of each signal that are needed *)
+  written : unit Int_table.t; (* fields that the step writes *)
   kept : (int, Ir.field) Hashtbl.t;
-      (* signals [y] (see the interface), and the fields that contain them at the end *)
+      (* signals [y] (see the interface), and the fields that contain them at the end of the step *)
   late_items : bool array;
   late_outputs : bool array;
 }
@@ -81,8 +81,8 @@ let may_be_read_late t (atom : atom) =
       | None, Some k -> t.late_items.(k)
       | None, None -> false)
 
-(* Computes the largest consistent set: starts with everything that might be late, and removes
-   everything that cannot be late, until nothing changes. *)
+(* Computes the largest consistent set of late items: starts with everything that might be late, and
+   repeatedly removes what cannot be late, until nothing changes. *)
 let rec settle t =
   let changed = ref false in
   let not_late late k =
@@ -117,7 +117,7 @@ let rec settle t =
     (Hashtbl.copy t.kept);
   if !changed then settle t
 
-(* The late part of the fragment if [late], otherwise the other part. *)
+(* The late part of the fragment if [late], otherwise the rest of it. *)
 let part t late : Fragment.t =
   let { items; results; returned; _ } = t.fragment in
   let is_part flags k _ = Bool.equal flags.(k) late in

@@ -23,7 +23,7 @@ type use = { block : block; position : int }
 
 type t = {
   usage : Usage.t;
-  uses : use list Int_table.t;  (** uses of signals that get variables *)
+  uses : use list Int_table.t;  (** uses of the signals that get variables *)
   open_branches : (int * int, branch) Hashtbl.t;
       (** branches that can be shared, by block and condition *)
   root : block;
@@ -86,7 +86,7 @@ let block_for t uses =
       let block = List.fold_left (fun block use -> common block use.block) first.block rest in
       if block.depth >= nesting then t.root else block
 
-(* The position of a use as seen from an enclosing block. *)
+(* The position of a use, as seen from an enclosing block. *)
 let rec position_in block use =
   if use.block == block then Some use.position
   else
@@ -148,8 +148,8 @@ let rec store ?leaf t ~branch block (w : write) =
       store ?leaf t ~branch b.else_ { w with update = else_ };
       store ?leaf t ~branch b.then_ { w with update = then_ }
 
-(* Values that a block computes before it writes state. [saved]: fields that would otherwise be
-   overwritten too early. [apart]: values that depend on such fields. *)
+(* Values that a block computes before it writes state. [saved]: values of fields that would
+   otherwise be overwritten too early. [apart]: values that depend on such fields. *)
 type early = { saved : (Ir.variable * Ir.field) Int_table.t; mutable apart : Flow.signal list }
 
 let no_early () = { saved = Int_table.create 4; apart = [] }

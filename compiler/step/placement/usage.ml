@@ -2,8 +2,11 @@ open Basis
 module Flow = Flow.Ir
 open Fragment
 
-(* The innermost branch that contains all uses of a signal seen so far. *)
-type guard = Nowhere | Under of int * bool  (** the condition's signal; which branch *) | Anywhere
+(* The innermost branch that contains all uses of a signal that have been visited so far. *)
+type guard =
+  | Nowhere
+  | Under of int * bool  (** the condition's signal, and which of its branches this is *)
+  | Anywhere
 
 type t = {
   fragment : Fragment.t;

@@ -18,7 +18,7 @@ val update_depth : int
 val of_fragment : Feedback.t -> Fragment.t -> t
 
 val writes : t -> Fragment.write list
-(** The writes of state in source order, without those that change nothing. *)
+(** The writes of state in source order, except those that change nothing. *)
 
 val results : t -> Fragment.write list
 val update_atoms : Fragment.update -> Fragment.atom list

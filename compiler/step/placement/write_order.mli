@@ -1,6 +1,6 @@
-(** The order in which a step writes its state: the order of the fields. Since every value must be
-    computed from the old contents of fields, a write is [Early] if its value depends on a field
-    that is written before it.
+(** Orders the writes of a step's state. They are in the order of the fields. Every value must be
+    computed from the old contents of the fields, so a write is [Early] if its value depends on a
+    field that is written before it.
 
     If only this write, or the writes that share its [If], need an intermediate value, that value is
     computed as late as possible, so the fields that the intermediate value reads count too. *)
@@ -15,4 +15,4 @@ type write = { write : Fragment.write; timing : timing }
 val of_usage : Usage.t -> write list
 
 val written : write list -> Fragment.atom -> Usage.t -> bool
-(** Whether the value depends on a field that these writes change. *)
+(** Whether the value depends on a field that one of these writes changes. *)
