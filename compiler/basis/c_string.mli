@@ -6,4 +6,4 @@ val literal : string -> string
 
 val comment : string -> string
 (** The text, made safe for use inside a C comment: it neither ends the comment nor begins another
-    one, and contains no trigraph and no control character. *)
+    one, and it contains no trigraphs or control characters. *)

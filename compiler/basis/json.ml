@@ -54,7 +54,7 @@ exception Malformed
 
 let deepest = 500
 
-(* Are brackets nested too deeply for Yojson, which recurses on them? *)
+(* Are brackets nested too deeply for Yojson, which processes them recursively? *)
 let is_too_deep text =
   let rec go i depth =
     if i >= String.length text then false

@@ -1,4 +1,4 @@
-(* For each name handed out, the suffix to try when it is requested again. *)
+(* For each name already returned, the suffix to try at its next request. *)
 type t = int String_table.t
 
 let create () = String_table.create 64

@@ -16,8 +16,8 @@ let rec is_continued sources (at : Span.t) line =
       | "" -> is_continued sources at (line + 1)
       | trimmed -> String.index text trimmed.[0] + 1 > Span.column at.start)
 
-(* The text up to the end of the expression, which a closing bracket, a comma, a semicolon or a
-   comment ends. *)
+(* The text up to the end of the expression: the first closing bracket, comma, semicolon or
+   comment. *)
 let expression text =
   let n = String.length text in
   let is_comment i = i + 1 < n && text.[i] = '-' && text.[i + 1] = '-' in
@@ -58,7 +58,7 @@ let right_side sources ~name ~(at : Span.t) =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* The operands of the sums and differences outside of brackets, each with the sign before it. *)
+(* The operands of the sums and differences outside brackets, each with the sign before it. *)
 let terms text =
   let n = String.length text in
   let add sign from until found =
@@ -77,7 +77,7 @@ let terms text =
   in
   go 0 0 '+' 0 []
 
-(* Is it a step of time, such as `0.02[s]` or `dt`? *)
+(* Is it a time step, such as `0.02[s]` or `dt`? *)
 let is_a_step text =
   let is_number text = float_of_string_opt text <> None in
   let of_unit unit_ =
@@ -151,7 +151,7 @@ let replaced ~read ~by text =
 let words text =
   String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') text)
 
-(* Does the text contain a branch or a function, which cannot run a signal function? *)
+(* Does the text contain a branch or a function? These cannot run a signal function. *)
 let has_a_branch text =
   List.exists (fun word -> List.mem word [ "if"; "case"; "let" ]) (words text)
   || String.contains text '\\'

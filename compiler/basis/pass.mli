@@ -9,5 +9,5 @@ type 'program t = {
 val make : string -> ('program -> 'program) -> string -> 'program t
 
 val run : ('program t -> 'program -> unit) -> 'program -> 'program t -> 'program
-(** Applies the pass, calls the function with the pass and the resulting program, and returns that
+(** Applies the pass, calls the function with the pass and the new program, and returns the new
     program. *)

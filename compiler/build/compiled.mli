@@ -1,4 +1,4 @@
-(** Compiles a file as far as a command needs, or reports why that is impossible. *)
+(** Compiles a file as far as a command requires, or reports why it cannot be compiled. *)
 
 val accepted :
   ?quiet:bool ->
@@ -11,8 +11,8 @@ val accepted :
   string ->
   (Request.t -> 'result -> int) ->
   int
-(** Continues with the answer to a query. If there is none, prints the reason and returns the exit
-    status. [quiet] hides warnings, which another call has reported. *)
+(** Continues with the result of a query. If there is none, prints the reason and returns the exit
+    status. [quiet] suppresses warnings, because another call has already printed them. *)
 
 val to_c :
   ?quiet:bool ->
@@ -24,7 +24,7 @@ val to_c :
   string ->
   (Cgen.Emit.t -> int) ->
   int
-(** Compiles a file to C and continues with the result, or reports the errors. [quiet] hides
+(** Compiles a file to C and continues with the result, or reports the errors. [quiet] suppresses
     warnings. *)
 
 val robot_header : Resources.t -> Robots.t -> (string * string, string) result
@@ -35,5 +35,5 @@ val header_of : Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink
 
 val with_params :
   Common_options.t -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
-(** Continues with the parameter values that the command line sets. Reports invalid values as wrong
-    use. *)
+(** Continues with the parameter values from the command line. Reports invalid values as usage
+    errors. *)

@@ -17,7 +17,7 @@ type front = {
           includes margins *)
 }
 
-(** The results that remain valid if a later stage fails. *)
+(** The results that remain valid even if a later stage fails. *)
 type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
 
 val front : ?seen:(tree -> unit) -> Request.t -> Diagnostic.sink -> Source.t -> front option
@@ -25,7 +25,7 @@ val front : ?seen:(tree -> unit) -> Request.t -> Diagnostic.sink -> Source.t -> 
     sources, and passes each tree to [seen] as soon as it exists. *)
 
 val reachable : Resolve.Ir.program -> Resolve.Ir.program
-(** The program without those definitions of the library that it cannot reach. *)
+(** The program without the library definitions that it cannot reach. *)
 
 (** {1 From Core to Flow} *)
 

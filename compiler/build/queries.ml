@@ -87,7 +87,7 @@ let program sink sources (r : Request.t) =
   let { Pipeline.resolved; typed; margin; core = _ } = front in
   Some { resolved; typed; written; closed; flow; margin }
 
-(* Adds the probes, and the data that hosts need about the assertions. *)
+(* Adds the probes, and the data about the assertions that hosts need. *)
 let observed (r : Request.t) sink p ~asserts names =
   let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
   let causal, hidden = Probes.causal p.flow (List.map fst probes) in

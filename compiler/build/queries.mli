@@ -31,7 +31,7 @@ val checks : Checks.t list option t
 (** {1 Signals of an entry} *)
 
 val probes : string option t
-(** The list of signals for users ({!Probes.list}). *)
+(** The list of signals that users see ({!Probes.list}). *)
 
 val columns : Columns.t list option t
 (** The columns of a trace with all probes. *)
@@ -40,7 +40,7 @@ val measures : Measures.t list option t
 (** The measures that a judge computes. *)
 
 val origins : (Columns.t list * Probe.Origin.t list) option t
-(** The same as {!columns}, and where their values come from. *)
+(** The same as {!columns}, and the sources of their values. *)
 
 (** {1 Programs for engines} *)
 

@@ -12,7 +12,7 @@ let print_diagnostics (format : Common_options.format) sources sink =
   | diagnostics, Text ->
       prerr_string (Render_text.diagnostics ~colour:(colour ()) sources diagnostics)
   | diagnostics, Json -> prerr_string (Render_json.diagnostics sources diagnostics));
-  (* A rejected program sets the exit status even if nobody reads the messages. *)
+  (* A rejected program determines the exit status even if the messages cannot be printed. *)
   try flush stderr with Sys_error _ -> ()
 
 let wrong_use text =

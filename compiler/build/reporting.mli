@@ -13,11 +13,11 @@ val wrong_use : string -> int
 (** Prints an error about the command line, and returns {!Exit_status.wrong_use}. *)
 
 val ( let* ) : ('a, string) result -> ('a -> int) -> int
-(** Continues with a value, or reports a wrong use. *)
+(** Continues with a value, or reports a usage error. *)
 
 val report_bug : string -> string -> int
 (** [report_bug stage message] reports a fault of the compiler. *)
 
 val report_exception : exn -> int
-(** Reports the exception that ended the command: an error of the operating system, which is
-    {!Exit_status.wrong_use}, or a fault of the compiler, {!Exit_status.bug}. *)
+(** Reports the exception that ended the command: an error of the operating system, with the status
+    {!Exit_status.wrong_use}, or a fault of the compiler, with the status {!Exit_status.bug}. *)

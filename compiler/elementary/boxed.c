@@ -1,6 +1,6 @@
-/* Wrappers of the elementary functions, for OCaml. They take and return doubles, OCaml's only
- * floating-point type; those for bytecode take boxed doubles. A single is a double that a float can
- * represent exactly. */
+/* Wrappers of the elementary functions, for OCaml. They take and return doubles, because OCaml has
+ * no other floating-point type. The versions for bytecode take boxed doubles. A single is a double
+ * that a float can represent exactly. */
 #include <caml/alloc.h>
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>

@@ -7,7 +7,7 @@ type line = {
   frame : int;
   role : role;
   sign : Syntax.Grammar.token;
-  at : int;  (** index of the sign *)
+  at : int;  (** index of the word that is the sign *)
   wanted : int;
       (** column of the sign without additional spaces, counted from the line's first word *)
   written : int;  (** column of the sign in the source *)

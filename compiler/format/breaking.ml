@@ -4,7 +4,7 @@ let most = 100
 
 (* {1 Operators} *)
 
-(* The cost of a break at an operator. The line is broken at the lowest cost, so loosely binding
+(* The cost of a break at an operator. A line is broken where the cost is lowest, so loosely binding
    operators cost less. Breaks inside numbers and names cost [tight], which forbids them. *)
 let tight = 1000
 
@@ -175,8 +175,8 @@ let of_a_short_rest = 20
 let of_a_long_rest = 25
 let least_gain = 4
 
-(* The word up to [until] with the cheapest break before it. [columns] has the columns of the words
-   up to [until]. *)
+(* The word with the cheapest break before it, among the words up to [until]. [columns] contains the
+   columns of these words. *)
 let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
   let parts = parts words ~first ~until ~last in
   let better k best =

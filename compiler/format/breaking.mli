@@ -4,7 +4,7 @@ val most : int
 (** Maximum number of characters in a line. *)
 
 val line : Word.t array -> first:int -> last:int -> column:int -> outer:int -> inner:int -> unit
-(** Breaks the line of these words, which starts at [column], if it is too long: sets [starts] of
-    one or more words. The rest is then a new line, which the caller must break next. Continuation
-    lines start at the column [outer], or at [inner] if they are inside brackets that this line
-    opens. *)
+(** If the line that consists of these words and starts at [column] is too long, breaks it by
+    setting [starts] of one or more words. The rest is then a new line, which the caller must break
+    next. Continuation lines start at the column [outer], or at [inner] if they are inside brackets
+    that this line opens. *)

@@ -5,7 +5,7 @@ let once ~break (read : Reading.t) =
   Alignment.set read.words;
   Writing.text read (Indentation.lines ~break read.words)
 
-(* One alignment may make room for another, so formatting is repeated until nothing changes. *)
+(* Aligning one group may make room for another, so formatting is repeated until nothing changes. *)
 let most_rounds = 4
 
 let rec rounds ~break n original text =

@@ -95,8 +95,8 @@ let close state (w : Word.t) =
 
 (* {1 The column of a line} *)
 
-(* The column relative to which a [where] is indented: inside a list or record, that of the current
-   element, if it starts a line. *)
+(* The column relative to which a [where] is indented. Inside a list or record, this is the column
+   of the current element if it starts a line. *)
 let base_of_where (frame : frame) =
   match frame.kind with
   | Bracket { element = Some column; _ } -> column

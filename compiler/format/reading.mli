@@ -6,8 +6,8 @@ type t = {
   words : Word.t array;
   last : Word.comment list;  (** comments after the last word *)
   layout : (Syntax.Grammar.token * bool) array;
-      (** all tokens passed to the grammar except empty items, each with a flag that tells whether
-          layout inserted it: two texts with equal lists parse to the same tree *)
+      (** all tokens that the grammar receives, except empty items, each with a flag that says
+          whether layout inserted it. Two texts with equal lists parse to the same tree *)
 }
 
 val text : string -> t

@@ -1,7 +1,7 @@
 open Syntax.Grammar
 
-(* Spaces inside brackets. In lists whose lines start with commas, elements are aligned: [( a], [,
-   b]. *)
+(* Whether there is a space inside a bracket. In lists whose lines start with commas, this aligns
+   the elements: [( a], [, b]. *)
 let within (w : Word.t) =
   match w.token.token with LBRACE | RBRACE -> 1 | _ -> if w.commas_first then 1 else 0
 
@@ -21,7 +21,7 @@ let between (a : Word.t) (b : Word.t) =
   | (AT | BACKSLASH), _ -> 0
   | BACKTICK, _ when not a.in_quotes -> 0
   | _, BACKTICK when b.in_quotes -> 0
-  (* without a space they would start a comment *)
+  (* without a space, they would start a comment *)
   | MINUS, MINUS -> 1
   | MINUS, _ when a.prefix -> 0
   | _ when a.in_unit && b.in_unit -> in_unit a b

@@ -24,7 +24,7 @@ type state = {
   mutable done_ : line list;  (** finished lines, last one first *)
   mutable now : line option;
   buffer : Buffer.t;  (** the words of the current line *)
-  mutable so_far : int;  (** width of these words *)
+  mutable so_far : int;  (** the width of these words *)
   mutable last : Word.t option;
 }
 

@@ -1,8 +1,8 @@
 (** Options that a command passes on to the host that it starts.
 
     The term evaluates to the arguments for the host, starting with the option's name, or to an
-    empty list if the option is not given. So each option is declared only once, and the command
-    does not need a record for the values. *)
+    empty list if the option is not given. This way each option is declared only once, and the
+    command does not need a record for the values. *)
 
 open Cmdliner
 

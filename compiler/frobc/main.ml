@@ -1,4 +1,4 @@
-(* The command line of frobc: options and help texts. {!Tools} implements the commands. *)
+(* Defines the command line of frobc: options and help texts. {!Tools} implements the commands. *)
 
 open Cmdliner
 open Options
@@ -496,7 +496,7 @@ let argv = Array.of_list (with_flags (Array.to_list Sys.argv))
 (* Escapes control characters in text from the command line before printing it. *)
 let messages =
   let put text from length = prerr_string (Basis.Printable.text (String.sub text from length)) in
-  (* If standard error is closed, drop the messages. *)
+  (* If standard error is closed, discard the messages. *)
   let flush () = try flush stderr with Sys_error _ -> () in
   Format.make_formatter put flush
 

@@ -167,7 +167,7 @@ let time_span =
   let parse text = Result.map_error (fun message -> `Msg message) (Build.Time_span.parse text) in
   Arg.conv (parse, fun ppf seconds -> Format.fprintf ppf "%gs" seconds)
 
-(* Options of commands that can read recordings from other programs. *)
+(* Options of commands that can read recordings made by other programs. *)
 let dialect =
   let separator =
     let parse text =

@@ -25,7 +25,7 @@ val robot_names : string
 (** The robots in the library, for a manual page. *)
 
 val some_string : string -> docv:string -> doc:string -> string option Term.t
-(** An option with this name whose value is a text. *)
+(** An option with this name whose value is a string. *)
 
 val jobs : int option Term.t
 (** The option [--jobs]. *)
@@ -41,7 +41,7 @@ val time_span : float Arg.conv
 val general : Common_options.t Term.t
 
 val probed : Common_options.t Term.t
-(** General options and [--probe]. *)
+(** The general options, and [--probe]. *)
 
 val judging : Common_options.t Term.t -> Common_options.t Term.t
 (** Adds [--asserts], for a command that runs a program. *)

@@ -62,8 +62,8 @@ let trace =
       $ judging (with_params probed)
       $ dialect $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
 
-(* Options of `frobc run`. Those of hosts are in three groups: for all hosts, for the simulator
-   only, and for robots only. *)
+(* The options of `frobc run`. The options for hosts are in three groups: for all hosts, only for
+   the simulator, and only for robots. *)
 
 let for_hosts =
   Host_option.

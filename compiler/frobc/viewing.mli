@@ -5,6 +5,6 @@ open Cmdliner
 
 val look : (Tools.Viewing.look option, string) result Term.t
 (** The options [--view] and [--print] of a command that runs a program. The value says how to show
-    the run; the error says what is wrong with the options. *)
+    the run. The error explains why the options are invalid. *)
 
 val view : int Cmd.t

@@ -219,8 +219,8 @@ and global program name types =
 
 (* {1 Signal functions} *)
 
-(* The scope inside a proc, given its input and the outputs of its instances in the order of their
-   equations. *)
+(* The scope inside a proc, given its input and the outputs of its instances. The outputs are in the
+   order of the instances' equations. *)
 and inside env proc ~input outputs =
   let rec scope =
     lazy (fst (List.fold_left equation (bind proc.input input env, outputs) proc.equations))
@@ -244,7 +244,8 @@ and start env proc : Value.instance =
         | Pure _ -> None)
       proc.equations
   in
-  (* The expression that an equation runs is static: it may use other equations, but not signals. *)
+  (* The signal function that an equation runs is a static expression: it may use other equations,
+     but not signals. *)
   let signal = Thunk.delay (fun () -> bug "a signal is needed before the first instant") in
   let static = inside env proc ~input:signal (List.rev_map (fun _ -> signal) runs) in
   let instances =

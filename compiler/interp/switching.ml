@@ -41,8 +41,8 @@ let enter nesting value input =
   let instance = started nesting value in
   { instance; output = instance.output Clock.first input }
 
-(* Runs [active] until [next], which is decided in each instant, replaces it. [visible]: does the
-   output in this instant already come from the new instance? *)
+(* Runs [active] until it is replaced by [next], which is computed in each instant. [visible]:
+   whether the output in this instant already comes from the new instance. *)
 type running = {
   mutable active : Value.instance;
   mutable switched : bool;
@@ -60,8 +60,8 @@ let output nesting running ~visible old =
         | None -> Thunk.force old
         | Some { output; _ } -> Thunk.force output)
 
-(* Once an instance can no longer switch, the instance it runs takes its place. This lets a
-   definition restart itself any number of times. *)
+(* Once an instance can no longer switch, it is replaced by the instance that it runs. This allows a
+   definition to restart itself any number of times. *)
 let commit running =
   (match Thunk.demand running.next with
   | None -> running.active.commit ()
@@ -106,7 +106,7 @@ let recurring nesting ~delayed first : Value.instance =
 
 let on_event nesting body : Value.instance =
   let body = ref (started nesting (Thunk.demand body)) in
-  (* Time since the body's last instant; [None] before its first. *)
+  (* The time since the last instant of the body; [None] before its first instant. *)
   let since = ref None and ran = ref nothing in
   let output instant input =
     let elapsed = Option.map (fun ns -> Clock.later ns instant) !since in

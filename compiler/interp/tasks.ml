@@ -39,13 +39,13 @@ type running = {
 
 type state = Starting | Running of running | Ended of Value.thunk
 
-(* The state after an instant, and the output shown in it. *)
+(* The state after an instant, and the output in that instant. *)
 type step = { state : state; shown : Value.thunk }
 
 let nothing = Thunk.known (Value.Tuple [||])
 
-(* Starts a task in its first instant. As long as the current task ends immediately, starts the next
-   one in the same instant. *)
+(* Starts a task in its first instant. If the task ends immediately, starts the next one in the same
+   instant, and so on. *)
 let rec enter nesting (task : Value.t) rest input =
   match task with
   | Task (First (first, continuation)) ->

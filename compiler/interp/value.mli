@@ -7,7 +7,7 @@ type t =
   | Text of string
   | Tuple of thunk array
   | Array of thunk array
-  | Drawing of thunk list  (** the marks of the drawing, the last one first *)
+  | Drawing of thunk list  (** the marks of the drawing, in reverse order *)
   | Image of Kernels.image  (** an image from a camera *)
   | Data of { constructor : int; arguments : thunk array }
   | Function of (thunk -> t)
@@ -23,16 +23,15 @@ and thunk = t Thunk.t
 (** An activity that ends. *)
 and task =
   | Runs of { signal_function : thunk; ended : thunk -> (thunk, thunk) Either.t }
-      (** [ended] splits an output of the signal function: the output to show, or the result with
-          which the task ends *)
+      (** [ended] takes an output of the signal function apart: it returns the output to show, or
+          the result with which the task ends *)
   | Returns of thunk
   | First of thunk * thunk  (** a task, and the function that maps its result to the next task *)
 
 and instance = {
   output : Clock.instant -> thunk -> thunk;
-      (** Returns the output for this input, without evaluating anything: the result may even be
-          part of the input. The result does not depend on later state, so it can be evaluated at
-          any time. *)
+      (** Returns the output for this input as a thunk that can be evaluated at any time, because it
+          does not depend on later state. It may even be part of the input. *)
   commit : unit -> unit;  (** Advances the state to the next instant. *)
   successor : unit -> instance option;
       (** The instance that can replace this instance from now on, if this instance only forwards to

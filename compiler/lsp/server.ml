@@ -51,14 +51,15 @@ let publish t (doc : Document.t) =
 
 (* {2 Slow texts}
 
-   The server checks a text itself if that takes no longer than another request should wait;
-   otherwise a worker checks it. An edit ends the worker. Requests about the text wait for the
-   worker's result, and requests about other texts do not. *)
+   The server checks a text itself if the check is so short that other requests can wait for it.
+   Otherwise, a worker checks the text. An edit ends the worker. Requests about the text wait for
+   the worker's result, and requests about other texts do not. *)
 
 (* More concurrent workers would only slow each other down. *)
 let most_workers = 4
 
-(* If a worker was faster than this, the server checks the text itself again. *)
+(* If a worker checked a text in less time than this, the server checks the text itself next
+   time. *)
 let is_fast seconds = seconds < 0.04
 let is_looked_at t doc = List.mem_assq doc t.looks
 
@@ -147,7 +148,7 @@ let descriptors t =
 
 (* {2 Changed texts} *)
 
-(* Marks for another check all open texts that read this file or have messages. *)
+(* Marks all open texts that read this file or have messages, so that they are checked again. *)
 let touched t path =
   Hashtbl.iter
     (fun _ (doc : Document.t) ->
@@ -157,8 +158,8 @@ let touched t path =
       | None -> outdated t doc)
     t.ws.documents
 
-(* Checks one of the changed texts. The others follow after messages that have arrived in the
-   meantime. *)
+(* Checks one of the changed texts. Messages that have arrived in the meantime are processed before
+   the other texts are checked. *)
 let look_at_one t =
   let has_room = List.length t.looks < most_workers in
   let changed _ (doc : Document.t) found =
@@ -414,7 +415,7 @@ let rec serve t =
       if not (look_at_one t) then advance t (Wire.wait t.wire (descriptors t));
       serve t
 
-(* A server runs for days, so unlike in a compilation, memory must be reclaimed. *)
+(* A server runs for days, so, unlike a compilation, it must reclaim memory. *)
 let collect () =
   Gc.set
     {

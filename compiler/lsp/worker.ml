@@ -10,8 +10,8 @@ let leave_streams () =
   Unix.dup2 nothing Unix.stdout;
   Unix.close nothing
 
-(* Makes the garbage collector lazy, so that it does not touch memory that the two processes share
-   (copy-on-write); the process ends before it needs to reclaim memory. *)
+(* Makes the garbage collector run rarely, so that it does not write to memory that the two
+   processes share (copy-on-write). The process ends before it needs to reclaim memory. *)
 let work compute into =
   leave_streams ();
   Gc.set { (Gc.get ()) with space_overhead = 1000 };

@@ -1,19 +1,19 @@
 (** A computation in a separate process, which can be cancelled at any moment.
 
     The process is a fork: it starts with a copy of the server's state, and its changes do not
-    affect the server. It sends back only its result. So a file that uses up its whole budget does
-    not delay other files, and the server can kill a computation that an edit made useless, without
-    leaving partial state behind. *)
+    affect the server. It sends back only its result. Therefore a file that uses up its whole time
+    budget does not delay other files, and when an edit makes a computation useless, the server can
+    kill the process without leaving partial state behind. *)
 
 type 'a t
 
 val start : (unit -> 'a) -> 'a t
-(** Forks. The function must not write to the standard streams. *)
+(** Forks a process that calls the function. The function must not write to the standard streams. *)
 
 val descriptor : 'a t -> Unix.file_descr
 (** Call {!progress} when this descriptor is readable. *)
 
-(** State of the computation. [Lost]: the process ended without a result. *)
+(** The state of the computation. [Lost] means that the process ended without a result. *)
 type 'a progress = Running | Done of 'a | Lost
 
 val progress : 'a t -> 'a progress

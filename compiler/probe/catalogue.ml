@@ -20,7 +20,7 @@ let longest = 1_000
 
 (* {1 Names} *)
 
-(* Name of a definition for the user. For the method of an instance, this is the method's own
+(* The name of a definition as users see it. For the method of an instance, this is the method's own
    name. *)
 let plain name =
   match String.index_opt name '@' with
@@ -90,7 +90,7 @@ let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element
 
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
   s.name <> ""
-  (* The whole drawing is a separate signal. *)
+  (* The drawing as a whole is a separate signal. *)
   && (not (String.contains s.name '#'))
   && size s.ty <= longest
   && not (Flow.Shape.mentions_foreign program.sums (Leaf (scalar s.ty)))
@@ -100,7 +100,7 @@ let defined (node : Ir.node) =
   @ List.concat_map (fun (i : Ir.instance) -> i.outputs) node.instances
 
 (* Maps a signal to its origin if it is only a copy, made by an equation or by an instance that
-   passes an input through. [passed] tells for each earlier node which of its outputs are copies of
+   passes an input through. For each earlier node, [passed] says which of its outputs are copies of
    which inputs, by number. *)
 let source passed (node : Ir.node) =
   let from = Hashtbl.create 16 in
@@ -172,8 +172,8 @@ let own equations program (node : Ir.node) ~is_given ~source =
 
 (* {1 All signals} *)
 
-(* Counts the instances in each node, including itself. Returns whether the root has more than
-   {!most}. *)
+(* Counts the instances in each node, including the node itself. Returns whether the root has more
+   than {!most}. *)
 let are_too_many (program : Ir.program) =
   let counts = Array.make (Array.length program.nodes) 1 in
   Array.iteri

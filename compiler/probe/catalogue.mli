@@ -7,13 +7,13 @@
     Each signal has a path from the root. Instances are named after their definitions. Several
     instances of one definition in the same signal function are numbered in source order, and so are
     several modes of the same name. A mode that has the name of its machine adds nothing to the
-    path; if a machine has only one mode, the mode's name is used for both. The name of a signal is
+    path. If a machine has only one mode, both have the name of the mode. The name of a signal is
     the shortest suffix of its path that is unique: [wallFollow.v], or [left.hold.y] if there is
     [right.hold.y] too. *)
 
 open Basis
 
-(** A step from a node to one inside it. *)
+(** A step from a node to a node inside it. *)
 type step =
   | Instance of int  (** index in the node's [instances] *)
   | Mode of int  (** index in the [modes] of the node's machine *)
@@ -27,7 +27,8 @@ type probe = {
   whole : string list;  (** names on the path from the root to the instance *)
   signal : string;  (** name of the signal within its node *)
   ty : Flow.Ir.ty option;  (** type of the signal; [None] for [Running_mode] *)
-  handed_down : bool;  (** the signal is a copy of the program's own input, which is shown anyway *)
+  handed_down : bool;
+      (** whether the signal is a copy of the program's own input, which is shown in any case *)
   span : Span.t;  (** its place in the source *)
 }
 

@@ -1,7 +1,7 @@
 (** Determines which signals of Flow the programmer defined by an equation of a [proc].
 
-    Flow has more named signals: the variables that a branch of a [case] binds have names as well,
-    but have values only when that branch is taken. *)
+    Flow also contains other named signals. For example, the variables that a branch of a [case]
+    binds have names, but they have values only when that branch is taken. *)
 
 open Basis
 

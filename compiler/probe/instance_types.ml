@@ -4,10 +4,12 @@ module Ir = Typing.Ir
 type t = {
   written : Signal_types.t;
   flow : Flow.Ir.program;
-  definitions : (string, Ir.definition) Hashtbl.t;  (** by the name within the module *)
+  definitions : (string, Ir.definition) Hashtbl.t;
+      (** definitions, by their name within the module *)
   uses : (Ir.Global.t, Span.t * Ir.ty) Hashtbl.t;
   all_uses : (string, Ir.Global.t * Span.t * Ir.ty) Hashtbl.t;  (** by file *)
-  known : (Catalogue.step list, Substitution.t) Hashtbl.t;  (** by the path to an instance *)
+  known : (Catalogue.step list, Substitution.t) Hashtbl.t;
+      (** the values of variables, by the path to an instance *)
 }
 
 let of_program (typed : Ir.program) flow =
@@ -43,8 +45,8 @@ let definition_of t (node : Flow.Ir.node) =
     (fun (d : Ir.definition) -> is_inside node.span d.span)
     (Hashtbl.find_all t.definitions node.origin)
 
-(* The types of a definition in its uses at a place: in the first use if [only_head] is true,
-   otherwise in all uses. *)
+(* The types at which a place uses a definition: only the type of the first use if [only_head] is
+   true, otherwise the types of all uses. *)
 let types_at t (d : Ir.definition) ~only_head (place, around) =
   let uses = List.filter (fun (span, _) -> is_inside span place) (Hashtbl.find_all t.uses d.name) in
   let first = List.fold_left (fun first ((s : Span.t), _) -> min first s.start) place.stop uses in
@@ -70,10 +72,10 @@ let rec types_behind t d ~depth (place, around) =
   else
     List.concat_map behind (Hashtbl.find_all t.all_uses place.Span.file) |> List.sort_uniq compare
 
-(* The values of variables inside a node. [places]: the places where the node and the instances
-   around it run, each with the values there; the innermost place is first. If the node is an
-   argument of a function, such as the first argument of [>>>], the node's use is at an outer place.
-   Uses with different types determine nothing. *)
+(* The values of the type variables inside a node. [places]: the places where the node and the
+   instances around it run, innermost first, each with the values there. If the node is an argument
+   of a function, such as the first argument of [>>>], the node is used at an outer place. If its
+   uses have different types, the variables have no values. *)
 let entered t (node : Flow.Ir.node) ~only_head places =
   let around = match places with (_, values) :: _ -> values | [] -> Substitution.empty in
   let rec types d ~only_head = function
@@ -94,7 +96,7 @@ let entered t (node : Flow.Ir.node) ~only_head places =
       | [ ty ] -> Substitution.union (Substitution.matching d.scheme.ty ty) others
       | _ -> others)
 
-(* The values at the end of a path. The root is the last node. *)
+(* The values of the type variables at the end of a path. The root is the last node. *)
 let at t path =
   let rec follow node places values = function
     | [] -> values

@@ -9,5 +9,5 @@ type t
 val of_program : Typing.Ir.program -> Flow.Ir.program -> t
 
 val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
-(** Like {!Signal_types.type_of}. Variables that the program does not determine, or for which this
-    module does not find the use, stay variables. *)
+(** Like {!Signal_types.type_of}. A variable remains in the type if the program does not determine
+    its value, or if this module does not find the use that determines it. *)

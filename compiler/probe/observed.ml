@@ -3,7 +3,7 @@ module Ir = Flow.Ir
 
 let bug format = Diagnostic.bug ~stage:"Probe.Observed" format
 
-(* A path down from a node, and the signal at its end. *)
+(* A path that leads from a node down to an inner node, and the signal at its end. *)
 type wanted = { path : Catalogue.step list; own : own; label : string }
 and own = Signal of int  (** id of the signal *) | Running_mode
 
@@ -29,7 +29,7 @@ let by_key (given : given list) =
 type t = {
   before : Ir.program;
   nodes : Ir.node array;
-  mutable sums : Ir.sum list;  (** all sums, the last one first *)
+  mutable sums : Ir.sum list;  (** all sums, in reverse order *)
   mutable next_id : int;
   wanted : wanted list array;  (** the requested signals of each node *)
   asked : unit String_table.t array;  (** the keys of [wanted] *)
@@ -86,7 +86,7 @@ let event_of t ty =
     let constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", shape ty) ] ] in
     add_sum t { name = "Event " ^ type_name t ty; module_ = "Prelude"; constructors }
 
-(* Appends an equation to the list [equations]. *)
+(* Adds an equation to the end of the list [equations]. *)
 let define t equations ~name ~span ty rhs =
   let signal = fresh t ~name ~span ty in
   equations := { Ir.defines = signal; rhs; span } :: !equations;

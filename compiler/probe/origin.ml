@@ -18,8 +18,8 @@ type t = { column : string; place : Span.t; sources : source list; transitions :
 
 let bug format = Diagnostic.bug ~stage:"Probe.Origin" format
 
-(* Maximum number of instants that are distinguished. Without a limit, the search would not end for
-   a loop of delays. *)
+(* Maximum number of past instants that are distinguished. Without a limit, the search would not
+   terminate for a loop of delays. *)
 let farthest = 2
 let any = -1
 let before = -2
@@ -34,7 +34,8 @@ type definition =
   | Input of int
   | Static of int
 
-(* A node instance: its number, its node, and the instance and step that lead to it. *)
+(* An instance of a node: its number, its node, the instance that contains it, and the step from
+   that instance to this one. *)
 type frame = { number : int; node : int; around : (frame * Catalogue.step) option }
 
 type run = {
@@ -91,8 +92,8 @@ let root t = { number = 0; node = Array.length t.program.nodes - 1; around = Non
 
 (* {1 Following dependencies backwards} *)
 
-(* The part of a value that is needed, as a path from the outside in. The empty path is the whole
-   value. *)
+(* The part of a value that is needed, as a path from the whole value inwards. The empty path
+   represents the whole value. *)
 type part =
   | Element of int  (** an element of an array *)
   | Leaf of int * int  (** a leaf of this constructor, if the sum has this constructor *)
@@ -104,7 +105,7 @@ type at = { back : back; where_ : (string * int) option }
 type walk = {
   t : run;
   met : (int * int * at * part list, unit) Hashtbl.t;
-  mutable found : source list;  (** the last one first *)
+  mutable found : source list;  (** in reverse order *)
 }
 
 let now = { back = Instants 0; where_ = None }
@@ -120,8 +121,7 @@ let earlier at =
 
 let at_first at = match at.back with Instants _ -> { at with back = First } | First | Entry -> at
 
-(* Prints a path up to the first part that is not an element, because a column's name only shows
-   elements. *)
+(* Prints the elements at the start of a path. Columns' names do not show other parts. *)
 let rec element = function
   | Element k :: part -> Printf.sprintf "[%d]" k ^ element part
   | (Leaf _ | Tag) :: _ | [] -> ""
@@ -243,8 +243,8 @@ and input walk frame ~at ~part k =
       let machine = machine_of (node walk.t around) in
       atom walk around ~at ~part (List.nth machine.inputs k)
 
-(* The parameters of a mode are computed by the transition that enters it. Transitions further back
-   are not followed. *)
+(* The transition that enters a mode computes the mode's parameters. The search does not follow
+   earlier transitions. *)
 and static walk frame ~at ~part k =
   match frame.around with
   | None -> ()
@@ -268,8 +268,8 @@ let walk t continue =
 
 (* {1 Columns} *)
 
-(* For each leaf of the input or output: the name of its columns, as the text before and after the
-   index of an element. *)
+(* For each leaf of the input or output, the name of its columns: the text before the index of an
+   element, and the text after it. *)
 let rec leaf_columns name (shape : Ir.shape) =
   match shape with
   | Leaf _ -> [ (name, "") ]

@@ -9,17 +9,20 @@ open Basis
 
 type back =
   | Instants of int
-      (** the number of instants ago, as the enclosing signal function counts them; 0 is the same
-          instant *)
-  | First  (** only in the first instant of the signal function that contains the signal *)
-  | Entry  (** when the mode that has the signal as a parameter was entered *)
+      (** the number of instants ago, counted in instants of the enclosing signal function; 0 is the
+          current instant *)
+  | First
+      (** the source matters only in the first instant of the signal function that contains the
+          signal *)
+  | Entry  (** the source matters only when the mode whose parameter the signal is was entered *)
 
 type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
-      (** the innermost restriction to a mode, as a machine and the number of its mode. For [Entry],
-          the previous mode: {!any}, or {!before} if the machine itself was starting *)
+      (** the innermost mode in which the source matters, as a machine and the number of its mode.
+          For [Entry], this is the previous mode: {!any}, or {!before} if the machine itself was
+          starting *)
 }
 
 val any : int
@@ -30,9 +33,9 @@ type transition = {
       (** number of a mode; {!any} if the machine's input causes the transition; {!before} for the
           start of the machine *)
   target : int;
-  label : string;  (** the event that causes it; empty if unknown *)
-  delayed : bool;  (** the previous mode still runs in the instant of the transition *)
-  at_once : bool;  (** the transition may occur in the first instant of the previous mode *)
+  label : string;  (** the name of the event that causes the transition; empty if unknown *)
+  delayed : bool;  (** whether the previous mode still runs in the instant of the transition *)
+  at_once : bool;  (** whether the transition may occur in the first instant of the previous mode *)
   sources : source list;  (** sources of the event *)
   place : Span.t;
 }
@@ -42,7 +45,8 @@ type t = {
   column : string;  (** for example [probe.follow.v] or [out.turn] *)
   place : Span.t;  (** the whole equation; for a parameter or input, the place of the argument *)
   sources : source list;
-  transitions : transition list;  (** of the machine, if the column is its running mode *)
+  transitions : transition list;
+      (** the transitions of the machine, if the column is its running mode *)
 }
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list

@@ -9,8 +9,8 @@ val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
     type contains the function's type variables. [None] for signals that the compiler introduced. *)
 
 val type_of_signal : t -> name:string -> Basis.Span.t -> Typing.Ir.ty option
-(** The same for a signal of Flow. [name] includes the path of a leaf; the span is the signal's
-    place in the source. *)
+(** Like {!type_of}, for a signal of Flow. [name] includes the path of a leaf; the span is the
+    signal's place in the source. *)
 
 val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option
 (** The type reached by these fields, components (from 1) and elements ([[0]]), as they appear in a

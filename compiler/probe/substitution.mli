@@ -7,17 +7,18 @@ type t
 val empty : t
 
 val matching : Ir.ty -> Ir.ty -> t
-(** [matching general specific]: the values of variables for which [general] becomes [specific].
+(** [matching general specific] returns the values of variables that turn [general] into [specific].
     Variables that cannot be determined have no value. *)
 
 val apply : t -> Ir.ty -> Ir.ty
 (** Replaces the variables that have values. *)
 
 val without : Ir.variable list -> t -> t
-(** Forgets the values of these variables. *)
+(** Removes the values of these variables. *)
 
 val union : t -> t -> t
-(** The values of both. The first one takes precedence. *)
+(** The values of both substitutions. For a variable that is in both, uses the value of the first
+    one. *)
 
 val data :
   unit_parameters:Ir.variable list ->

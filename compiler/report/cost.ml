@@ -16,7 +16,7 @@ module Kinds = Map.Make (struct
   let compare = Stdlib.compare
 end)
 
-(* Kinds that do not occur are absent from the map. *)
+(* Kinds of operations that do not occur are not in the map. *)
 type t = int Kinds.t
 
 let none = Kinds.empty

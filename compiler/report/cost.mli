@@ -1,11 +1,11 @@
 (** Counts operations by kind. *)
 
 type kind =
-  | Additions  (** including subtractions and changes of sign *)
+  | Additions  (** additions, including subtractions and changes of sign *)
   | Multiplications
   | Divisions  (** including remainders *)
   | Choices  (** comparisons, logic, and all branches *)
-  | Conversions  (** between integers, floats and nanoseconds *)
+  | Conversions  (** conversions between integers, floats and nanoseconds *)
   | Calls of string
       (** calls of this elementary function, kernel or C function of the user, or [fabs] *)
   | Pixels of string  (** pixels that this kernel reads, if their number is known *)

@@ -12,9 +12,9 @@ type line = {
   lane : int;
   arrow : Machines.arrow;
 }
-(** An arrow between two places of the column, which are counted from the top. *)
+(** An arrow between two places of the column. Places are counted from the top. *)
 
-(* The states from the initial one on, each followed by those to which it leads. *)
+(* The states, starting with the initial one, each followed by the states that it leads to. *)
 let in_order (m : Machines.t) =
   let rec visit order source =
     List.fold_left
@@ -39,7 +39,8 @@ let without_repeats arrows =
   List.rev
     (List.fold_left (fun kept a -> if List.exists (same a) kept then kept else a :: kept) [] arrows)
 
-(* Short arrows first; each gets the first lane that is free along its length. *)
+(* Assigns lanes to arrows, short arrows first. Each arrow gets the first lane that is free along
+   its whole length. *)
 let in_lanes lines =
   let length line = line.below - line.above in
   let touches a b = a.above <= b.below && b.above <= a.below in
@@ -52,7 +53,8 @@ let in_lanes lines =
 
 let lanes lines = List.fold_left (fun most line -> max most (line.lane + 1)) 0 lines
 
-(* A character of the font is at most 7.5 pixels wide. Counts characters, not bytes, of UTF-8. *)
+(* The maximum width of a text: a character of the font is at most 7.5 pixels wide. Counts UTF-8
+   characters, not bytes. *)
 let width_of text =
   let starts count c = if Char.code c land 0xC0 = 0x80 then count else count + 1 in
   15 * String.fold_left starts 0 text / 2
@@ -101,11 +103,12 @@ type column = {
   top : int;
   left : int;
   order : int list;
-  next : (int * Machines.arrow) list;  (** arrows to the next place, by the place they leave *)
+  next : (int * Machines.arrow) list;
+      (** arrows to the next place, by the place at which they start *)
   down : line list;
   up : line list;
   outside : (int * Machines.arrow) list;
-      (** arrows that do not begin at a state, by their targets *)
+      (** arrows that do not start at a state, by their targets *)
 }
 (** The column of a machine: the positions of its states, and the arrows next to them. *)
 
@@ -179,7 +182,7 @@ let up_arrow column line =
        (a + turn) (b - turn) x b (x + bend) b (column.left - 7))
   ^ head line.arrow ~x:column.left ~y:b ~direction:`Right
 
-(* Prints a machine; returns the lowest and the rightmost pixel. *)
+(* Prints a machine. Returns the coordinates of the lowest and the rightmost pixel. *)
 let machine ppf machines ~top (m : Machines.t) =
   let column = column ~top:(top + 28) m in
   let states = List.map (fun k -> (k, List.nth m.states k)) column.order in

@@ -15,9 +15,9 @@ and transition = {
   leaves : string;  (** name of a mode *)
   enters : string;
   at_entry : Flow.Ir.at_entry;
-      (** whether it can occur in the first instant of the mode it leaves *)
+      (** whether the transition can occur in the first instant of the mode that it leaves *)
   at : Span.t;
 }
 
 val of_program : Step.Ir.program -> machine list
-(** All machines in the code; those of callers precede those of callees. *)
+(** All machines in the code. The machines of callers precede those of callees. *)

@@ -8,7 +8,7 @@ type t = { looks : looks; stack : int }
 
 let kilobytes n = n * 1024
 
-(* In the arguments, x, y, width and height follow the image. *)
+(* In the argument list, x, y, width and height follow the image. *)
 let region = Region { width = 3; height = 4 }
 
 let all =

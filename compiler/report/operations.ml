@@ -16,7 +16,7 @@ let stored c (field : M.field) =
   | Value ty -> Cost.several (scalars c ty) Stores
   | State_of _ | States_of _ | Running_mode | Modes _ | Component _ -> Cost.one Stores
 
-(* The number of scalars that a copy of the state reads. *)
+(* The number of scalars that copying the state reads. *)
 let rec scalars_of_state c fields =
   let content (field : M.field) =
     match field.content with
@@ -117,8 +117,8 @@ let entry c (e : M.entry) =
   in
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
-(* The cost of a machine's own clock, which advances once the machine has started, and is read and
-   stored while the machine is active. *)
+(* The cost of a machine's own clock. The clock advances as soon as the machine has started, and the
+   step reads and stores it while the machine is active. *)
 let clock c (clock : M.clock) =
   let goes_on = Cost.(sum [ one Choices; one Loads; one Stores; expression c clock.elapsed ]) in
   let seconds =
@@ -128,7 +128,7 @@ let clock c (clock : M.clock) =
 
 let largest = List.fold_left Cost.larger Cost.none
 
-(* The cost of the most expensive entry, including everything that follows it. *)
+(* The cost of the most expensive entry, together with everything that follows it. *)
 let entries c followed entries =
   largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e)) entries)
 
@@ -143,7 +143,7 @@ let run c (r : M.run) =
   in
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
-    (* Decide whether another mode must run, and count the steps. *)
+    (* The cost of deciding whether another mode must run, and of counting the steps. *)
     if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
@@ -160,7 +160,8 @@ let run c (r : M.run) =
     Cost.add rounds.(k) (entries c followed (List.map (fun (n : M.next) -> n.entry) taken))
   in
   let at_entry (n : M.next) = n.at_entry = Possible in
-  (* For each mode, the maximum cost if it was just entered and at most [steps] modes still run. *)
+  (* For each mode, the maximum cost of the instant in which it is entered, if at most [steps] modes
+     still run. *)
   let rec entered steps =
     if steps <= 0 then Array.map (fun _ -> Cost.none) rounds
     else
@@ -213,8 +214,8 @@ let rec statement c (s : M.statement) =
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
 
-(* Rounds dt to whole nanoseconds in double precision. In single precision, only limits the integer
-   that the caller computed. *)
+(* The cost of rounding dt to whole nanoseconds. In single precision, the step only limits the
+   integer that the caller has computed. *)
 let whole_nanoseconds (program : M.program) =
   match program.real with
   | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])

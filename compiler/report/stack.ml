@@ -8,25 +8,26 @@ type context = {
   program : M.program;
   node : M.node;
   state : State.t;
-  done_ : bounds array;  (** bounds of the preceding nodes *)
+  done_ : bounds array;  (** the stack bounds of the preceding nodes *)
 }
 
 let word = 8
 
-(* Bytes in every frame: the return address, the frame pointer, alignment of the stack, and two
-   saved registers. *)
+(* Bytes in every frame, for the return address, the frame pointer, the alignment of the stack, and
+   two saved registers. *)
 let fixed = 5 * word
 
 (* Maximum stack usage of a helper function in the generated C, including its callees. *)
 let helper = 12 * word
 
-(* Number of arguments that are certainly passed in registers. *)
+(* The number of arguments that are certainly passed in registers. *)
 let in_registers = 4
 
-(* The stack use of a function, as far as it has been computed. *)
+(* The stack usage of a function, as far as it has been computed. *)
 type frame = {
   mutable bytes : int;
-  mutable helper : int;  (** stack of the largest constructor function or helper that it calls *)
+  mutable helper : int;
+      (** stack usage of the largest constructor function or helper that it calls *)
   mutable callees : t list;
 }
 
@@ -78,7 +79,7 @@ let is_sum (ty : M.ty) =
 (* A function of a node. *)
 type callee = Step of int | Reset of int
 
-(* Visits an expression. [calling] tells whether the surrounding expression contains calls. *)
+(* Visits an expression. [calling] says whether the surrounding expression contains calls. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
@@ -151,7 +152,7 @@ let rec within c frame ~calling (e : M.expr) =
       need frame word;
       all [ a; b ]
 
-(* Bytes of a selection's value. *)
+(* The size of a selection's value, in bytes. *)
 and choice c (e : M.expr) =
   match e with
   | Variable { ty; _ } | Field { content = Value ty; _ } -> room c ty
@@ -170,7 +171,7 @@ and choice c (e : M.expr) =
   | At { element; _ } -> room c element
   | Index { array; _ } -> choice c array
 
-(* Arguments not passed in registers: sums, and all after the first few. *)
+(* Arguments that are not passed in registers: sums, and all arguments after the first few. *)
 and arguments c frame ~calling es =
   List.iteri
     (fun i (e : M.expr) ->
@@ -256,7 +257,7 @@ let statement c frame (s : M.statement) =
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
-(* Fields of a record are read where they are used; only arrays are copied. *)
+(* The function reads fields of a record where it uses them, and copies only arrays. *)
 let in_place (program : M.program) k =
   k = Array.length program.nodes - 1
   &&
@@ -285,7 +286,7 @@ let function_ c k ~results (code : M.code) =
   { bytes = Saturating_int.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
 (* The user's C functions take and return structs made of the leaves, with doubles for all numbers.
-   The stack use of the functions themselves is only known for the library's kernels. *)
+   The stack usage of the functions themselves is known only for the library's kernels. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =

@@ -4,7 +4,7 @@ open Basis
 
 type member = {
   name : string;  (** the programmer's name *)
-  offset : int;  (** offset in its struct *)
+  offset : int;  (** the member's offset in its struct *)
   bytes : int;
   holds : holds;
   span : Span.t;
@@ -12,7 +12,7 @@ type member = {
 
 and holds =
   | Value of string  (** purpose of the value, for the user: [delay], [integral], … *)
-  | Struct of int  (** index of the node whose struct it is *)
+  | Struct of int  (** a struct: the index of the node that it belongs to *)
   | Structs of { node : int; count : int }  (** an array of such structs *)
   | Running_mode
   | Largest of alternative list  (** modes, which share this memory *)
@@ -42,7 +42,7 @@ val in_use : t -> int list
     without duplicates. *)
 
 val padding : bytes:int -> member list -> int
-(** Number of bytes of a struct that do not belong to any member. *)
+(** The number of bytes in a struct that do not belong to any member. *)
 
 val foreign : Step.Ir.program -> string list
 (** The user's C structs that are part of the state. Their size is not included in any number here.

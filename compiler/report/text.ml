@@ -1,11 +1,11 @@
 type row = { depth : int; label : string; amount : string; note : string; place : string }
 
-(* Maximum depth of indentation, to limit the width of the text. *)
+(* The indentation is limited to this depth, so that the text does not become too wide. *)
 let deepest = 24
 let indentation row = 2 * min row.depth deepest
 let width column rows = List.fold_left (fun most row -> max most (column row)) 0 rows
 
-(* Names longer than this do not widen the column; they only shift their own line. *)
+(* A name longer than this does not widen the column; it only shifts its own line. *)
 let widest_label = 48
 
 let table rows =
@@ -32,7 +32,7 @@ let number n = if n >= Basis.Saturating_int.most then "2^53 or more" else string
 
 (* {1 The state} *)
 
-(* Rows in reverse order. The members of a struct are listed where it first appears. *)
+(* The rows in reverse order. The members of a struct are listed where the struct first occurs. *)
 let state_rows (t : State.t) =
   let shown = Hashtbl.create 16 in
   let rec members depth ~bytes:whole ~place rows list =
@@ -104,7 +104,7 @@ let operation_rows cost =
   let call (name, n) = plain ("calls of " ^ name) (number n) (looks cost name n) in
   List.map kind Bounds.operations @ List.map call (Cost.calls cost)
 
-(* Only the ends of a long chain are shown. *)
+(* Shows only the beginning and the end of a long chain. *)
 let shown_at_ends = 4
 
 let chain (program : Step.Ir.program) nodes =
@@ -135,7 +135,7 @@ let machine_line (m : Hops.machine) =
     (if count = 1 then "mode" else "modes")
     (String.concat ", " m.modes) m.steps
 
-(* Explains why a transition takes time, or says that it may take none. *)
+(* Explains why a transition takes time, or states that it may take none. *)
 let first_instant (t : Hops.transition) =
   match t.at_entry with
   | Possible -> "may occur"

@@ -5,8 +5,8 @@ type t = {
   mutable has_errors : bool;
   mutable next_local : int;
   mutable depth : int;
-  mutable too_deep : bool;  (** has this been reported? *)
-  mutable unresolved : Fact.unresolved list;  (** of this module, newest first *)
+  mutable too_deep : bool;  (** whether this has been reported *)
+  mutable unresolved : Fact.unresolved list;  (** undefined names of this module, newest first *)
 }
 
 let create facts =

@@ -17,16 +17,16 @@ val report_foreign : t -> Fact.in_foreign_code -> unit
 val warn : t -> Fact.warning -> unit
 
 val report_unresolved : t -> Fact.unresolved -> unit
-(** Holds the fact back until {!tell}. *)
+(** Holds the fact back until {!tell} is called. *)
 
 val tell : t -> Visible.t -> unit
-(** Must be called at the end of a module. Reports its names without a meaning. *)
+(** Reports the undefined names of a module. Must be called at the end of the module. *)
 
 val has_errors : t -> bool
 (** Has this run reported an error? *)
 
 val parse : t -> file:string -> string -> Syntax.Ir.program option
-(** {!Syntax.Parse.program}; reports its errors. *)
+(** Calls {!Syntax.Parse.program} and reports its errors. *)
 
 (** {1 Expressions} *)
 
@@ -34,10 +34,10 @@ val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A new local variable. *)
 
 val deepest : int
-(** The largest number of nesting levels: 10,000. *)
+(** The maximum number of nesting levels: 10,000. *)
 
 val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
-(** Runs a function one nesting level deeper. Beyond {!deepest} the stack could overflow, so it
-    reports that (once) and returns [otherwise]. *)
+(** Runs a function one nesting level deeper. Beyond {!deepest}, the stack could overflow. In that
+    case, reports an error (only once) and returns [otherwise]. *)
 
 val import_place : Syntax.Ir.program -> Ir.import_place

@@ -1,5 +1,5 @@
-(** What name resolution reports, as values without any text. The library [advice] turns each fact
-    into a diagnostic. *)
+(** The facts that name resolution reports, as values without text. The library [advice] translates
+    each of them to a diagnostic. *)
 
 open Basis
 open Syntax.Ir
@@ -17,10 +17,10 @@ type unresolved =
   | Unknown of {
       space : Interface.any_space;
       name : name;
-      locals : string list Lazy.t;  (** the local names in scope *)
+      locals : string list Lazy.t;  (** the local names that are in scope *)
       around : right list;
-          (** the right-hand sides around the name, innermost first, that have a [where], and the
-              outermost one *)
+          (** the right-hand sides around the name that have a [where], innermost first, followed by
+              the outermost right-hand side *)
     }
   | Unknown_qualifier of { qualifier : name; name : name }  (** no imported module is meant *)
   | Unknown_in_module of {
@@ -38,7 +38,7 @@ type unresolved =
   | Field_as_function of { whole : Span.t; field : name; record : name }  (** [x p] for [p.x] *)
   | Not_exported of { name : name; module_ : string; known : string list Lazy.t }
   | Not_in_import of { name : name; module_ : string; known : string list Lazy.t }
-      (** an import lists a name that the module does not have *)
+      (** an import list contains a name that the module does not export *)
 
 (** {1 Modules} *)
 
@@ -47,13 +47,13 @@ type import_place = { importer : string; at : Span.t; target : name }
 type in_modules =
   | Missing_module of {
       target : name;
-      imported : string list;  (** the modules that the importing module names *)
+      imported : string list;  (** the modules that the importing module mentions *)
       known : string list;  (** the names of the files that could be modules, for suggestions *)
     }
   | Missing_file of { at : Span.t; file : string }
   | Unreadable_file of { at : Span.t; file : string; reason : string }
   | Import_cycle of { target : name; places : import_place list }
-      (** the imports from the target back to it, in order *)
+      (** the imports that lead from the target back to itself, in order *)
   | Other_file_name of { module_ : name; file : string }  (** without the extension *)
   | Two_files of { target : name; earlier : string; later : string }
   | No_program of { tests : string; program : string; reason : string option }
@@ -66,7 +66,8 @@ type in_modules =
 
 type setting =
   | No_parameter of { known : string list }
-  | Several_modules of { qualified : string list }  (** each parameter with its module's name *)
+  | Several_modules of { qualified : string list }
+      (** each parameter, with the name of its module *)
   | Invalid_value of { value : string }
 
 (** {1 Definitions and names} *)
@@ -110,7 +111,8 @@ type in_types =
   | Wrong_arity of {
       at : Span.t;
       tycon : Interface.tycon;
-      of_units : bool;  (** the number of unit arguments is wrong, and not that of types *)
+      of_units : bool;
+          (** whether the number of unit arguments is wrong, rather than that of type arguments *)
       expected : int;
       found : int;
       text : string;  (** the text of the file *)
@@ -198,7 +200,7 @@ type t =
   | In_modules of in_modules
   | Setting of { name : string; at : Span.t; problem : setting }
   | Unresolved of { visible : Visible.t; names : unresolved list }
-      (** all names of one module that have no meaning, in the order in which they were found *)
+      (** all undefined names of one module, in the order in which they were found *)
   | In_definitions of in_definitions
   | In_types of in_types
   | In_records of in_records

@@ -57,9 +57,9 @@ and idle = {
   of_module : string;
   listed : string option;
   at : Span.t;
-  whole : Span.t;  (** the text to remove: the line, or the name with a comma *)
+  whole : Span.t;  (** the text to remove: the line, or the name and a comma *)
 }
-(** An unused import, or an unused name in an import list. *)
+(** An import that is not used, or a name in an import list that is not used. *)
 
 (** {1 Types and units} *)
 
@@ -143,7 +143,7 @@ and class_ = {
 }
 
 and method_ = {
-  name : Global.t;  (** referred to like any other value *)
+  name : Global.t;  (** can be referred to like any other value *)
   scheme : scheme;
       (** the class's variable is free in it; the context does not contain the class itself *)
   default : binding option;  (** its binder is the method's name *)
@@ -171,7 +171,7 @@ and binding_group = { bindings : binding list; recursive : bool }
 and binding = {
   name : binder;
   signature : scheme option;
-  parameters : pattern list;  (** empty for a plain value *)
+  parameters : pattern list;  (** the parameters; empty for a plain value *)
   body : right;
   doc : string option;
   span : Span.t;

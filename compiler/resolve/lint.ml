@@ -3,10 +3,11 @@ module Int_set = Set.Make (Int)
 
 let broken format = Diagnostic.bug ~stage:"Resolve.Lint" format
 
-(* The names declared so far. [bound]: all local variables bound so far. *)
+(* The names declared so far. [bound]: the local variables that have been bound so far. *)
 type known = {
   tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;
-      (** numbers of unit parameters and type parameters, and whether the units are optional *)
+      (** the number of unit parameters and of type parameters, and whether the units may be omitted
+      *)
   constructors : (Ir.Global.t, int) Hashtbl.t;
   units : (Ir.Global.t, unit) Hashtbl.t;
   classes : (Ir.Global.t, unit) Hashtbl.t;

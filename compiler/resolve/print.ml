@@ -8,8 +8,8 @@ let global ppf (g : Ir.Global.t) =
   if String.equal g.module_ "Prelude" then bare ppf g.name
   else fprintf ppf "%s.%a" g.module_ bare g.name
 
-(* A local variable is identified by the place of its binding. Unlike an id, the place does not
-   depend on the library. *)
+(* Identifies a local variable by the place of its binding. Unlike an id, the place does not depend
+   on the library. *)
 let local ppf (l : Ir.Local.t) =
   fprintf ppf "%s@%d:%d" l.name (Basis.Span.line l.span.start) (Basis.Span.column l.span.start)
 
@@ -267,8 +267,8 @@ let of_user (program : Ir.program) =
   in
   fun (g : Ir.Global.t) -> List.mem g.module_ users
 
-(* An instance belongs to the module that defines its methods, or, if it has no definitions, to its
-   class's module. *)
+(* An instance belongs to the module that defines its methods or, if it defines none, to the module
+   of its class. *)
 let shown_instance shown (i : Ir.instance) =
   match i.definitions with
   | (_, { name = Top (g, _); _ }) :: _ -> shown g

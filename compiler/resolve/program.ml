@@ -88,7 +88,7 @@ let seen_in_tests (program : Scope.t) : Visible.import list =
   in
   qualified :: visible.imports
 
-(* [exports] and [scopes] are those of the modules resolved before this one. *)
+(* [exports] and [scopes] contain the modules that were resolved before this one. *)
 let resolve context ~elsewhere exports scopes (m : Modules.t) =
   let program = Option.bind m.program (fun name -> String_map.find_opt name scopes) in
   let after = Option.map (fun (program : Scope.t) -> program.visible.own) program in

@@ -1,5 +1,5 @@
-/* arithmetic.c -- the first program of the self-test: checks that numbers have the properties that
- * generated C relies on. Prints `right`, or the property that is violated. */
+/* arithmetic.c -- the first program of the self-test. It checks that numbers have the properties
+ * that generated C relies on, and prints `right` or the property that is violated. */
 #include <frob/arithmetic.h>
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* recording.h -- a program's input as the cells of a trace, and its expected output. `frobc
- * selftest` writes both as C, so that the test needs no files. */
+/* recording.h -- the input of a program as the cells of a trace, and its expected output.
+ * `frobc selftest` writes both as C code, so that the test does not need any files. */
 #ifndef FROB_SELFTEST_RECORDING_H
 #define FROB_SELFTEST_RECORDING_H
 

@@ -1,6 +1,6 @@
-/* runner.c -- the main function of each program of the self-test. Steps the program with recorded
- * input and compares its output, as rows of a trace. The last line on standard output is `right` if
- * everything matches, and otherwise describes the first difference. */
+/* runner.c -- the main function of each program of the self-test. It runs the program with recorded
+ * input, and compares the output with the expected rows of a trace. The last line on standard
+ * output is `right` if everything matches, and otherwise describes the first difference. */
 #include <frob/cell.h>
 #include <frob/program.h>
 #include <frob/trace.h>
@@ -44,7 +44,7 @@ static void *litter(size_t size)
     return memset(memory, 0xa5, size + 1);
 }
 
-/* The length of a cell, which may contain commas in quotes. */
+/* The length of a cell. If the cell is in quotes, it may contain commas. */
 static int cell_length(const char *cell)
 {
     int length = 0, quoted = 0;

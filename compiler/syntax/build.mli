@@ -45,7 +45,7 @@ val whole : string -> int option
 (** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** The size of an array. The pair consists of the literal's text and a flag that tells whether the
+(** The size of an array. The pair consists of the literal's text and a flag that is true if the
     literal is decimal. *)
 
 val sign_of_sizes : location -> string -> Ir.size_operator
@@ -66,7 +66,7 @@ val task_body : location -> Surface.statement list -> Ir.expr_desc
 (** A [do] block of tasks. *)
 
 val declarations : Ir.declaration list -> Ir.declaration list
-(** Returns a block of declarations unchanged. Rejects a function with several clauses. *)
+(** Returns the declarations of a block unchanged. Rejects a function with several clauses. *)
 
 val where : location -> Ir.declaration list -> Ir.declaration list
 (** The declarations of a [where], in a definition or a branch. Rejects an empty [where]. *)

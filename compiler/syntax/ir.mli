@@ -9,7 +9,7 @@ open Basis
 type name = { text : string; span : Span.t }
 
 type qualified = { qualifier : name option; name : name; span : Span.t }
-(** [M.x]; the text of an operator is its symbol, as in ["+"]. *)
+(** A possibly qualified name, such as [M.x]. The text of an operator is its symbol, as in ["+"]. *)
 
 type program = {
   file : string;
@@ -188,7 +188,7 @@ and ty_desc =
   | Representation of { name : name; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
   | Tuple_type of ty list
-  | Size of int  (** array size; not negative *)
+  | Size of int  (** an array size, which is not negative *)
   | Size_operation of { operator : size_operator; left : ty; right : ty }
       (** arithmetic on sizes: [N - 1] *)
 

@@ -5,14 +5,14 @@ type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
 type origin = { by : Lexer.token; column : int }
 type context = (opener * origin) list
 
-(* The closing tokens that have a partner at or below this entry. A bracket hides everything opened
-   before it. *)
+(* The closing tokens that have a partner at this entry or below it. A bracket hides everything that
+   was opened before it. *)
 type reach = { bracket : opener option; let_ : bool; if_ : bool; then_ : bool; case : bool }
 
 type entry = {
   opener : opener;
   by : Lexer.token;
-  column : int;  (** column of the innermost block at or below this entry *)
+  column : int;  (** column of the innermost block at this entry or below it *)
   reach : reach;
   depth : int;
 }
@@ -38,7 +38,7 @@ type t = {
   mutable item_start : bool;
       (** no token of the current item of the innermost block has been read *)
   mutable doc : string option;
-      (** the doc comment to put before the constructor after the next [|] or [=] *)
+      (** the doc comment to insert before the constructor after the next [|] or [=] *)
   mutable outer : entry list;  (** the stack before the current token *)
   mutable before : Lexing.position;  (** end of the last token from the text *)
   ready : token Queue.t;  (** tokens inserted by layout, and the tokens to return after them *)
@@ -103,7 +103,7 @@ let emit t token =
     }
     t.ready
 
-(* Pops one entry. If it is a block, emits [CLOSE]. *)
+(* Pops one entry. If the entry is a block, emits [CLOSE]. *)
 let pop t =
   match t.stack with
   | [] -> ()
@@ -123,8 +123,8 @@ let rec pop_until t found =
 let is_block = function Block _ -> true | Paren | Bracket | Brace | If | Then | Case -> false
 let is_bracket = function Paren | Bracket | Brace -> true | Block _ | If | Then | Case -> false
 
-(* Starts a new item of the innermost block. Pops the openers in the old item that are not blocks;
-   they stay unmatched. *)
+(* Starts a new item of the innermost block. Pops the openers that the old item contains, except
+   blocks. These openers remain unmatched. *)
 let separate t =
   let rec blocks = function
     | entry :: rest when not (is_block entry.opener) -> blocks rest
@@ -262,7 +262,7 @@ let contextual t (token : Lexer.token) : Grammar.token =
   in
   match word with (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word | _ -> token.token
 
-(* Processes a token from the text, and returns the token to pass on after the inserted ones. *)
+(* Processes a token from the text. Returns the token to pass on after the inserted tokens. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
   (match partner t token.token with
@@ -319,7 +319,7 @@ let opened t block by (token : Lexer.token) =
   t.opening <- None;
   match block with
   | Top ->
-      (* the end of the header *)
+      (* this token ends the header *)
       emit t END;
       push t (Block Top) by ~column:token.column;
       t.item_start <- true;

@@ -1,6 +1,6 @@
 (** Layout: turns indentation into explicit tokens (language reference, section 11).
 
-    It maps tokens to tokens with a stack of openers, and does not depend on the parser's state. It
+    It inserts tokens by means of a stack of openers, and does not depend on the parser's state. It
     encloses blocks in [OPEN] and [CLOSE], separates their items with [SEMICOLON], and ends each
     top-level item with [END]. A closing token ([in then else of , )] and similar ones) closes all
     blocks opened since its partner, whatever its column. Takes amortized constant time per token.
@@ -20,7 +20,7 @@ type opener =
 type origin = {
   by : Lexer.token;  (** the token that opened it *)
   column : int;
-      (** the column of the items of this block or, for a bracket, of the enclosing block *)
+      (** the column of the items in this block or, for a bracket, in the enclosing block *)
 }
 
 type context = (opener * origin) list
@@ -33,13 +33,14 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-      (** an inserted token is empty and lies at the end of the preceding token *)
+      (** the span of the token; an inserted token is empty, and is at the end of the preceding
+          token *)
   made : bool;  (** inserted by layout *)
   column : int;  (** 0 if inserted by layout *)
   first : bool;  (** first token on its line *)
   around : entry list;
       (** the blocks and brackets that are open before this token; see {!context} *)
-  last : bool;  (** the [END] of the whole file *)
+  last : bool;  (** whether this is the [END] of the whole file *)
 }
 
 val context : token -> context

@@ -19,8 +19,8 @@ type t = {
   mutable line_start : int;  (** byte offset *)
   mutable extra : int;
       (** number of continuation bytes of UTF-8 characters on this line before [at] *)
-  mutable fresh : bool;  (** no token on this line yet *)
-  mutable doc : string list;  (** lines of the current doc comment, last one first *)
+  mutable fresh : bool;  (** whether no token has been read on this line yet *)
+  mutable doc : string list;  (** lines of the current doc comment, in reverse order *)
   mutable doc_line : int;  (** line number of the last line in [doc] *)
   mutable bad_line : int;  (** line number of the last unexpected character *)
   mutable cut_off : bool;  (** an unterminated comment hides the rest of the text *)
@@ -200,7 +200,8 @@ let take_name t =
   if length > most_letters then report t ~start (Long_name { most = most_letters; length });
   String.sub t.text first (min length most_letters)
 
-(* Does this `.` select a field: no space on either side, and a lower-case name after it? *)
+(* Does this `.` select a field? There must be no space on either side, and a lower-case name must
+   follow. *)
 let selects t =
   Basis.Character.is_lower (peek t 1)
   && t.at > 0
@@ -311,7 +312,7 @@ let follows_a_value t =
   t.at > 0
   && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> Basis.Character.is_name c
 
-(* The literal `.5`, without a digit before the point. *)
+(* The literal `.5`, which lacks a digit before the decimal point. *)
 let fraction t =
   let start = position t in
   let first = t.at in
@@ -435,7 +436,8 @@ let text_follows t =
 let next t =
   skip_blanks t;
   let start = position t in
-  (* the token after an unterminated comment has the highest column, so it closes no block *)
+  (* the token after an unterminated comment has the highest column, so that it does not close any
+     block *)
   let column = if t.cut_off then max_int else t.at - t.line_start + 1 - t.extra in
   let first = t.fresh in
   let doc =

@@ -7,9 +7,9 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-  column : int;  (** column of the token's start, in characters from 1 (not in bytes) *)
-  first : bool;  (** first token on its line *)
-  doc : string option;  (** the [-- |] comment before the token *)
+  column : int;  (** column of the token's start, counted in characters from 1 (not in bytes) *)
+  first : bool;  (** whether the token is the first one on its line *)
+  doc : string option;  (** the text of the [-- |] comment before the token *)
 }
 
 type t
@@ -21,13 +21,13 @@ val copy : t -> t
 (** A copy of the state, for reading the same tokens twice. *)
 
 val text_follows : t -> bool
-(** Is the next token a string? *)
+(** Is the next token a string literal? *)
 
 val is_unit : string -> bool
 (** Is this the symbol of a unit of the prelude? *)
 
 val next : t -> token
-(** The next token. At the end of the text, returns [END] repeatedly. *)
+(** Reads the next token. At the end of the text, returns [END] every time. *)
 
 val keywords : string list
 (** The reserved words, which cannot be names. *)

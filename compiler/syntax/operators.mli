@@ -4,8 +4,8 @@ val symbols : string list
 (** Every operator symbol. The lexer takes the longest match. *)
 
 val group : Surface.step list -> Surface.term -> Surface.term
-(** [group steps last] groups [steps… last] by precedence and associativity. The steps are given in
-    reverse order. Takes linear time, and does not recurse.
+(** [group steps last] groups [steps… last] by precedence and associativity. The steps are in
+    reverse order. Takes linear time, and is not recursive.
     @raise Reject.Rejected if the table does not define the grouping *)
 
 val left_section :
@@ -17,5 +17,5 @@ val right_section :
 (** Groups the right section [(operator steps… last)]. *)
 
 val groups_inside : outer:Ir.qualified -> side:[ `Left | `Right ] -> Ir.qualified -> bool
-(** Can an application of this operator be an operand of [outer] on that side, without parentheses?
+(** Can an application of this operator be an operand of [outer] on that side without parentheses?
 *)

@@ -9,14 +9,14 @@ type reader = {
   report : Fact.problem -> unit;
   text : string;
   mutable cut : bool;
-      (** The previous item was incomplete. If the current item ends before it defines anything, it
-          is probably the rest of the previous item. *)
+      (** Whether the previous item was incomplete. If so, and if the current item ends before it
+          defines anything, it is probably the rest of the previous item. *)
   mutable failed : bool;  (** the previous item had a syntax error *)
   mutable split : bool;
       (** An item ended at a `;` inside an open bracket. The closing bracket may follow in the next
           item. *)
-  mutable defines : bool;  (** an [=] or [::] of this item has been read *)
-  mutable tokens : int;  (** upper bound on the number of tokens in this item *)
+  mutable defines : bool;  (** whether an [=] or [::] of this item has been read *)
+  mutable tokens : int;  (** an upper bound on the number of tokens in this item *)
 }
 
 let next reader =
@@ -52,7 +52,8 @@ let expects_more : Layout.token option -> bool = function
       true
   | Some _ | None -> false
 
-(* Parses an item with menhir's incremental automaton, which can be inspected at an error. *)
+(* Parses an item with menhir's incremental automaton, whose state can be inspected after an
+   error. *)
 let explained reader =
   reader.defines <- false;
   let token = ref (next reader) in
@@ -145,15 +146,16 @@ let item reader =
 
 let levels_of_a_token = 4
 
-(* Layout limits the nesting of brackets and blocks, but operators, arrows and other constructs nest
-   too. A token adds only a few levels, so an item with few tokens cannot be too deep. *)
+(* Layout limits the nesting of brackets and blocks, but operators, arrows and other constructs can
+   be nested, too. A token adds only a few levels, so an item with few tokens cannot be nested too
+   deeply. *)
 let check_depth reader declaration =
   if levels_of_a_token * reader.tokens > Layout.deepest then
     Option.iter
       (fun at -> reader.report (Too_deep at))
       (Node.depth_exceeds Layout.deepest (Declaration declaration))
 
-(* Collects the items of a program. All lists have the last element first. *)
+(* Collects the items of a program. All lists are in reverse order. *)
 let rec collect reader (program : Ir.program) errors =
   if errors >= most_errors then program
   else
@@ -244,7 +246,7 @@ let program facts ~file text =
 
 let readable ~file text =
   let is_too_deep = ref false in
-  (* a tree that is nested too deeply is not safe to traverse *)
+  (* it is not safe to traverse a tree that is nested too deeply *)
   let report : Fact.problem -> unit = function Too_deep _ -> is_too_deep := true | _ -> () in
   let program = if Utf8.first_error text <> None then None else read report ~file text in
   if !is_too_deep then None else program

@@ -8,7 +8,7 @@ val text : Buffer.t -> string -> unit
 val is_operator : string -> bool
 
 val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
-(** Prints the elements, with this text between them. *)
+(** Prints the elements, separated by this text. *)
 
 val between : Buffer.t -> string -> string -> (unit -> unit) -> unit
 (** Prints something between two texts, such as parentheses. *)
@@ -19,7 +19,7 @@ val name : Buffer.t -> name -> unit
 val qualified : Buffer.t -> qualified -> unit
 
 val infix : Buffer.t -> qualified -> unit
-(** Prints an operator as it appears between operands: a name gets backticks. *)
+(** Prints an operator as it appears between operands. Puts a name in backticks. *)
 
 (** {1 Units and types} *)
 

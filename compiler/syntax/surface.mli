@@ -9,7 +9,7 @@ open Basis
 type term = { desc : term_desc; span : Span.t }
 
 and term_desc =
-  | Expression of Ir.expr_desc  (** cannot be a pattern *)
+  | Expression of Ir.expr_desc  (** an expression that cannot be a pattern *)
   | Wildcard
   | As of Ir.name * term
   | Variable of Ir.qualified
@@ -26,7 +26,7 @@ and term_desc =
 (** One step of [a + - b * c] before its last operand. *)
 type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
-(** A statement of a [do], unprocessed. *)
+(** A statement of a [do] that has not been processed yet. *)
 type statement =
   | Arrow_bind of { left : term; right : Ir.expr }  (** [p <- e] *)
   | Command_bind of { left : term; command : Ir.command }  (** [p <- sf -< e] *)

@@ -16,8 +16,8 @@ type fix = {
   title : string;  (** the effect of the fix, as an imperative: [write `speed`] *)
   edits : edit list;  (** non-overlapping edits in one file *)
   safe : bool;
-      (** may a tool apply the fix without asking? Only if the fix has no alternative and does not
-          change what the program computes; editors merely offer the other fixes *)
+      (** whether a tool may apply the fix without asking: only if there is no alternative and the
+          fix does not change what the program computes; editors only offer the other fixes *)
 }
 (** A correction that a tool can apply. *)
 
@@ -29,7 +29,7 @@ type t = {
   here : string;  (** printed next to the main place; may be empty *)
   labels : label list;
   notes : string list;
-  hints : string list;  (** suggested corrections, each probably right *)
+  hints : string list;  (** suggested corrections, each of which is probably right *)
   fixes : fix list;  (** the hints that a tool can apply, as edits *)
 }
 

@@ -19,8 +19,8 @@ val ignored : unit -> 'fact t
 (** Discards all facts. *)
 
 val map : ('a -> 'b) -> 'b t -> 'a t
-(** Reports each fact as the fact that contains it, for a stage that runs another one. Facts
-    reported to the result cannot be held with {!hold} of the argument. *)
+(** A sink for a stage that runs another stage. It wraps each reported fact in a fact of the outer
+    stage. {!hold} on the argument cannot hold facts that are reported to the result. *)
 
 val report : 'fact t -> 'fact -> unit
 
@@ -45,7 +45,7 @@ val hold : 'fact t -> (unit -> 'a) -> 'a * 'fact held list
 val fact : 'fact held -> 'fact
 
 val is_within : Span.t list -> 'fact held -> bool
-(** Are its diagnostics about these places? *)
+(** Are the diagnostics of this fact about these places? *)
 
 val pass_on : 'fact t -> 'fact held -> unit
 (** Reports the held fact, with the diagnostic that it already has. *)

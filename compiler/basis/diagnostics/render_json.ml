@@ -16,8 +16,8 @@ let place source (at : Span.t) =
     ("column_end", Int (character source at.stop at.file));
   ]
 
-(* Limits on the excerpts: more lines of a long span would not help the reader, and nobody can read
-   a very long line. *)
+(* Limits on the excerpts. More lines of a long span would not help the reader, and a very long line
+   is not readable. *)
 let most_lines = 10
 let longest_line = 2000
 

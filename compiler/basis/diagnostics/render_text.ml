@@ -19,8 +19,8 @@ let mark_colour paint main text = if main then main_colour paint text else frame
 
 (* {1 Selecting lines} *)
 
-(* The lines of one place, with the byte range to mark in each. A multi-line place is marked at its
-   first and last lines. *)
+(* The lines of one place, with the byte range to mark in each line. For a place of several lines,
+   only the first and the last are marked. *)
 let lines_of source ~main ((at : Span.t), text) =
   let line n = Option.value ~default:"" (Source.line source at.file n) in
   let mark n first stop text = (n, { main; from = first - 1; upto = stop - 1; text }) in
@@ -33,7 +33,7 @@ let lines_of source ~main ((at : Span.t), text) =
     [ mark (Span.line at.start) (Span.column at.start) (Span.column at.stop) text ]
   else
     let last, stop =
-      (* an end at the start of a line belongs to the line before *)
+      (* an end at the start of a line belongs to the previous line *)
       if Span.column at.stop = 1 then
         (Span.line at.stop - 1, String.length (line (Span.line at.stop - 1)) + 1)
       else (Span.line at.stop, Span.column at.stop)

@@ -24,7 +24,7 @@ val diagnostics : colour:bool -> Source.t -> Diagnostic.t list -> string
     characters requires a scan of that line. *)
 
 val first_of_each : most:int -> Diagnostic.t list -> Diagnostic.t list
-(** The first [most] errors and the first [most] warnings, in the order of the list. *)
+(** The first [most] errors and the first [most] warnings, in list order. *)
 
 val summary : Diagnostic.t list -> string
 (** The number of errors and of warnings, for example [2 errors, 1 warning], with a newline; [""] if

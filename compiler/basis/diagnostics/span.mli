@@ -30,7 +30,7 @@ val compare : t -> t -> int
 (** Orders by file, then start, then stop. *)
 
 val start_of_file : string -> t
-(** An empty span at line 1, column 1, for errors about a file as a whole. *)
+(** An empty span at line 1, column 1, for errors that concern a file as a whole. *)
 
 val pp : Format.formatter -> t -> unit
 (** Prints [file:line:column] of the start. *)

@@ -1,5 +1,5 @@
 (* Restricted Damerau-Levenshtein distance, computed row by row. Returns [None] as soon as the
-   distance must exceed [limit]. *)
+   distance is certain to exceed [limit]. *)
 let distance ~limit a b =
   let n = String.length a and m = String.length b in
   if abs (n - m) > limit then None

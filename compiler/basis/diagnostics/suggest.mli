@@ -1,4 +1,4 @@
-(** "Did you mean": guesses which name a misspelt name was meant to be. *)
+(** "Did you mean": guesses which name the user meant by a misspelt one. *)
 
 val closest : string -> string list -> string option
 (** [closest name candidates] is the candidate with the smallest edit distance from [name]

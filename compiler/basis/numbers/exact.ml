@@ -183,7 +183,8 @@ let ten_to n = Natural.power (Natural.of_int 10) n
 let limit_of_exponent = 400
 let is_digits text = String.for_all (function '0' .. '9' -> true | _ -> false) text
 
-(* Fast path: almost all literals have a few digits, perhaps with a point, and fit in an [int]. *)
+(* Fast path: almost all literals have only a few digits, with or without a decimal point, and fit
+   in an [int]. *)
 let longest_short = 15
 
 let short_decimal text =

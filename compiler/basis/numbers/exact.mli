@@ -12,8 +12,8 @@ val of_int : int -> t
 
 val of_literal : string -> t option
 (** Parses [digits[.digits][(e|E)[+-]digits]], or [0x], [0o] or [0b] followed by digits of that
-    base, optionally with [_] between digits. [None] if the text has a different form, or its
-    exponent is beyond ±400. *)
+    base, optionally with [_] between digits. [None] if the text has a different form, or if its
+    exponent is outside ±400. *)
 
 val base_of_prefix : char * char -> int option
 (** The base that a literal's first two characters denote. *)

@@ -80,7 +80,8 @@ let shortest_cycle graph component =
   let seen_from = Array.make n (-1) in
   let parent = Array.make n (-1) in
   let looked_at = ref 0 in
-  (* Breadth-first search from [root], no deeper than needed to beat [bound]. *)
+  (* Breadth-first search from [root]. It stops at the depth at which it can no longer find a path
+     shorter than [bound]. *)
   let through root bound =
     let queue = Queue.create () in
     let rec path_to v path = if v = root then root :: path else path_to parent.(v) (v :: path) in

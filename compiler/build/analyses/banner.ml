@@ -32,7 +32,7 @@ let library_line = function
       ]
 
 let lines (r : Request.t) sources =
-  (* Messages name modules of the library without their folder, so this compares their texts. *)
+  (* Messages name library modules without their folder, so this compares the texts. *)
   let is_library (file, text) =
     r.files.read (Filename.concat r.library (Filename.basename file)) = Ok text
   in

@@ -6,8 +6,8 @@ let ratio = 4.
 let decide { share; confidence } runs =
   let allowed = 1. -. share in
   let boundary = log (1. /. (1. -. confidence)) in
-  (* The amount by which a run changes the log-likelihood ratio of another failure rate to the
-     allowed one. *)
+  (* The amount by which one run changes the log-likelihood ratio between another failure rate and
+     the allowed one. *)
   let gain other held =
     if held then log ((1. -. other) /. (1. -. allowed)) else log (other /. allowed)
   in
@@ -28,7 +28,7 @@ let at_most k n p =
   if p <= 0. then 1.
   else if p >= 1. then if k >= n then 1. else 0.
   else
-    (* Computes the logarithm of each term from that of the previous term. *)
+    (* Computes the logarithm of each term from the logarithm of the previous term. *)
     let sum = ref 0. and term = ref (float_of_int n *. log1p (-.p)) in
     let odds = log p -. log1p (-.p) in
     for i = 0 to k do
@@ -37,7 +37,7 @@ let at_most k n p =
     done;
     min 1. !sum
 
-(* Finds where a function that decreases from 1 to 0 has this value. *)
+(* Finds the point at which a function that decreases from 1 to 0 has this value. *)
 let crossing f value =
   let rec within low high rounds =
     let middle = (low +. high) /. 2. in

@@ -37,7 +37,7 @@ let check_chance sink at ({ share; confidence } as chance : Chance.t) =
 let demand = Interp.Thunk.demand
 let bug () = Diagnostic.bug ~stage:"Build.Checks" "a value that is not a test"
 
-(* The order of the arguments is that of the fields of the library's types. *)
+(* The order of the arguments is the order of the fields in the library's types. *)
 let seeds_of sink at (arguments : Interp.Value.t list) =
   let open Basis.Let_syntax.Option in
   let seeds first last chance =

@@ -4,10 +4,10 @@
 open Basis
 
 val probe : string
-(** The name of the drawing among the probes. *)
+(** The name that selects the drawing as a probe. *)
 
 val if_any : string
-(** A probe for hosts: the drawing of a program that draws; nothing for others. *)
+(** A probe that gives hosts the drawing of a program; [None] for a program that does not draw. *)
 
 val is_shown : Request.t -> bool
 (** Whether the request includes the drawing, by name or with all probes. *)
@@ -19,6 +19,6 @@ val others : Flow.Ir.program -> string list -> string list
 (** The requested probes without the drawing. *)
 
 val bound : Diagnostic.sink -> Typing.Ir.definition -> Flow.Ir.program -> int option
-(** The maximum number of marks that the program draws in one instant. The program must be
+(** The maximum number of marks that the program draws in one instant. The program must have been
     specialized with room for one mark. [None] after a diagnostic: E0432 if there is no maximum,
     E0413 if it draws too many different texts. *)

@@ -5,7 +5,8 @@ type known = {
   typed : Ir.program;
   types : Types.t;
   angles : (Ir.Global.t * string, string) Hashtbl.t;  (** units of angles, by type and field *)
-  numbers : (Basis.Span.t, Ir.ty) Hashtbl.t Lazy.t;  (** the numbers that expressions compute *)
+  numbers : (Basis.Span.t, Ir.ty) Hashtbl.t Lazy.t;
+      (** the numbers that expressions compute, with their units *)
 }
 
 (* {1 Declarations} *)
@@ -85,7 +86,7 @@ let record known (product : Flow.Ir.product) =
 
 (* {1 The state} *)
 
-(* Inlining puts names of instances in front of a signal's name. *)
+(* Inlining prefixes a signal's name with the names of instances. *)
 let rec of_variable known words written =
   match words with
   | [] -> None

@@ -17,5 +17,5 @@ val entry :
     reason why nothing could be written. *)
 
 val is_kept : unit -> (string, string) result
-(** [Ok] with the folder of the cache. [Error] with the folder that cannot be used, in which case
-    results are deleted. *)
+(** [Ok] with the folder of the cache, or [Error] with the folder that cannot be used. In the latter
+    case, results are deleted when the command ends. *)

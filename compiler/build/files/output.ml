@@ -84,7 +84,7 @@ let may_be_written path =
         (Printf.sprintf "cannot write %s: %s" (Basis.Printable.name path)
            (Unix.error_message reason))
 
-(* The start of the file, from which its kind is recognized. *)
+(* The first bytes of the file, which show what kind of file it is. *)
 let beginning content path =
   let first channel =
     let text = Bytes.create 64 in
@@ -243,7 +243,7 @@ let rewrite path text =
            (Unix.error_message reason))
   | exception Sys_error reason -> Error (as_error path reason)
 
-(* Also writes a temporary file, which is removed if anything fails. *)
+(* Also writes a temporary file first, and removes it if anything fails. *)
 let stream named work =
   let path, next = beside 0 named in
   let is_file = is_regular path || not (Sys.file_exists path) in

@@ -9,7 +9,7 @@ type content =
   | Picture  (** PNG, or an SVG from frobc *)
   | Rows  (** the table of a sweep, whose first columns are [run,world,robot] *)
   | World  (** a world, recognized by its first line *)
-  | Program  (** an executable with a table for hosts *)
+  | Program  (** an executable that contains a table for hosts *)
   | Link  (** a symbolic link *)
   | Log  (** the log of a served robot, to which new lines are appended *)
   | Source  (** a program's source, which has been read and will be rewritten *)
@@ -21,7 +21,7 @@ type t = {
 }
 
 val asked : content -> string -> string -> t
-(** [asked content option path] describes an output. *)
+(** [asked content option path] describes an output that the user requested. *)
 
 val check : reads:string list -> t list -> (unit, string) result
 (** Checks that a command that reads [reads] may write all these files. The error says which one it
@@ -40,7 +40,7 @@ val rewrite : string -> string -> (unit, string) result
     hard links, it is written in place, so that all links keep referring to it. *)
 
 val copy : string -> string -> (unit, string) result
-(** [copy from path] copies a file and makes it executable. *)
+(** [copy from path] copies a file and makes the copy executable. *)
 
 val folder : string -> (unit, string) result
 (** Creates the folder and its parents if they do not exist. *)

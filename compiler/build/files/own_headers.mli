@@ -26,4 +26,4 @@ val of_sources : string list -> (t list, string) result
     folder. *)
 
 val of_text : folders:string list -> string -> (t list, string) result
-(** The same for the text of a generated file, whose includes are in these folders. *)
+(** Like {!headers}, for the text of a generated file whose includes are in these folders. *)

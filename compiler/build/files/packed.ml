@@ -86,7 +86,7 @@ let unpacked ?damaged path format file run =
         close_in channel;
         status := status_of process
       in
-      (* The reader's error may be caused by a damaged archive. *)
+      (* A damaged archive may be the cause of the reader's error. *)
       let read () =
         let result = run channel in
         if Result.is_error result then ended := reach_end channel;
@@ -149,7 +149,7 @@ let packing format file =
   Unix.close read;
   let channel = Unix.out_channel_of_descr write in
   set_binary_mode_out channel true;
-  (* Truncates an existing file only now that everything else has succeeded. *)
+  (* Truncates an existing file only at this point, when everything else has succeeded. *)
   if Result.is_ok started && (Unix.fstat file).st_kind = Unix.S_REG then Unix.ftruncate file 0;
   (* If the tool exits early, writing must return an error instead of raising SIGPIPE. *)
   let before = Sys.signal Sys.sigpipe Sys.Signal_ignore in

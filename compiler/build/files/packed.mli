@@ -27,5 +27,5 @@ val writer : ?named:string -> string -> writer
     one of the extensions. Opening, writing and closing raise [Sys_error]. *)
 
 val packed : named:string -> string -> (string, string) result
-(** The bytes to write to a file of this name so that it contains this text: compressed, if the name
-    requires it. *)
+(** The bytes to write to a file of this name so that it contains this text. They are compressed if
+    the name has one of the extensions. *)

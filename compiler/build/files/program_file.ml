@@ -9,7 +9,8 @@ let modules ~library file =
   let from_library, own = List.partition (fun (m : Resolve.Modules.t) -> m.library) modules in
   (List.rev_map path own, List.rev_map path from_library)
 
-(* For a file that is not a program: its kind by its extension, and the command that takes it. *)
+(* Describes a file that is not a program: its kind, according to its extension, and the command
+   that reads it. *)
 let of_another_kind file =
   let word = Basis.Printable.path file in
   match String.lowercase_ascii (Filename.extension (Packed.stem file)) with

@@ -9,12 +9,12 @@ val modules : library:string -> string -> string list * string list
 
 val check : string -> (unit, string) result
 (** Checks that the file exists, can be read, and is not a different kind of file according to its
-    extension or its bytes, such as a world or a recording. The error is a text for the user, which
-    names the command that takes such a file. *)
+    extension or its bytes, such as a world or a recording. The error is a text for the user that
+    names the command for this kind of file. *)
 
 val with_tests : string list -> string list
-(** Files from the command line, without duplicates, and after each program its test file, if there
-    is one ({!Resolve.Test_file}). *)
+(** Files from the command line, without duplicates, each followed by its test file if it has one
+    ({!Resolve.Test_file}). *)
 
 val all_exist : string list -> (unit, string) result
 (** Checks that the files named on the command line exist. *)

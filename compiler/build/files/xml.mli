@@ -1,4 +1,4 @@
-(** Escapes texts in SVG and JUnit files. *)
+(** Escapes text for SVG and JUnit files. *)
 
 val escaped : string -> string
-(** The text as it is written between tags or in quotes. *)
+(** The text with characters escaped as required between tags or in quotes. *)

@@ -1,7 +1,7 @@
 open Basis
 
-(* The unit of a knob, from the type of the expression that reads it. [None] if the unit is not
-   determined, as in a function for all units. *)
+(* The unit of a knob, from the type of the expression that reads it. [None] if the type does not
+   determine the unit, as in a function that is polymorphic in its unit. *)
 let unit_of (typed : Typing.Ir.program) (place : Span.t) =
   let found = ref None in
   let rec look (e : Typing.Ir.expr) =
@@ -29,7 +29,7 @@ let refuse sink ~first ~first_unit (c : Core.Ir.control) unit_ =
   |> Diagnostic.hint "rename one of them"
   |> Diagnostic.emit sink
 
-(* Removes duplicates. Each control gets the first unit that is known for it. *)
+(* Removes duplicates. Each control gets the first known unit among its duplicates. *)
 let once sink typed controls =
   let merge known (c : Core.Ir.control) =
     let unit_ = unit_of_control typed c in

@@ -30,7 +30,7 @@ type program = {
 (** A program for a robot that has not been chosen yet. *)
 
 val input : t -> Core.Ir.Global.t
-(** The type of the robot's sensor values. *)
+(** The type of a robot's sensor values. *)
 
 val check_own : Diagnostic.sink -> Typing.Ir.program -> t -> unit
 (** Reports an error if the module of a user-defined robot lacks the records of its input and

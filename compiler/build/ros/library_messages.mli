@@ -1,4 +1,4 @@
-(** The records of the library for messages that are parts of other messages. *)
+(** The library's records for messages that are parts of other messages. *)
 
 val all : ((string * string) * (string * string * string)) list
 (** For each message, given by its package and name: the module that has its record, the name to

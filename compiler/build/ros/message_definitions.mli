@@ -1,17 +1,17 @@
-(** Finds the definitions of message types: in the packages of the sourced ROS 2, and those of
-    common packages also without ROS 2. *)
+(** Finds the definitions of message types in the packages of the sourced ROS 2. The definitions of
+    common packages are found even without ROS 2. *)
 
 val prefixes : unit -> string list
 (** The folders of the sourced ROS 2. *)
 
 type found =
   | Defined of Message_file.t
-  | No_message of string list  (** the package does not have it; its messages *)
+  | No_message of string list  (** the package has no such message; these are its messages *)
   | No_package
-  | Unreadable of string  (** the message names the file *)
+  | Unreadable of string  (** the file cannot be parsed; the error message names it *)
 
 val in_ros2 : package:string -> name:string -> found
-(** Only searches the sourced ROS 2. *)
+(** Searches only the sourced ROS 2. *)
 
 val find : package:string -> name:string -> found
 (** Searches the sourced ROS 2 first, then the common packages. *)

@@ -10,10 +10,10 @@ type base =
 type length = One | Exactly of int | At_most of int | Any
 
 type field = {
-  name : string;  (** as in the file: [angle_min] *)
+  name : string;  (** the name in the file: [angle_min] *)
   base : base;
   length : length;
-  comment : string;  (** behind the field and above it; [""] if there is none *)
+  comment : string;  (** the comment after the field or above it; [""] if there is none *)
 }
 
 type constant = { constant : string; base : base; value : string }
@@ -23,7 +23,7 @@ val parse : package:string -> file:string -> string -> (t, string) result
 (** Parses the text of a file of this package. The error names the file and the line. *)
 
 val type_text : field -> string
-(** The field's type as it is written in ROS: [float32[<=8]]. *)
+(** The field's type in ROS notation: [float32[<=8]]. *)
 
 val is_name : string -> bool
 (** Can this be the name of a package, a type or a field? *)

@@ -1,4 +1,4 @@
-(** What a program declares for its topics in ROS 2: records, and instances of classes of the module
+(** The declarations of a program's ROS 2 topics: records, and instances of classes of the module
     Ros. *)
 
 open Basis
@@ -26,10 +26,10 @@ val fields : t -> Typing.Ir.Global.t -> string list option
 (** The fields of a record; [None] if the type is not a record. *)
 
 val place : t -> Typing.Ir.Global.t -> string -> Span.t
-(** The type of a field where the record is declared. *)
+(** The type of a field in the record's declaration. *)
 
 val name_place : t -> Typing.Ir.Global.t -> string -> Span.t
-(** The name of a field where the record is declared. *)
+(** The name of a field in the record's declaration. *)
 
 val refuse : t -> ?code:string -> at:Span.t -> string -> string -> unit
 (** Reports an error with a hint. The default code is [E0509]. *)

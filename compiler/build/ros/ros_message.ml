@@ -92,7 +92,8 @@ let no_field c ~at ~message ~tycon field (d : F.t) =
             Printf.sprintf "remove it, or name it like one of the message's fields: %s"
               (Enumeration.all names)))
 
-(* Is the record one of another message, with fields that this message does not have? *)
+(* Is the record a library record for another message, with fields that this message does not
+   have? *)
 let is_of_other c ~message tycon =
   let is_field (d : F.t) field = List.exists (F.is_named field) d.fields in
   match (message.definition, fields c tycon) with

@@ -1,4 +1,4 @@
-(** Compares a record with its type of messages in ROS 2.
+(** Compares a record with its ROS 2 message type.
 
     Reports [E0509] for a field that no message can have, and [E0510] if the record does not match
     the definition of its message type. A definition is known if its package is in the sourced ROS

@@ -1,5 +1,5 @@
-(** Texts in messages of ROS 2: enumerations with an instance of [RosText], which has a text for
-    each constructor. *)
+(** Enumerations for text fields of ROS 2 messages. Each one has an instance of [RosText], which
+    defines a text for each constructor. *)
 
 val is_enumeration : Ros_declarations.t -> Typing.Ir.ty -> bool
 (** A type whose constructors have no fields, or [Maybe] of one. *)
@@ -8,4 +8,4 @@ val check : Ros_declarations.t -> at:Basis.Span.t -> in_:string -> Typing.Ir.ty 
 (** Checks that such a type has an instance, with different literal texts. *)
 
 val all : Ros_declarations.t -> Cgen.Node_table.texts list
-(** All enumerations with texts. *)
+(** All enumerations that have an instance of [RosText]. *)

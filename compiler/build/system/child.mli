@@ -1,10 +1,11 @@
 (** Child processes of frobc.
 
-    They end when frobc ends, even by SIGKILL: the kernel sends them a signal when their parent has
-    ended. *)
+    They end when frobc ends, even if SIGKILL ends it, because the kernel sends them a signal when
+    their parent has ended. *)
 
 type life =
-  | Outlives  (** The child may still have data to write, and exits at the end of its input. *)
+  | Outlives
+      (** for programs that may still have data to write, and that exit at the end of their input *)
   | Ends_with_us
   | Ends_with_all_it_started
       (** For programs that start others, such as compilers. The child has its own process group, so
@@ -27,8 +28,8 @@ val end_with_parent : unit -> unit
     Python package sets this variable. *)
 
 val allow_stack : int -> unit
-(** Lets the stack of this process grow to this many bytes, if the system allows that. Processes
+(** Lets the stack of this process grow to this size in bytes, if the system allows that. Processes
     created by {!start} get the original limit. *)
 
 val put_stack_back : unit -> unit
-(** Undoes {!allow_stack}, for a process that becomes another program. *)
+(** Undoes {!allow_stack}, for a process that replaces itself with another program. *)

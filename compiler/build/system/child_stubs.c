@@ -20,14 +20,15 @@
 
 enum life { OUTLIVES, ENDS_WITH_US, ENDS_WITH_ALL_IT_STARTED };
 
-/* Call this in a child of `parent`; see prctl(2). The parent may have ended before that call. */
+/* Must be called in a child of `parent`; see prctl(2). The parent may have ended before the
+ * call. */
 static void end_with(pid_t parent, int number)
 {
     if (prctl(PR_SET_PDEATHSIG, number) != 0 || getppid() != parent)
         _exit(126);
 }
 
-/* The stack limit with which frobc was started, which its children get back. */
+/* The stack limit with which frobc was started. Its children get this limit back. */
 static struct rlimit stack_before;
 static int stack_is_larger;
 
@@ -107,8 +108,8 @@ static void mind(pid_t frobc, char *const *arguments, const int streams[3], int 
     }
 }
 
-/* Takes the program with its arguments, the three streams, and the life. Returns the process id, or
-   the negated errno of exec. */
+/* Takes the program with its arguments, the three streams, and the kind of life. Returns the
+ * process id, or the negated errno of exec. */
 value frobc_child_start(value words, value files, value life)
 {
     CAMLparam3(words, files, life);
@@ -177,7 +178,7 @@ value frobc_child_allow_stack(value bytes)
     return Val_unit;
 }
 
-/* OCaml has its own negative numbers for the signals that it supports. */
+/* OCaml uses its own negative numbers for the signals that it supports. */
 value frobc_child_signal_number(value signal)
 {
     return Val_int(caml_convert_signal_number(Int_val(signal)));

@@ -7,7 +7,7 @@ val rejected : int
 (** The program was rejected; diagnostics are on standard error. *)
 
 val wrong_use : int
-(** Wrong use, missing file, unreadable input, missing tool. *)
+(** A usage error, a missing file, unreadable input, or a missing tool. *)
 
 val bug : int
 (** A bug in frobc. *)

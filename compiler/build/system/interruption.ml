@@ -32,5 +32,5 @@ let protect ~finally work =
   | result -> result
   | exception Signal signal ->
       Unix.kill (Unix.getpid ()) signal;
-      (* The signal may be ignored, but the process cannot continue, so it exits. *)
+      (* Even if the signal is ignored, the process cannot continue, so it exits. *)
       exit (128 + if signal = Sys.sigint then 2 else 15)

@@ -1,4 +1,4 @@
-(** Describes how a process ended, as an exit status following the shell convention. *)
+(** Converts the way in which a process ended to an exit status, following the shell convention. *)
 
 val status : Unix.process_status -> int
 (** The exit status, or 128 + n if signal n ended the process. This n is the system's number of the

@@ -7,7 +7,7 @@ val keep_numbers : unit -> unit
     stream still fail. *)
 
 val output_fault : unit -> string option
-(** Flushes standard output. Returns the reason if that is impossible, also in later calls. *)
+(** Flushes standard output. If that fails, returns the reason, now and in all later calls. *)
 
 val drop_unwritable : unit -> unit
 (** Discards output that cannot be written to standard output or error, so that the process ends

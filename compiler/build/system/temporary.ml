@@ -9,9 +9,9 @@ let rec remove path =
     | _ -> Unix.unlink path
   with Unix.Unix_error _ | Sys_error _ -> ()
 
-(* Starts a process that removes the folder. It waits until no process has the write end of its pipe
-   open. It runs in its own session, so that Ctrl-C does not reach it, and keeps none of our streams
-   open. *)
+(* Starts a process that waits until no process has the write end of its pipe open, and then removes
+   the folder. It runs in its own session, so that Ctrl-C does not reach it, and it keeps none of
+   our streams open. *)
 let remove_at_the_end path =
   let read, write = Unix.pipe () in
   match Unix.fork () with

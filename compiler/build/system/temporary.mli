@@ -1,4 +1,5 @@
-(** Temporary folders, which exist only as long as this process or the programs that replace it. *)
+(** Temporary folders, which exist only as long as this process, or the program that replaces it, is
+    running. *)
 
 val folder : unit -> string
 (** A new folder in [TMPDIR] or [/tmp] that only the user can access. It is removed when this

@@ -5,7 +5,7 @@ external columns : unit -> int = "frob_terminal_columns"
 let seen = lazy (Unix.isatty Unix.stderr)
 let is_seen () = Lazy.force seen
 
-(* The traditional width, for terminals that do not report theirs. *)
+(* The traditional width, used for terminals that do not report theirs. *)
 let usual = 80
 let width text = Display.width (Display.of_line text)
 let cut text room = Display.part (Display.of_line text) ~from:0 ~width:(max 0 room)

@@ -5,7 +5,7 @@ type linked = {
   inputs : string list;
   includes : string list;
   generated : (string * string) list;  (** additional files, with names and contents *)
-  sees : bool;  (** whether its hosts support cameras *)
+  sees : bool;  (** whether its hosts need to support cameras *)
   ros2 : bool;  (** whether its host is a ROS 2 node *)
 }
 (** The files that generated C is linked with, and the target machine; see {!Toolchain.build}. *)
@@ -43,7 +43,7 @@ val shared :
   string ->
   (Resources.t -> string -> int) ->
   int
-(** Builds a shared object for a host. [quiet] hides warnings; [generated]: additional C files;
+(** Builds a shared object for a host. [quiet] suppresses warnings; [generated]: additional C files;
     [options]: options of the C compiler. *)
 
 val hosted :

@@ -12,9 +12,9 @@ type t = {
 
 val allowed :
   generated:string list -> sources:string list -> Flow.Ir.header list -> (t, string) result
-(** [allowed ~generated ~sources headers]: [sources] are the files given with [--with]; [generated]
-    are the names of headers that [frobc] writes itself. The error names each header that is not
-    allowed, and the option that allows it. Standard headers need no option. *)
+(** [allowed ~generated ~sources headers] checks the headers. [sources] are the files given with
+    [--with]; [generated] are the names of headers that [frobc] writes itself. The error names each
+    header that is not allowed, and the option that allows it. Standard headers need no option. *)
 
 val refused : generated:string list -> sources:string list -> Flow.Ir.header list -> string list
 (** The paths of the headers that are not allowed. *)

@@ -32,7 +32,7 @@ let giving ~calls files =
   List.filter is_giving files
 
 let unknown ~calls files =
-  (* The C compiler reports a file that cannot be read. *)
+  (* The C compiler reports files that cannot be read. *)
   let texts = List.filter_map (fun file -> Result.to_option (Own_headers.read file)) files in
   let is_known name = is_free_to_call name || gives texts name in
   List.filter (fun name -> not (is_known name)) calls

@@ -38,7 +38,7 @@ let check ~allowed ~sources ~folders output =
   let is_in folder path = String.starts_with ~prefix:(Filename.concat folder "") path in
   let own = List.map (fun file -> in_folder (Filename.dirname file)) sources in
   let is_found path = List.exists (fun folder -> is_in (in_folder folder) path) folders in
-  (* [above]: the allowed files that include this one, the nearest first, each with its depth. *)
+  (* [above]: the allowed files that include this one, innermost first, each with its depth. *)
   let rec visit above = function
     | [] -> Ok ()
     | (depth, path) :: others ->

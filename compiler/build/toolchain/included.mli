@@ -9,8 +9,8 @@ val option : string
 (** Makes the compiler list the included files on standard error. *)
 
 val in_folder : string -> string
-(** A spelling of the folder's path by which {!check} recognizes the files found in that folder.
-    Pass it to the compiler in place of the folder. *)
+(** The spelling of the folder's path to pass to the compiler, so that {!check} recognizes the files
+    found in that folder. *)
 
 val lists_some : string -> bool
 (** Whether the compiler's output lists at least one file. Each program that [frobc] generates
@@ -22,7 +22,7 @@ val identity : string -> (int * int) option
     because links and other spellings may name the same file. *)
 
 val other_lines : string -> string
-(** The compiler's output without the list. *)
+(** The compiler's output without the list of included files. *)
 
 val check :
   allowed:string list ->

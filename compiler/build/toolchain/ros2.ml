@@ -44,7 +44,7 @@ let prefixes () =
     (fun prefix -> prefix <> "")
     (String.split_on_char ':' (Option.value (Sys.getenv_opt variable) ~default:""))
 
-(* The first prefix that contains the package. *)
+(* The first prefix that contains this package. *)
 let prefix_of prefixes package =
   List.find_opt
     (fun prefix ->

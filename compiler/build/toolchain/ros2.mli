@@ -5,12 +5,12 @@
     packages. The setup scripts of ROS 2, which users source, set this variable. *)
 
 type t = {
-  options : string list;  (** for the C compiler, with the folders of the headers *)
-  libraries : string list;  (** to link with, in this order *)
+  options : string list;  (** options for the C compiler, with the folders of the headers *)
+  libraries : string list;  (** libraries to link with, in this order *)
 }
 
 val find : unit -> (t, string) result
-(** The error tells the user what to source or to install. *)
+(** The error says which script the user should source, or what to install. *)
 
 val tried : (string * string) list
 (** The distributions with which this version of frobc is tested: the prefix of the version of their

@@ -13,8 +13,8 @@ let elementary (resources : Resources.t) =
   let read name = Result.map (fun text -> (name, text)) (Own_headers.read (folder / name)) in
   all (List.map read (Array.to_list (Sys.readdir folder)))
 
-(* Replaces an include directive of the header with the included text. Headers of robots have their
-   own include guards. *)
+(* Replaces a header's include directive with the header's text. Headers of robots have their own
+   include guards. *)
 let line (resources : Resources.t) robot_header line =
   match (String.split_on_char '"' line, robot_header) with
   | [ "#include "; name; "" ], Some (own, text) when String.equal name own -> Ok text

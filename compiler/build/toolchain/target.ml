@@ -5,8 +5,7 @@ type kind =
       port : string;
       script : string;
       options : string list;
-      single : string list;
-          (** options for floating-point hardware that supports floats but no doubles *)
+      single : string list;  (** options for hardware with single-precision floating point only *)
     }
 
 type t = {
@@ -131,7 +130,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
           [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot"; "vision" ]
       in
       {
-        (* -O3, because the vision kernels are loops over pixels *)
+        (* -O3 speeds up the vision kernels, which are loops over pixels *)
         machine = Some (machine t (options @ ("-O3" :: "-D_GNU_SOURCE" :: include_)));
         inputs;
         includes;
@@ -165,7 +164,7 @@ let ros2 (ros2 : Ros2.t) (resources : Resources.t) ~name:_ =
   {
     Built.machine =
       Some { (Toolchain.this_machine ()) with options = "-I" :: runtime :: ros2.options };
-    (* The archive contains another main function, which is not needed. *)
+    (* The archive also contains a main function, which is not needed here. *)
     inputs = with_suffix ".c" host @ [ resources.robot_host; resources.runtime ] @ ros2.libraries;
     includes = with_suffix ".h" host;
     generated = [];

@@ -26,5 +26,5 @@ val size_tool : t -> string option
 (** The program that prints the memory use of an executable, for targets where this matters. *)
 
 val state_of : string -> string * string
-(** The name and content of a file with the memory for a program's state, for hosts without a heap.
-*)
+(** The name and content of a file that reserves memory for a program's state, for hosts without a
+    heap. *)

@@ -66,7 +66,7 @@ let as_argument file = if file <> "" && (file.[0] = '-' || file.[0] = '@') then 
 let copy_of ~folder number file =
   folder / Printf.sprintf "own_%d%s" number (Filename.extension file)
 
-(* An empty header that each copy includes. A compiler that does not list it ignores
+(* An empty header that each copy includes. If a compiler does not list it, that compiler ignores
    {!Included.option}. *)
 let listed = "frob_listed.h"
 
@@ -85,7 +85,7 @@ let copies ~folder { sources; _ } =
     (Ok ())
     (List.mapi (fun number file -> (number, file)) sources)
 
-(* The file to link for one of the user's files: the object of a source, or the file itself. *)
+(* The file to link for one of the user's files: the object file of a source, or the file itself. *)
 let object_of ~folder number file =
   if is_source file then folder / Printf.sprintf "own_%d.o" number else as_argument file
 
@@ -157,7 +157,7 @@ let lists_nothing machine =
     machine.compiler Included.option
 
 (* Compiles, and rejects the result if the compiler included a file that the user does not allow.
-   [lists]: whether C or C++ is compiled, so that the compiler must list some files. *)
+   [lists]: whether C or C++ is compiled, in which case the compiler must list some files. *)
 let compile_allowed machine ~lists foreign arguments =
   let open Basis.Let_syntax.Result in
   let* output = Result.map_error (explain machine) (Process.output machine.compiler arguments) in
@@ -231,8 +231,7 @@ let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
   let open Basis.Let_syntax.Result in
   let* foreign = without_own_files machine foreign in
   let inputs = if Tcc.is_named machine.compiler then List.map Tcc.archive inputs else inputs in
-  (* It is not known which files the user's files include, so the user's files are always
-     recompiled. *)
+  (* frobc does not know which files the user's files include, so it always recompiles them. *)
   Cache.entry ~name ~suffix:(suffix kind) ~reuse:(foreign = None)
     ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files) (fun ~folder result ->
       compile machine ~headers ~inputs ~foreign ~folder ~result kind files)

@@ -10,13 +10,13 @@ type foreign = {
 }
 
 type kind =
-  | Shared_object  (** for a host that loads it *)
+  | Shared_object  (** for a host that loads it dynamically *)
   | Executable  (** one of the inputs contains the host with its [main] *)
 
 type machine = {
   compiler : string;  (** the program to call *)
-  cure : string;  (** advice for the user if it is missing *)
-  options : string list;  (** in addition to {!flags} *)
+  cure : string;  (** advice for the user if the program is not installed *)
+  options : string list;  (** flags in addition to {!flags} *)
 }
 
 val this_machine : unit -> machine

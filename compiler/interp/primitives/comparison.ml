@@ -1,6 +1,6 @@
 let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
 
-(* Pairs the parts of two values of the same type, from first to last. *)
+(* Pairs the corresponding parts of two values of the same type, from first to last. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
 
 (* Drawings and texts compare as equal: drawings do not influence what a program does, and texts
@@ -21,7 +21,7 @@ let rec equal (a : Value.t) (b : Value.t) =
 
 and equal_parts (a, b) = equal (Thunk.force a) (Thunk.force b)
 
-(* [numbers] compares two numbers; [equals] is the result for equal values. *)
+(* [numbers] compares two numbers; [equals] is the result if all parts are equal. *)
 let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
   match (a, b) with
   | Bool a, Bool b -> if Bool.equal a b then equals else b
@@ -38,7 +38,8 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
       _ ) ->
       refuse ()
 
-(* The last parts decide without a test for equality, because a NaN is not [<=] another NaN. *)
+(* For the last parts, the result of the comparison is final, without a test for equality, because a
+   NaN is not [<=] another NaN. *)
 and ordered_parts ~numbers ~equals = function
   | [] -> equals
   | [ (a, b) ] -> ordered ~numbers ~equals (Thunk.force a) (Thunk.force b)

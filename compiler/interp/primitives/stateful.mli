@@ -3,7 +3,7 @@
     initial value, which is 0 as well. *)
 
 val delay : Value.thunk -> Value.instance
-(** The argument is the initial value. *)
+(** The argument is the signal's initial value. *)
 
 val time : Basis.Real.t -> Value.instance
 val step_time : Basis.Real.t -> Value.instance

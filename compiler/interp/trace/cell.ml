@@ -2,7 +2,7 @@ let bug format = Basis.Diagnostic.bug ~stage:"Interp.Cell" format
 
 (* {1 Writing} *)
 
-(* Negative numbers and applications of constructors need parentheses when they are arguments. *)
+(* Negative numbers and applications of constructors need parentheses if they are arguments. *)
 type place = Alone | Argument
 
 let float (real : Basis.Real.t) x =

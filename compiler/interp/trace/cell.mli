@@ -9,13 +9,14 @@
     ([frob/frame.h]). *)
 
 val write : Shape.t -> Value.t -> string
-(** Expects a completely evaluated value. Does not quote the text for CSV. *)
+(** Converts a completely evaluated value to text. Does not quote the text for CSV. *)
 
 val read : ?frames:Kernels.frames -> Shape.t -> string -> (Value.t, string) result
-(** On failure, returns a description of the expected text. [frames] finds the images. *)
+(** Reads a value of this shape. On failure, returns a description of the expected text. [frames]
+    finds the images. *)
 
 val overflows : string -> bool
-(** Is the text a number, written in digits, that would be rounded to infinity, such as [1e400]? *)
+(** Is the text a number whose digits would be rounded to infinity, such as [1e400]? *)
 
 val largest : Basis.Real.t -> string
-(** The range of numbers to state in the error message for a number that {!overflows}. *)
+(** The range of numbers that the error message states for a number that {!overflows}. *)

@@ -4,8 +4,8 @@
 type t
 
 val reader : ?separator:char -> (unit -> char option) -> t
-(** Reads the characters that the function returns, until it returns [None] at the end of the file.
-    The function may raise [Sys_error]. Cells are separated by commas, or by [separator]. *)
+(** Reads from a function that returns the next character, or [None] at the end of the file. The
+    function may raise [Sys_error]. Cells are separated by commas, or by [separator]. *)
 
 type cell = { column : int;  (** column of its first character, from 1 *) text : string }
 type row = { line : int;  (** line on which the row starts, from 1 *) cells : cell list }
@@ -14,8 +14,8 @@ type problem =
   | Unreadable of string  (** the operating system's reason *)
   | Unclosed_quote
   | Late_quote
-      (** a cell has whitespace before its opening quote; it is the last cell of the part of the row
-          that was read *)
+      (** a cell has whitespace before its opening quote; the part of the row that was read ends
+          with this cell *)
   | Zero_byte
   | Too_long
       (** the row has more than {!longest} bytes or {!most_cells} cells; these limits bound the
@@ -25,8 +25,8 @@ val longest : int
 val most_cells : int
 
 val next : t -> (row option, row * problem) result
-(** The next row that is not an empty line; [None] at the end. An error includes the part of the row
-    that was read before it. *)
+(** The next row, skipping empty lines; [None] at the end. An error includes the part of the row
+    that was read before the error. *)
 
 val line : t -> int
 (** Line number of the next character. *)

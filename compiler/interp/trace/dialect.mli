@@ -5,9 +5,10 @@
 type t = {
   separator : char;
   decimal_comma : bool;  (** whether numbers have a decimal comma, as in [0,5] *)
-  time_column : string option;  (** [None]: the first column, which must be [time] *)
+  time_column : string option;
+      (** the name of the time column; [None] for the first column, which must be called [time] *)
   columns : (string * string) list;
-      (** pairs of the program's name for a column and the recording's name *)
+      (** pairs of a column's name in the program and its name in the recording *)
 }
 
 val ours : t
@@ -36,8 +37,8 @@ val time_hint : t -> string list -> string
 (** The hint for the error that the first column of the header must be [time]. *)
 
 val separator_hint : t -> string list -> string option
-(** The part of {!time_hint} about a different separator. If the result is [Some], the names are not
-    the columns of the file, so messages about the other columns would be misleading. *)
+(** The part of {!time_hint} about a different separator. If the result is [Some], the header was
+    split at the wrong places, so messages about other columns would be misleading. *)
 
 val column_hint : missing:string -> unknown:string list -> string
 (** The hint for the error that a column is missing, if the recording has unknown columns. *)

@@ -11,7 +11,7 @@ let described (p : param) =
   | Int -> "a whole number of " ^ p.unit_
   | _ -> "a number of " ^ p.unit_
 
-(* Splits a text into the number and the unit in brackets after it. *)
+(* Splits a text into a number and the unit in brackets that follows it. *)
 let apart text =
   match String.index_opt text '[' with
   | None -> Some (text, None)

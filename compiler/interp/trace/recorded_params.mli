@@ -1,5 +1,5 @@
-(** The parameter values with which a recording was made. They are in the lines before the header,
-    for example [# param kTurn=4[1/m]]. *)
+(** Reads the parameter values with which a recording was made from the lines before its header. An
+    example of such a line is [# param kTurn=4[1/m]]. *)
 
 type settings = (Core.Ir.Global.t * Value.t) list
 

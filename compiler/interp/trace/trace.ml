@@ -1,5 +1,5 @@
-(* The parsed header: the index of the time column in the file, and the input's columns, each with
-   its index in a row after the time has been moved to the front. *)
+(* The parsed header: the index of the time column in the file, and the columns of the input. The
+   index of a column refers to a row in which the time has been moved to the front. *)
 type header = { width : int; time_cell : int; columns : (Shape.column * place) list }
 
 (* Columns of the console may be missing. *)
@@ -148,13 +148,14 @@ let nanoseconds text =
       let last = digits first in
       if first = last || last < n then None
       else
-        (* Clamp the exponent: above a million the number is 0 or out of range in any case. *)
+        (* Clamp the exponent: if it is above a million, the number is 0 or out of range in any
+           case. *)
         let raised = float_of_string ("0" ^ String.sub text first (last - first)) in
         let raised = int_of_float (Float.min raised 1e6) in
         Some (if text.[stop + 1] = '-' then -raised else raised)
   in
   let limit = most_seconds * 1_000_000_000 in
-  (* [place] is the decimal exponent of the digit at [k]. *)
+  (* [place] is the decimal exponent of the digit at index [k]. *)
   let rec add ns place k =
     if k = stop || place < -10 then raise_places ns place
     else if text.[k] = '.' then add ns place (k + 1)
@@ -176,7 +177,7 @@ let nanoseconds text =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* Times since 1970 in smaller units; the current one is about 1.8e9 s. *)
+(* Thresholds to recognize times since 1970 in smaller units; the current time is about 1.8e9 s. *)
 let other_unit seconds =
   let looks_like unit_ factor =
     Printf.sprintf ": this looks like %s, so divide the times by %s" unit_ factor

@@ -27,9 +27,9 @@ val run :
     The errors are messages for the user, each with file, line and column. *)
 
 val nanoseconds : string -> int option
-(** Converts seconds, as they are written for the time of an instant, to whole nanoseconds. Exact;
-    rounds ties away from zero. [None] if the text is not a number, or its absolute value exceeds 4
-    · 10^9 s. *)
+(** Converts the text of an instant's time, in seconds, to whole nanoseconds. The conversion is
+    exact, and rounds ties away from zero. [None] if the text is not a number, or its absolute value
+    exceeds 4 · 10^9 s. *)
 
 val too_far : string -> string
 (** A hint for the error message about a text that {!nanoseconds} rejects: says whether it exceeds

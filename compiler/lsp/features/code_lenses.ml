@@ -30,8 +30,8 @@ let bounds ws (doc : Document.t) =
   Option.map Report.Bounds.of_program
     (Build.Queries.step (Diagnostic.sink ()) (Source.create ()) request)
 
-(* Only a complete program can be run and has known costs. A program that fits any robot is
-   not complete. *)
+(* A program that leaves its robot open is not complete: it cannot be run, and its costs are not
+   known. *)
 let of_main ws (doc : Document.t) view range =
   let report =
     match bounds ws doc with

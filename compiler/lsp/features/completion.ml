@@ -19,11 +19,11 @@ type context =
   | Qualified of string
   | Units
   | Modules
-  | Names_of of string  (** in the import list of this module *)
+  | Names_of of string  (** the import list of this module *)
   | Types
   | Expression
 
-(* Start of the word that ends at this offset. *)
+(* The start of the word that ends at this offset. *)
 let rec word_start text i =
   if i > 0 && Basis.Character.is_name text.[i - 1] then word_start text (i - 1) else i
 
@@ -43,7 +43,7 @@ let rec path_before text dot names =
     let names = String.sub text start (dot - start) :: names in
     if start > 0 && text.[start - 1] = '.' then path_before text (start - 1) names else names
 
-(* Inside a bracket after a number or a type, which can only be a unit. *)
+(* Is this inside a bracket after a number or a type, where only a unit can occur? *)
 let in_unit line =
   let n = String.length line in
   let is_unit_char c =
@@ -120,7 +120,7 @@ let kind_of : Mentions.space -> int = function
   | Unit -> unit_kind
   | Field -> field
 
-(* Identifies the entry, so that [resolve] can look up its doc comment. *)
+(* The data that identifies an entry, so that [resolve] can look up its doc comment. *)
 let data (doc : Document.t) (e : Catalogue.entry) : (string * Json.t) list =
   [
     ( "data",
@@ -166,7 +166,7 @@ let of_snippet (label, text, detail) =
 
 (* {1 Names in scope} *)
 
-(* Names that occur in the definition around the cursor, except the word at the cursor. *)
+(* Names that occur in the definition around the cursor, except the word that the cursor touches. *)
 let locals (doc : Document.t) tokens text offset known =
   let from, upto = Tokens.item text offset in
   let start = word_start text offset in
@@ -188,7 +188,7 @@ let locals (doc : Document.t) tokens text offset known =
          in
          item name variable ~rank:1 ~detail)
 
-(* An edit that adds an import after the last one, or at the top. *)
+(* An edit that adds an import after the last import, or at the top of the file. *)
 let import_edit ws (doc : Document.t) text module_ : Json.t =
   let tokens = Tokens.of_text text in
   let last =

@@ -60,7 +60,7 @@ let make ws ~range ~severity ~message ?code ~related () : Json.t =
 
 let severity (d : Diagnostic.t) = match d.severity with Error -> 1 | Warning -> 2
 
-(* The place of the import of another module. Messages about that module are shown there. *)
+(* The place where another module is imported. Messages about that module are shown there. *)
 let import_of text file =
   let module_ = Filename.remove_extension (Filename.basename file) in
   let lines = String.split_on_char '\n' text in

@@ -3,9 +3,9 @@
 open Basis
 
 val parameters : Workspace.t -> Document.t -> Json.t
-(** Parameters of the notification for the text that was checked last. *)
+(** The parameters of the notification for the text that was checked last. *)
 
 val of_diagnostic : Workspace.t -> Analysis.t -> Diagnostic.t -> Json.t
 
 val none : string -> Json.t
-(** Clears the messages of a text that was closed, given by its URI. *)
+(** Clears the messages of a text, given by its URI, that was closed. *)

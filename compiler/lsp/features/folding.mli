@@ -1,5 +1,5 @@
-(** [textDocument/foldingRange] and [selectionRange]. Both use indentation, so the text need not be
-    a program. *)
+(** [textDocument/foldingRange] and [selectionRange]. Both are based on indentation, so they also
+    work for texts that are not programs. *)
 
 open Basis
 

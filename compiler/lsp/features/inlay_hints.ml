@@ -11,8 +11,8 @@ let hint ws (doc : Document.t) offset text tooltip : Json.t =
 
 let longest = 60
 
-(* Names of definitions start a line. Hints for the variables of patterns would fill the line with
-   types. *)
+(* Shows hints only for names that start a line. Hints for the variables in patterns would fill the
+   line with types. *)
 let begins_line (doc : Document.t) offset =
   let text = Text.contents doc.text in
   let rec back i = i = 0 || text.[i - 1] = '\n' || (text.[i - 1] = ' ' && back (i - 1)) in

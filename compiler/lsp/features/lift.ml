@@ -20,7 +20,7 @@ let rec start_of_line text i =
 
 let between text start stop = String.trim (String.sub text start (stop - start))
 
-(* Moves the lines of a text to the left by up to [column] spaces. *)
+(* Removes up to [column] spaces at the start of each line of a text. *)
 let at_the_edge ~column piece =
   let rec blanks line i =
     if i < column && i < String.length line && line.[i] = ' ' then blanks line (i + 1) else i
@@ -51,8 +51,8 @@ let difference before after =
   let k = n - end_of_line before (n - same_end 0) in
   ((start, n - k), String.sub after start (m - start - k))
 
-(* Keeps a formatted text formatted: names with added arguments may make lines too long, and
-   removing a line may change the alignment of its neighbors. *)
+(* Formats the result if the original text was formatted, because the added arguments may make lines
+   too long, and removing a line may change the alignment of its neighbors. *)
 let tidy text edits =
   let after = applied text edits in
   match (format text, format after) with
@@ -68,7 +68,7 @@ type piece = {
   cut : int * int;  (** the range to remove from the block *)
 }
 
-(* Start of the comment lines directly above that have the same indentation. *)
+(* The start of the comment lines directly above that have the same indentation. *)
 let rec with_comments text ~column line =
   let above = if line > 0 then start_of_line text (line - 1) else line in
   let comment = String.make column ' ' ^ "--" in
@@ -141,7 +141,7 @@ let local offset tree (start, stop) =
 let holds (outer : Span.t) (inner : Span.t) =
   String.equal outer.file inner.file && outer.start <= inner.start && inner.stop <= outer.stop
 
-(* The local variables from outside that the definition uses, without duplicates. *)
+(* The local variables that the definition uses but does not declare itself, without duplicates. *)
 let captured view (d : declaration) =
   let from_around (o : Index.occurrence) =
     o.symbol.what = Local && holds d.span o.place && not (holds d.span o.symbol.at)
@@ -192,7 +192,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
   let start, stop = range declaration.span in
   let column = Span.column declaration.span.start - 1 in
   let comments_above from start = at_the_edge ~column (String.sub text from (start - from)) in
-  (* The comments, the end of the definition, and the ranges to remove. *)
+  (* The comments above the definition, its end, and the ranges to remove. *)
   let pieces =
     match found.signature with
     | None ->
@@ -200,7 +200,7 @@ let edits text offset view (top : declaration) found ~parameters ~signature =
           (fun p -> (comments_above p.from start, p.last, [ p.cut ]))
           (piece text ~alone:found.alone (start, stop))
     | Some s when found.alone ->
-        (* The `where` is followed by the signature and the definition, in either order. *)
+        (* The signature and the definition are directly after the `where`, in either order. *)
         let first = min start (fst (range s.span)) in
         Option.map (fun p -> ("", p.last, [ p.cut ])) (piece text ~alone:true (first, stop))
     | Some s -> (

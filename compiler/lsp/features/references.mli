@@ -8,8 +8,8 @@ val of_symbol :
   Document.t ->
   Json.t ->
   (Index.symbol * (Analysis.t * Index.occurrence) list) option
-(** The symbol at the position in these request parameters, and its occurrences, without duplicates.
-*)
+(** The symbol at the position given by these request parameters, and its occurrences, without
+    duplicates. *)
 
 val answer : Workspace.t -> Document.t -> Json.t -> Json.t
 val highlights : Workspace.t -> Document.t -> Json.t -> Json.t

@@ -1,7 +1,7 @@
 open Basis
 
-(* The call before the cursor: the function's name, and the number of complete arguments between it
-   and the cursor. *)
+(* The call before the cursor: the name of the function, and the number of complete arguments
+   between that name and the cursor. *)
 type call = { head : string; arguments : int }
 
 let closes : Syntax.Grammar.token -> bool = function
@@ -53,7 +53,7 @@ let call (tokens : Tokens.token array) ~from ~offset =
         | _ -> head
   in
   let i = last (Array.length tokens - 1) in
-  (* A word that touches the cursor is still being typed. *)
+  (* A word that the cursor touches is still being typed. *)
   let touches = i >= 0 && tokens.(i).stop = offset && is_atom tokens.(i).token in
   if touches then match back (i - 1) None 0 with Some call -> Some call | None -> None
   else back i None 0

@@ -30,7 +30,7 @@ let rec of_bindings (ds : declaration list) =
       | _ -> [])
     ds
 
-(* The equations of a proc on the right-hand side of a definition. *)
+(* The equations of a proc that is the right-hand side of a definition. *)
 let rec equations (e : expr) =
   match e.desc with
   | Proc { body = Output { equations; _ }; _ } -> of_bindings equations

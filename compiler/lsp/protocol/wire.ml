@@ -14,7 +14,7 @@ let create stream =
 (* Maximum length of a message. A header with a larger number is damaged. *)
 let longest = 256 * 1024 * 1024
 
-(* Drops processed data from time to time. *)
+(* Discards processed data from time to time. *)
 let compact t =
   if t.from > 1_000_000 || t.from = Buffer.length t.buffered then (
     let rest = Buffer.sub t.buffered t.from (Buffer.length t.buffered - t.from) in
@@ -31,7 +31,7 @@ let end_of_header t =
   in
   find t.from
 
-(* The last [Content-Length] of the header, so that other text before it does no harm. *)
+(* Uses the last [Content-Length] of the header, so that other text before it does no harm. *)
 let length_in header =
   let name = "content-length:" in
   let n = String.length name in

@@ -15,7 +15,7 @@ val next : t -> timeout:float -> event
 (** Waits for a message for up to [timeout] seconds, without limit if it is negative. *)
 
 val wait : t -> Unix.file_descr list -> Unix.file_descr list
-(** Waits until a message may be available or one of these descriptors is readable; returns the
-    readable descriptors. *)
+(** Waits until a message may be available or one of these descriptors is readable. Returns the
+    descriptors that are readable. *)
 
 val write : out_channel -> Basis.Json.t -> unit

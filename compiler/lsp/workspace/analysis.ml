@@ -17,8 +17,8 @@ exception Not_at_once
 
 let patience = ref 30.
 
-(* After the time limit the timer raises the exception repeatedly, in case a handler catches it. It
-   may even interrupt [stop], which is therefore called twice. *)
+(* After the time limit, the timer raises the exception repeatedly, because a handler may catch it.
+   It may even interrupt [stop], which is therefore called twice. *)
 let with_timer timer signal exn seconds f =
   let armed = ref true in
   let set seconds interval =
@@ -37,7 +37,7 @@ let with_timer timer signal exn seconds f =
       stop ();
       raise exn
 
-(* Measures processor time, so that other load on the machine does not matter. *)
+(* Measures processor time, so that other load on the machine has no influence. *)
 let at_once f =
   match with_timer ITIMER_PROF Sys.sigprof Not_at_once 0.08 f with
   | value -> Some value
@@ -65,7 +65,7 @@ let name_in ~path (program : Resolve.Ir.program) =
   Option.fold (List.find_opt is_main program.modules) ~none:path
     ~some:(fun (m : Resolve.Ir.module_) -> m.file)
 
-(* A request to compile this text as the main module. [parse] supplies its tree. *)
+(* A request to compile this text as the main module. [parse] supplies its syntax tree. *)
 let request ~library ~read ~path text ~parse =
   let files = Build.Program_file.files in
   let read other = if String.equal other path then Ok text else read other in

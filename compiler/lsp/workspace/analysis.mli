@@ -3,7 +3,7 @@
 open Basis
 
 type t = {
-  path : string;  (** path of the file; the file may have different contents, or not exist *)
+  path : string;  (** the path of the file, which may have different contents or not exist *)
   text : Text.t;
   shown : string;  (** the file name in the spans of this text *)
   tree : Syntax.Ir.program option;  (** [None] if it cannot be parsed *)
@@ -20,21 +20,21 @@ val check :
   path:string ->
   string ->
   t
-(** [read] returns the texts of other modules. Never raises an exception. *)
+(** Analyzes the text. [read] returns the texts of other modules. Never raises an exception. *)
 
 val partial : library:string -> read:(string -> (string, Resolve.Files.error) result) -> t -> t
 (** Analyzes the valid parts of a text that has errors. The result contains the trees of these
     parts. *)
 
 val path_of : library:string -> string -> string
-(** Path of a file, given its name in spans. *)
+(** The path of a file, given its name in spans. *)
 
 val guarded : (unit -> 'a) -> ('a, string) result
 (** Runs a function of the compiler. Returns an error if it raises an exception or runs longer than
     {!patience}. *)
 
 val given_up : path:string -> string -> string -> t
-(** The analysis of a text that could not be checked, for this reason. *)
+(** The analysis of a text that could not be checked for this reason. *)
 
 val at_once : (unit -> 'a) -> 'a option
 (** The function's result, or [None] if it takes more than 80 ms of processor time, which is as long

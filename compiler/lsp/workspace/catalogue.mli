@@ -16,8 +16,8 @@ val exports : Workspace.t -> directory:string -> string -> entry list
 (** The names that a module exports, as seen from this folder. *)
 
 val in_scope : Workspace.t -> Document.t -> import list -> entry list
-(** The names that can be used without a qualifier: the names of the module itself, the prelude, and
-    the imports. *)
+(** The names that can be used without a qualifier: the module's own names, and those of the prelude
+    and the imports. *)
 
 val library : Workspace.t -> (string * entry list) list
 (** All library modules except the prelude, with their exports. *)

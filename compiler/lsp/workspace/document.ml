@@ -25,7 +25,8 @@ let opened ~uri ~version text =
     slow = false;
   }
 
-(* Maximum number of edits that are remembered one by one. After more, they are merged into one. *)
+(* Maximum number of edits that are stored separately. If there are more, they are merged into
+   one. *)
 let most_steps = 200
 
 let change t text =

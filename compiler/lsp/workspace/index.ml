@@ -367,6 +367,6 @@ let at (t : t) (p : Span.position) =
   let n = Array.length t in
   let first = search 0 n in
   let is_at i = i < n && t.(i).place.start <= p && p <= t.(i).place.stop in
-  (* Between two adjacent names, the second one counts. *)
+  (* If the position is between two adjacent names, the second one counts. *)
   let rec last i = if is_at (i + 1) && t.(i).place.stop <= p then last (i + 1) else i in
   if is_at first then Some t.(last first) else None

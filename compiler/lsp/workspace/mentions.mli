@@ -14,7 +14,7 @@ type mention =
   | Uses of { space : space; name : qualified; within : Basis.Span.t }
       (** [within]: the expression, pattern, type or constraint that starts with the name *)
   | Selects of { field : name; within : Basis.Span.t }
-      (** access to a field of the record in [within] *)
+      (** an access to a field of the record in [within] *)
   | Imports of { module_ : name; items : name list }
   | Exports of name
   | Local of { declaration : declaration; block : declaration list }

@@ -64,9 +64,9 @@ let of_program (program : Typing.Ir.program) ~main =
   in
   { program; types = Array.of_list !types; locals; globals }
 
-(* The type of the smallest span. Spans nest, so the smallest starts last and ends first. If spans
-   are equal, this uses the outermost expression, which is visited first and so comes last in the
-   list. *)
+(* The type of the smallest span. Spans are nested, so the smallest one starts last and ends first.
+   If several expressions have this span, uses the outermost, which is visited first and is
+   therefore last in the list. *)
 let type_at t p =
   let smaller best ((s : Span.t), ty) =
     if s.start <= p && p <= s.stop && s.start < s.stop then

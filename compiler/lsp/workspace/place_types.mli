@@ -4,7 +4,7 @@ open Basis
 
 type level =
   | Level of Typing.Ir.level
-  | Parameter  (** parameter of a function, which has the level of the argument *)
+  | Parameter  (** a parameter of a function; its level is that of the argument *)
 
 type local = { scheme : Typing.Ir.scheme; level : level }
 type t

@@ -1,5 +1,6 @@
-(* Writes an OCaml module that contains the modules whose paths are the arguments. Each entry has
-   the file name for diagnostics, the text, and the marshalled syntax tree. *)
+(* Writes an OCaml module that contains the library modules whose paths are the command-line
+   arguments. Each entry has the file name for diagnostics, the text, and the marshalled syntax
+   tree. *)
 
 open Basis
 

@@ -189,8 +189,8 @@ and declarations env ~expr ~command ~items ~signatures =
 let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
   Context.report_definition scope.context (Operator_defined name)
 
-(* The definitions of a module by name, in order. Only the first definition of a name is kept; the
-   others are reported where the module's names are collected. *)
+(* The definitions of a module by name, in order. Keeps only the first definition of a name.
+   {!Declared} reports the others when it collects the module's names. *)
 let definitions (scope : Scope.t) declarations =
   let index = String_table.create 16 in
   let add ((count, reversed) as all) item =

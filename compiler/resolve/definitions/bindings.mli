@@ -2,8 +2,8 @@
     list are visible in all of its right-hand sides. *)
 
 type 'a resolver = Env.t -> 'a -> Ir.expr
-(** Resolves an expression. Functions take it as an argument because bindings and expressions
-    contain each other. *)
+(** The function that resolves expressions. It is passed as an argument because bindings and
+    expressions contain each other. *)
 
 (** The right-hand side of a binding. *)
 type right =
@@ -14,14 +14,14 @@ type right =
 type item = { left : Syntax.Ir.left; right : right; doc : string option; span : Basis.Span.t }
 
 val items : Syntax.Ir.declaration list -> item list
-(** The bindings among the declarations. [doc] may come from the signature. *)
+(** The bindings in a list of declarations. [doc] may come from the signature. *)
 
 val equations : Syntax.Ir.declaration list -> item list
-(** The equations of a proc. They include its assertions, each as an equation whose name cannot
-    occur in source code; see {!Labels}. *)
+(** The equations of a proc. Each of its assertions is an equation, too, whose name cannot occur in
+    source code; see {!Labels}. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
-(** The signatures among the declarations, one entry per name. *)
+(** The signatures in a list of declarations, one entry for each name. *)
 
 val declarations :
   Env.t ->
@@ -67,4 +67,4 @@ val guarded :
   guards:(Syntax.Ir.expr option * Syntax.Ir.expr) list ->
   where:Syntax.Ir.declaration list ->
   Ir.right
-(** Guarded alternatives with the [where] that they share. *)
+(** Guarded alternatives, with the [where] that they share. *)

@@ -5,7 +5,7 @@ open Interface
 
 let report (scope : Scope.t) = Context.report_type scope.context
 
-(* The methods that a block defines, without duplicates, with their names and in order. *)
+(* The methods that a block defines, with their names, in order and without duplicates. *)
 let definitions (scope : Scope.t) (class_ : class_) members =
   let methods = String_set.of_list class_.methods in
   let add (seen, reversed) (item : Bindings.item) =

@@ -2,7 +2,7 @@ open Basis
 
 let marker = "Deprecated:"
 
-(* The text after the marker, up to the end of the comment. *)
+(* The text from the marker to the end of the comment. *)
 let after_marker doc =
   let n = String.length marker in
   let rec from k =

@@ -2,4 +2,5 @@
     [renamed to `NAME`]. In this way, the library keeps a renamed definition for one version. *)
 
 val warn : Fact.t Basis.Facts.t -> Ir.program -> unit
-(** Checks the program's own modules. Uses in a deprecated definition are not reported. *)
+(** Reports the uses in the program's own modules, except those in definitions that are deprecated
+    themselves. *)

@@ -106,8 +106,8 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
 and head_of (e : Syntax.Ir.expr) =
   match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e
 
-(* Is this a statement of another language, such as `while (…) …`? Then the code after it belongs to
-   that language too, and is not resolved. *)
+(* Is this a statement of another language, such as `while (…) …`? If so, the code after it is also
+   in that language, so it is not resolved. *)
 and is_statement_elsewhere head =
   match (head_of head).desc with
   | Variable { qualifier = None; name; _ } -> List.mem name.text statements_elsewhere

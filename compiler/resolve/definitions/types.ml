@@ -114,7 +114,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
   | Tuple_type ts -> Tuple_type (Long_list.map (ty scope variables) ts)
   | Size n -> Size n
   | Size_operation _ -> (
-      (* after an error, any size will do *)
+      (* after an error, the size does not matter *)
       match known_size scope t with
       | Some n -> Size n
       | None -> Size 1)

@@ -2,15 +2,15 @@ open Basis
 
 type kind = Equation | Variable of Span.t (* the whole pattern *)
 
-(* A vertex of the dependency graph: a variable, or a destructuring binding, on which its variables
-   depend. *)
+(* A vertex of the dependency graph: a variable, or a destructuring binding. The variables of such a
+   binding depend on it. *)
 type vertex = { name : string; at : Span.t; kind : kind; needs : int list }
 
 type found = {
   mutable vertices : vertex list; (* newest first *)
   mutable count : int;
   of_local : int Int_table.t;
-  mutable told : int list; (* vertices whose values hosts report; they count as used *)
+  mutable told : int list; (* vertices whose values hosts report, so they count as used *)
   mutable reads : (int * int) list; (* pairs of a reading vertex and the local variable it reads *)
   mutable parameters : Span.t list; (* the patterns of the parameters of functions *)
   mutable zeros : (string list * Span.t) list;
@@ -128,7 +128,7 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   List.iter (fun k -> used.(k) <- true) found.told;
   let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
   (* Visits users before the definitions they use. An unused pattern variable does not mark its
-     pattern as used, so that a completely unused pattern is reported once. *)
+     pattern as used. Therefore a pattern of which nothing is used is reported only once. *)
   let component members =
     let first = vertices.(List.hd members) in
     let is_used = is_silent first || List.exists (fun v -> used.(v)) members in
@@ -167,8 +167,8 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   |> List.fold_left by_pattern []
   |> List.iter (report_variables report found)
 
-(* A module may be imported only for its instances, or, if it is not in the library, for the
-   instances of the modules that it imports. *)
+(* Users may import a module only for its instances. If it is not in the library, they may import it
+   for the instances of the modules that it imports. *)
 let imports report (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in

@@ -14,7 +14,7 @@ type t = {
   program : string option;
 }
 
-(* A module that has been found and read, but not parsed. *)
+(* A module that has been found and read, but not parsed yet. *)
 type found = { path : string; shown : string; in_library : bool; text : string }
 type state = Loading | Loaded of t | Failed
 
@@ -29,7 +29,7 @@ type loader = {
   mutable states : (string * state) String_map.t;  (** state and file of each module, by name *)
   mutable clashes : String_set.t;  (** names shared by two modules, already reported *)
   mutable loaded : t list;  (** newest first *)
-  mutable missing : int;  (** number of modules reported as missing *)
+  mutable missing : int;  (** number of modules that were reported as missing *)
 }
 
 let prelude = "Prelude"
@@ -63,10 +63,10 @@ let modules_in loader directory =
       loader.beside <- String_map.add directory names loader.beside;
       names
 
-(* Further messages are not displayed, so they do not need suggestions. *)
+(* Messages beyond this number are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-(* [imported]: the other modules that the importing module names. *)
+(* [imported]: the other modules that the importing module mentions. *)
 let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   loader.missing <- loader.missing + 1;
   let known =
@@ -75,7 +75,7 @@ let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   in
   report loader (Missing_module { target; imported; known })
 
-(* [way]: the imports that led here, newest first. *)
+(* [way]: the imports that led to this module, newest first. *)
 let report_cycle loader way (target : Syntax.Ir.name) =
   let rec circle taken = function
     | [] -> taken
@@ -86,8 +86,8 @@ let report_cycle loader way (target : Syntax.Ir.name) =
   let places = circle [] way in
   report loader (Import_cycle { target; places })
 
-(* Does the module import itself? Also detects this if the file name differs from the module name.
-   *)
+(* Does the module import itself? Detects this even if the file name differs from the module
+   name. *)
 let imports_itself way (target : Syntax.Ir.name) =
   match way with
   | { place; written } :: _ -> String.equal place.importer target.text && written
@@ -180,7 +180,7 @@ and add_loaded loader ~name ~imports ?program found syntax =
   loader.loaded <- t :: loader.loaded;
   t
 
-(* [prelude]: add the implicit import of the prelude. *)
+(* [prelude]: whether to add the implicit import of the prelude. *)
 and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.program) =
   let directory = Filename.dirname found.path in
   let imported = List.map (fun (d : Syntax.Ir.import) -> d.module_.text) syntax.imports in
@@ -202,7 +202,7 @@ and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.p
   let of_tests = List.map written (Option.to_list (Labels.import syntax)) in
   implied @ of_tests @ Long_list.map written syntax.imports
 
-(* Finds the module and loads it if it is new. Returns whether it exists. *)
+(* Finds the module, and loads it if that has not been done yet. Returns whether it exists. *)
 and import_module loader ~way ~directory ~imported ~importer_in_library (target : Syntax.Ir.name) =
   let found =
     if imports_itself way target then (

@@ -20,15 +20,15 @@ let declared (m : Modules.t) =
       match d.desc with Parameter p when not (is_given p.name.text) -> Some p.name | _ -> None)
     m.syntax.declarations
 
-(* The names that a command line can use for the parameter. *)
+(* The names by which a command line can refer to the parameter. *)
 let names (m : Modules.t) (name : Syntax.Ir.name) = [ name.text; m.name ^ "." ^ name.text ]
 
 let report context setting problem =
   let at = Span.start_of_file (file_of setting) in
   Context.report context (Setting { name = setting.name; at; problem })
 
-(* The module whose parameter the setting refers to. A parameter of the program's own module takes
-   precedence over imported ones. *)
+(* The module of the parameter that the setting refers to. A parameter of the program's own module
+   takes precedence over imported ones. *)
 let owner context modules setting =
   let has (m : Modules.t) = List.exists (fun n -> List.mem setting.name (names m n)) (declared m) in
   match List.filter has (List.rev modules) with

@@ -13,7 +13,7 @@ val program : string -> string option
 (** The program of a test file: [bug.frob] for [bug.test.frob]. [None] for other files. *)
 
 val program_or_self : string -> string
-(** The program of a test file; any other file itself. *)
+(** The program of a test file. Returns any other file unchanged. *)
 
 val module_ : string -> string
 (** The name of the module in the test file of a program's module. It cannot occur in source code.

@@ -8,7 +8,7 @@ type t = {
   scope : Scope.t;
   locals : variable String_map.t;
   around : Syntax.Ir.right list;  (** see {!Fact.unresolved} *)
-  sizes : Sizes.t list;  (** of the enclosing signatures, innermost first *)
+  sizes : Sizes.t list;  (** variables of the enclosing signatures, innermost first *)
   top_level : Groups.t;
   top_index : int String_table.t;
 }

@@ -1,4 +1,4 @@
-(** The meaning of names inside a definition: local variables first, then the module's scope. *)
+(** Looks up names inside a definition, first among local variables, then in the module's scope. *)
 
 open Basis
 
@@ -13,7 +13,7 @@ val of_module : Scope.t -> t
 *)
 
 val inside : t -> Syntax.Ir.right -> t
-(** The environment of a right-hand side. The facts about names without a meaning contain it,
+(** The environment of a right-hand side. Facts about undefined names contain this right-hand side,
     because such a name may be a signal of a [proc] elsewhere in the definition. *)
 
 val with_sizes : t -> Sizes.t list -> t

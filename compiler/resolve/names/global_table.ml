@@ -1,7 +1,7 @@
 include Hashtbl.Make (struct
   type t = Ir.Global.t
 
-  (* Names shared by several modules are rare, so the module is not hashed. *)
+  (* Hashes only the name, because several modules rarely share a name. *)
   let hash (x : t) = Basis.String_table.hash x.name
   let equal (a : t) (b : t) = String.equal a.name b.name && String.equal a.module_ b.module_
 end)

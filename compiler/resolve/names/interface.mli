@@ -8,7 +8,7 @@ module String_set : Set.S with type elt = string
 type value = {
   global : Ir.Global.t;
   signed : bool;
-  class_ : Ir.Global.t option;  (** the class, for a method *)
+  class_ : Ir.Global.t option;  (** the class that a method belongs to *)
   span : Span.t;
 }
 (** A definition, primitive or method. *)
@@ -17,7 +17,7 @@ type constructor = {
   global : Ir.Global.t;
   tycon : Ir.Global.t;
   arity : int;
-  fields : string list option;  (** in order, if the fields are named *)
+  fields : string list option;  (** the fields in order, if they are named *)
   span : Span.t;
 }
 
@@ -96,7 +96,7 @@ val mem : names -> string -> bool
 (** Is the name in any namespace? *)
 
 val union : names -> names -> names
-(** The first argument takes precedence. *)
+(** If both define a name, the first argument takes precedence. *)
 
 val in_order : 'a String_table.t -> string list
 (** The names, in alphabetical order. *)

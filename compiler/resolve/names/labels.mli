@@ -3,7 +3,7 @@
     Assertions are [assert "label" condition] and [assume …] among the equations of a proc. From
     here on, each is an ordinary equation that defines the verdict on its condition (by the
     library's class method [verdict]) under a name that cannot occur in source code. Nothing depends
-    on this equation, so it is removed unless a host asks for the verdict.
+    on this equation, so it is removed unless a host needs the verdict.
 
     [test "label" = e] and [trial "label" = e] are definitions of the library types [Test] and
     [Trial], under names that cannot occur in source code. The judge in each test is a separate
@@ -39,15 +39,15 @@ val kind_of_check : string -> (Syntax.Ir.check * string) option
 (** The kind and label of a test, if this is the name of one. *)
 
 val holding : Ir.Global.t
-(** The library function that turns a condition into a test. It is applied to the value of each
-    [test]; type inference removes it from values that are tests already. *)
+(** The library function that turns a condition into a test. The compiler applies it to the value of
+    each [test], and type inference removes it from values that already are tests. *)
 
 val qualifier : string
 (** The qualifier of the names in {!import}. *)
 
 val import : Syntax.Ir.program -> Syntax.Ir.import option
-(** The import that the tests of a program imply. The program itself cannot refer to the imported
-    names. *)
+(** The import that is added for the tests of a program. The program itself cannot refer to the
+    imported names. *)
 
 val checked : Syntax.Ir.declaration -> (Syntax.Ir.name * Syntax.Ir.expr) list
 (** The definitions that a test declaration creates; empty for other declarations. *)

@@ -1,5 +1,5 @@
-(** The meaning of module-level names in a module. Its own declarations hide imported names. Two
-    imports of the same name clash only if the name is used. *)
+(** The module-level names that a module can use, with their meaning. The module's own declarations
+    hide imported names. Two imports of the same name clash only if the name is used. *)
 
 open Basis
 
@@ -8,8 +8,8 @@ type t = {
   visible : Visible.t;
   library : bool;
   complete : bool;
-      (** every import was found; otherwise unknown names are not reported, because they may belong
-          to a missing module *)
+      (** whether every import was found; if not, unknown names are not reported, because they may
+          belong to a missing module *)
   used : unit String_table.t;  (** imported names that the module uses *)
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
       (** the record types in scope, by field name; uses of a field share one list, because it may
@@ -28,8 +28,8 @@ val records_with : t -> string list -> Ir.Global.t list
 (** {1 For lookups} *)
 
 val choose : t -> 'a Interface.space -> Syntax.Ir.name -> (Visible.import * 'a) list -> 'a option
-(** The only meaning, which then counts as used. Reports that the name is ambiguous if there are
-    several. *)
+(** Returns the meaning and records that it is used. If there are several meanings, reports that the
+    name is ambiguous. *)
 
 val size_named : t -> Syntax.Ir.name -> int option
-(** Like {!Visible.size_named}; the name then counts as used. *)
+(** Like {!Visible.size_named}, but also records that the name is used. *)

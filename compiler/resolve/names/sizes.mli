@@ -1,5 +1,5 @@
-(** Size variables of signatures, such as the [n] of [Array n Float]. They cannot be used as values,
-    so messages explain how to compute the size. *)
+(** Finds the size variables of signatures, such as the [n] of [Array n Float]. They cannot be used
+    as values, so messages explain how to compute the size. *)
 
 type t = Fact.size
 
@@ -7,4 +7,4 @@ val of_signature : name:string -> Ir.scheme -> Ir.pattern list -> t list
 (** The size variables in the signature of a definition with these parameters. *)
 
 val find : t list -> string -> t option
-(** The innermost one with this name; the list starts with the innermost. *)
+(** The innermost size variable with this name. The list starts with the innermost. *)

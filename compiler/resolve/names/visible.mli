@@ -5,17 +5,18 @@ open Basis
 type import = {
   module_ : string;
   qualifiers : string list;  (** for example [M] and [N] for [import M as N] *)
-  unqualified : bool;  (** may be used without a qualifier *)
+  unqualified : bool;  (** whether the names may be used without a qualifier *)
   names : Interface.names;
   span : Span.t;
 }
 
 type of_library = {
   module_ : string;
-  names : Interface.names;  (** the names it declares, or those listed in its header *)
-  gathers : bool;  (** its header re-exports names of other modules, so users import this one *)
+  names : Interface.names;  (** the names that it declares, or those listed in its header *)
+  gathers : bool;
+      (** whether its header re-exports names of other modules; if so, users import this module *)
 }
-(** A library module, for hints. *)
+(** A library module, for use in hints. *)
 
 type t = {
   text : string;  (** the source text of the module *)
@@ -38,7 +39,7 @@ val create :
   t
 
 val imported : t -> 'a Interface.space -> (import -> bool) -> string -> (import * 'a) list
-(** The distinct meanings that a name has through the imports that satisfy the predicate. *)
+(** The distinct meanings that a name gets from the imports that satisfy the predicate. *)
 
 val is_known : t -> 'a Interface.space -> string -> bool
 (** Does the name have a meaning without a qualifier? *)

@@ -1,5 +1,5 @@
-(** What the parser reports, as values without any text. The library [advice] turns each fact into a
-    diagnostic. *)
+(** The facts that the parser reports, as values without text. The library [advice] translates each
+    of them to a diagnostic. *)
 
 open Basis
 
@@ -11,13 +11,14 @@ type problem =
   | Unexpected of {
       state : int;  (** of the automaton *)
       before : Layout.token option;  (** the preceding token, if it belongs to the same item *)
-      token : Layout.token;  (** the one that the parser cannot accept *)
+      token : Layout.token;  (** the token that the parser cannot accept *)
     }
   | Rejected of Rejection.t
   | Command_in_task of {
       command : Span.t;
       block : Lexing.position;  (** the start of the [do] that contains it *)
-      token : Layout.token;  (** the first one after the part of the [do] with the command *)
+      token : Layout.token;
+          (** the first token after the part of the [do] that contains the command *)
     }
   | Misplaced_header of Span.t
   | Misplaced_import of Span.t

@@ -1,4 +1,4 @@
-(** What the lexer reports. *)
+(** The facts that the lexer reports. *)
 
 open Basis
 
@@ -19,8 +19,8 @@ type problem =
   | No_whole_part of { fraction : string }  (** with the point *)
   | Unexpected_character of {
       character : string;
-      offset : int;  (** in the text, in bytes *)
-      is_first : bool;  (** the first one on its line *)
+      offset : int;  (** place in the text, in bytes *)
+      is_first : bool;  (** whether this is the first one on its line *)
     }
 
 type t = { at : Span.t; problem : problem }

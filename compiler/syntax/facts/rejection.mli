@@ -48,10 +48,10 @@ type t =
   | Operator_bound of { at : Span.t; operator : name }
   | Empty_array_in_pattern of Span.t
   | Application_in_pattern of Span.t  (** the place of the function *)
-  | Braces_in_pattern of Span.t  (** the place of what precedes them *)
+  | Braces_in_pattern of Span.t  (** the place of the code before them *)
   | Minus_in_pattern of Span.t
   | Expression_in_pattern of { at : Span.t; desc : expr_desc }
-  (* terms that are not left sides *)
+  (* terms that are not left-hand sides *)
   | Minus_in_name of { at : Span.t; left : name; right : name }
   | Operator_on_left of qualified
   | Parentheses_on_left of Span.t

@@ -5,8 +5,8 @@ val is_bag : string -> bool
 (** Whether this path is a bag: a folder, a file [.db3], or an MCAP file that ROS 2 has written. *)
 
 val recording : program:string -> string -> (string, string) result
-(** The recording of the program in the bag, as a temporary file; the path itself if it is not a
-    bag. [program] is the file of the program. *)
+(** Returns the path of the program's recording in the bag, which is extracted to a temporary file.
+    If the path is not a bag, returns it unchanged. [program] is the file of the program. *)
 
 val for_its_robot : Common_options.t -> string option -> Common_options.t
 (** The options for replaying a program from this recording. If the recording is a bag, the robot is

@@ -2,7 +2,7 @@ open Basis
 open Common_options
 open Reporting
 
-(* Prints only the messages that are not in [told] yet, and adds them to it. *)
+(* Prints only the messages that are not yet in [told], and adds them to it. *)
 let check_one general ?robot ~library ~told file =
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
@@ -15,8 +15,8 @@ let check_one general ?robot ~library ~told file =
   print_diagnostics general.format sources fresh;
   status sink
 
-(* Checks a program together with its test file. Checked separately, the test file would repeat the
-   program's messages. *)
+(* Checks a program together with its test file. If they were checked separately, the messages about
+   the program would be printed twice. *)
 let check_all general ?robot ~library files =
   let of_program program file = Resolve.Test_file.program_or_self file = program in
   let rec next = function
@@ -39,11 +39,11 @@ let check general files =
   let* resources = Installation.find () in
   let* robot = Robots.known general.robot in
   let statuses = check_all general ?robot ~library:resources.library files in
-  (* A program with errors determines the exit status even if another file is missing. *)
+  (* If a program has errors, they determine the exit status even if another file is missing. *)
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
-(* Reports an [-o] that names a file instead of a folder, as it would for other compilers. *)
+(* Reports an [-o] that names a file, as for other compilers, instead of a folder. *)
 let not_a_file ~folder file =
   let name = C_file.name file in
   let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in

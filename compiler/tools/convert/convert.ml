@@ -48,7 +48,8 @@ let copy_file from at =
       copy input output;
       flush output)
 
-(* Calls [write] with the channel for the recording, compressed if its name says so. *)
+(* Calls [write] with the channel for the recording. The output is compressed if the file name says
+   so. *)
 let writing path at write =
   let writer = Packed.writer ~named:path at in
   match write writer.channel with
@@ -61,7 +62,7 @@ let writing path at write =
 
 (* {1 Recording to recording} *)
 
-(* Keeps the complete rows of a truncated recording, and translates dialects to our format. *)
+(* Keeps the complete rows of a truncated recording, and translates dialects to Frob's format. *)
 let rows (t : Recorded.t) out =
   if t.torn = None && t.dialect = Interp.Dialect.ours then
     Packed.with_input t.path (fun channel -> Ok (copy channel out))
@@ -94,7 +95,8 @@ let write_frame folder message =
   | Some (name, text) when Frame_cell.is_name name ->
       let path = Filename.concat folder name in
       Output.folder folder >>= fun () ->
-      (* The name contains a hash of the content, so an existing file has the same content. *)
+      (* The name contains a hash of the content, so if the file exists, it already has the right
+         content. *)
       if Sys.file_exists path then Ok () else Output.write [ (path, text) ]
   | Some _ | None -> Error "it contains an image that no recording can contain"
 
@@ -131,8 +133,8 @@ let of_mcap from path =
 
 (* {1 MCAP of another program to recording} *)
 
-(* The Python package frob extracts a table, and this function writes the table as a recording,
-   which is compressed if the file extension says so. *)
+(* Writes the table that the Python package frob extracts as a recording. The recording is
+   compressed if the file extension says so. *)
 let of_others from path =
   let name = Basis.Printable.name from in
   let cannot reason = Error (Printf.sprintf "cannot read %s: %s" name reason) in

@@ -6,8 +6,8 @@ let number text =
   match float_of_string text with
   | x when Float.is_nan x || Float.abs x = infinity -> ""
   | x -> (
-      (* Keeps the text if it is a number in JSON's syntax: digits on both sides of the point, and
-         no plus sign. *)
+      (* Keeps the text if it is a number in JSON syntax: with digits on both sides of the point,
+         and without a plus sign. *)
       let n = String.length text in
       let digit i = i < n && text.[i] >= '0' && text.[i] <= '9' in
       let first = if text.[0] = '-' then 1 else 0 in
@@ -63,7 +63,7 @@ let frame_transform =
       ("rotation", quaternion);
     ]
 
-(* Kinds of shapes in an entity, apart from lines. *)
+(* Kinds of shapes in an entity, other than lines. *)
 let other_shapes = [ "arrows"; "cubes"; "spheres"; "cylinders"; "triangles"; "texts"; "models" ]
 
 let scene_update =

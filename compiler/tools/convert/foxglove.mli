@@ -1,5 +1,5 @@
-(** Messages in Foxglove's JSON schemas, which PlotJuggler understands as well. Lengths are in m,
-    angles in rad, and times in ns. *)
+(** Builds messages in Foxglove's JSON schemas, which PlotJuggler understands as well. Lengths are
+    in m, angles in rad, and times in ns. *)
 
 type schema = string * string
 (** The name of the schema, and its JSON Schema. *)
@@ -29,13 +29,13 @@ type echo = { id : string; seat : pose; half_angle : float; range : float; lasts
 (** [lasts]: how long the echo is shown unless another one with the same [id] replaces it *)
 
 val of_echoes : time:int -> frame:string -> echo list -> string
-(** Each echo is a cone that contains the places it may have come from. *)
+(** Shows each echo as a cone that contains all places where it may have originated. *)
 
 (** {1 Images} *)
 
 val raw_image : schema
-(** Has two members in addition to Foxglove's: the name of the frame's file, and the file's header.
-*)
+(** In addition to Foxglove's members, the message has two members with the name and the header of
+    the frame's file. *)
 
 type image = { file : string; head : string; width : int; height : int; pixels : string }
 

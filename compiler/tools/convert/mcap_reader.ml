@@ -108,7 +108,7 @@ let rec records channel topics run ~size at =
     | '\x09' -> run (attachment channel ~length)
     | _ -> Ok ()
   in
-  (* The records after the end of the data section repeat its contents. *)
+  (* The records after the data section repeat its contents. *)
   if head.[0] = '\x0f' then Ok () else records channel topics run ~size (start + length)
 
 let is_ours path =
@@ -124,7 +124,7 @@ let is_ours path =
         fst (string header at)
       with
       | library -> library = "frobc"
-      (* [iter] will report the fault of the file. *)
+      (* [iter] will report what is wrong with the file. *)
       | exception (End_of_file | Invalid_argument _) -> true)
 
 let iter path run =

@@ -1,14 +1,14 @@
 type channel = { id : int; mutable count : int; mutable index : (int * int) list }
-(* [index]: times and offsets of the channel's messages in the current chunk, the last one first. *)
+(* [index]: times and offsets of the channel's messages in the current chunk, in reverse order. *)
 
 type t = {
   out : out_channel;
   mutable position : int;
   mutable crc : int;  (** CRC of all bytes before [position] *)
   chunk : Buffer.t;  (** records of the current chunk *)
-  mutable chunk_times : (int * int) option;  (** times of its first and last messages *)
+  mutable chunk_times : (int * int) option;  (** times of the first and last messages in it *)
   mutable times : (int * int) option;  (** times of the first and last messages of the file *)
-  (* Data for the summary, each list with the last one first. *)
+  (* Data for the summary. Each list is in reverse order. *)
   mutable schemas : (string * string) list;  (** names and schemas *)
   mutable channels : (channel * string) list;
   mutable chunks : string list;
@@ -34,7 +34,7 @@ let made fields =
   fields b;
   Buffer.contents b
 
-(* A map or array: its size in bytes, then its contents. *)
+(* A map or an array: its size in bytes, followed by its contents. *)
 let sized b fields = text b (made fields)
 
 let head op length =

@@ -1,5 +1,5 @@
-(** Writes MCAP, a container format for recordings that Foxglove and other tools read: messages in
-    uncompressed chunks, with indexes, a summary, and all CRCs
+(** Writes MCAP, a container format for recordings that Foxglove and other tools read. The messages
+    are in uncompressed chunks, with indexes, a summary, and all CRCs
     ({{:https://mcap.dev/spec} the specification}). The output is deterministic.
 
     Times are nanoseconds and not negative. Messages must be in the order of their times. Writing
@@ -18,8 +18,8 @@ val metadata : t -> name:string -> (string * string) list -> unit
 type channel
 
 val channel : t -> topic:string -> schema:string * string -> channel
-(** Creates a channel for JSON messages. The schema consists of a name and its JSON Schema; the same
-    name must always come with the same schema. *)
+(** Creates a channel for JSON messages. The schema consists of a name and a JSON Schema. A name
+    must always be used with the same schema. *)
 
 val message : t -> channel -> time:int -> string -> unit
 val finish : t -> unit

@@ -41,7 +41,7 @@ let mark = "\xef\xbb\xbf"
 let without_mark line =
   if String.starts_with ~prefix:mark line then String.sub line 3 (String.length line - 3) else line
 
-(* Whether a column is the time or belongs to the program. If the dialect names columns, the others
+(* Whether a column is the time or belongs to the program. If the dialect names columns, all others
    are ignored. *)
 let is_ours name =
   name = "time"
@@ -58,7 +58,7 @@ let check_name number k name =
 
 (* Calls [head] for each comment before the header, [header] for the header, and [row] for each row,
    together with its line. Calls [damaged] with the reason if the end is missing. A row that is too
-   short is an error, unless it is the last one: then it was truncated. *)
+   short is an error, unless it is the last row, which may be truncated. *)
 let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
   let read channel =
     let width = ref 0 and short = ref None and time_cell = ref 0 and kept = ref [] in

@@ -1,15 +1,15 @@
 (** A recording, or any other trace, as a table of strings. Reading it does not require the program
     that recorded it. *)
 
-type kind = Number | Truth | Words  (** any other value of the language *)
+type kind = Number | Truth | Words  (** any other kind of value *)
 type column = { name : string; kind : kind  (** the kind of all its non-empty cells *) }
 
 type t = {
   path : string;
   dialect : Interp.Dialect.t;
   params : (string * string) list;  (** recorded parameters, such as [("kTurn", "4[1/m]")] *)
-  columns : column array;  (** [time] is the first column *)
-  torn : string option;  (** if the end is missing: the reason and the place *)
+  columns : column array;  (** [time] comes first *)
+  torn : string option;  (** the reason and the place, if the end is missing *)
 }
 
 val survey : dialect:Interp.Dialect.t -> string -> (t, string) result
@@ -21,4 +21,4 @@ val iter : t -> (time:int -> string array -> unit) -> (unit, string) result
     negative and never decrease. *)
 
 val lines : t -> (string -> unit) -> (unit, string) result
-(** Each complete line without its line ending, translated from the dialect to our format. *)
+(** Each complete line without its line ending, translated from the dialect to Frob's format. *)

@@ -1,7 +1,7 @@
 (* {1 Groups of columns} *)
 
-(* Columns as nested objects, split at the parts of their names, such as [in.sonar[3].x]. The label
-   of an assertion is a single part, whatever characters it contains. *)
+(* Arranges columns as nested objects, according to the parts of their names, such as
+   [in.sonar[3].x]. The label of an assertion is a single part, whatever characters it contains. *)
 type tree = Cell of int * Recorded.kind | Members of (string * tree) list
 
 let is_label part =
@@ -26,8 +26,8 @@ and indexed name =
       first :: List.map index indices
   | [] -> []
 
-(* The member that contains a column's own value, if its name is a prefix of other columns'
-   names. *)
+(* The name of the member for a column's own value, if the column's name is a prefix of other
+   columns' names. *)
 let itself = "value"
 
 let rec add path leaf tree =
@@ -59,7 +59,7 @@ let rec schema_of : tree -> Basis.Json.t = function
       let members = List.map (fun (name, tree) -> (name, schema_of tree)) list in
       Object [ ("type", String "object"); ("properties", Object members) ]
 
-(* The cell in JSON; empty for an empty cell. *)
+(* The cell in JSON. Empty if the cell is empty. *)
 let json (kind : Recorded.kind) text =
   if text = "" then ""
   else
@@ -133,7 +133,7 @@ let of_poses poses ~time cells =
   in
   List.concat_map one poses
 
-(* In ns: somewhat longer than the sonar takes to fire all transducers once. *)
+(* In ns. Somewhat longer than the sonar takes to fire all transducers once. *)
 let echo_lasts = 700_000_000
 
 let of_ranges find seats =
@@ -160,7 +160,7 @@ let of_ranges find seats =
 
 (* {1 Frames of cameras} *)
 
-(* Maximum size in bytes; larger than the frames of any camera. *)
+(* Maximum size in bytes. It is larger than the frames of any camera. *)
 let largest_frame = 1 lsl 28
 
 type frames = { folder : string; mutable missing : int }

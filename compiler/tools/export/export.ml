@@ -17,8 +17,8 @@ let copies_of source target =
   in
   all (List.map one (files source))
 
-(* PlatformIO requires a version. This is not the version of Frob, but that of the user's library,
-   which frobc has no way to find out. *)
+(* PlatformIO requires a version. It is that of the user's library rather than Frob's, and frobc has
+   no way to find it out. *)
 let manifest name =
   Printf.sprintf
     {|{
@@ -48,7 +48,7 @@ let runtime_folders (resources : Resources.t) =
       (fun folder -> (runtime / folder, folder))
       ([ "core"; "hal"; "drivers"; "hosts/board" ] @ List.map (fun r -> "drivers" / r) robots)
 
-(* The headers that the user's C and the generated C include. Generated headers are excluded: an
+(* The headers that the user's C and the generated C include. Excludes generated headers, because an
    earlier run may have left an older copy next to the sources. *)
 let headers_of ~sources ~folders generated =
   let open Basis.Let_syntax.Result in
@@ -85,8 +85,8 @@ let own_files ~into ~sources ~folders generated =
     (List.map (fun file -> (file, Filename.basename file)) sources
     @ List.map (fun (h : Own_headers.t) -> (h.path, h.name)) headers)
 
-(* Whether the export may write to the folder: it is new, empty, or the result of an earlier
-   export. *)
+(* Whether the export may write to the folder. The folder must be new, empty, or the result of an
+   earlier export. *)
 let is_ours ~folder ~name =
   (not (Sys.file_exists folder))
   || Sys.is_directory folder

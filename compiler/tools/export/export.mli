@@ -6,7 +6,7 @@ val platformio :
     own C files [sources], and the runtime with its drivers; in [examples/], a folder with the
     program's name and a main program for Arduino boards. Returns the exit status. *)
 
-(** {1 For other exports} *)
+(** {1 Functions for other exports} *)
 
 val copies_of : string -> string -> ((string * string) list, string) result
 (** [copies_of source target]: the files directly in a folder, with their paths in another folder

@@ -2,7 +2,7 @@ open Basis.Let_syntax.Result
 
 let ( / ) = Filename.concat
 
-(* Packages have names in lower case. *)
+(* Names of packages must be in lower case. *)
 let package_of name = String.lowercase_ascii name
 
 let dependencies =
@@ -33,8 +33,8 @@ let is_of_messages package =
 
 let lines ?(packages = dependencies) one = String.concat "\n" (List.map one packages)
 
-(* The packages of the messages on topics of the program's own, whose libraries the node loads when it
-   starts, and the names of all topics. *)
+(* The packages of the messages on the program's own topics, and the names of all topics. The node
+   loads the libraries of these packages when it starts. *)
 let own_packages (node : Cgen.Node_table.t option) =
   let package (t : Cgen.Node_table.topic) = List.hd (String.split_on_char '/' t.type_) in
   match node with
@@ -74,7 +74,7 @@ let description name node =
     (String.concat ""
        (List.map (Printf.sprintf "  <exec_depend>%s</exec_depend>\n") (own_packages node)))
 
-(* The targets of a package with messages contain libraries for C++ and Python too. *)
+(* The targets of a package with messages also include libraries for C++ and Python. *)
 let libraries package =
   if is_of_messages package then
     Printf.sprintf "  %s::%s__rosidl_generator_c\n  %s::%s__rosidl_typesupport_c" package package
@@ -150,7 +150,7 @@ let runtime_files (resources : Resources.t) source =
   in
   let every _ = true in
   let is_header name = Filename.check_suffix name ".h" in
-  (* Leaves out the main program for serial lines and its table of drivers. *)
+  (* Excludes the main program for serial lines and its table of drivers. *)
   let is_for_nodes name = not (List.mem name [ "main.c"; "drivers.c"; "drivers.h" ]) in
   let folders =
     [
@@ -177,7 +177,8 @@ let runtime_files (resources : Resources.t) source =
         Export.copies_of resources.elementary (source / "elementary");
       ])
 
-(* Whether the export may write to the folder: it is new, empty, or an earlier export. *)
+(* Whether the export may write to the folder. The folder must be new, empty, or the result of an
+   earlier export. *)
 let is_ours ~folder ~name =
   (not (Sys.file_exists folder))
   || Sys.is_directory folder

@@ -123,7 +123,7 @@ let has_word word text =
   let rec from k = k + n <= String.length text && (String.sub text k n = word || from (k + 1)) in
   from 0
 
-(* If there is no network, pip reports that the package has no versions. *)
+(* Without a network connection, pip reports that the package has no versions. *)
 let refused packages errors =
   let offline =
     List.exists
@@ -155,7 +155,7 @@ let make_environment path =
   | Error (Failed { errors; _ }) ->
       Error (Printf.sprintf "cannot create %s:\n%s" path (last_lines errors))
 
-(* Makes the package frob of this frobc visible in the environment. *)
+(* Makes the package frob that belongs to this frobc visible in the environment. *)
 let add_own_package environment =
   match
     ( package (),

@@ -1,13 +1,13 @@
 (** Third-party Python packages, in a virtual environment that only frobc uses.
 
     The environment is in [XDG_DATA_HOME/frobc] or [~/.local/share/frobc]. If the user has activated
-    a virtual environment, frobc uses that environment instead. Python in the environment finds the
-    package frob of this frobc. *)
+    a virtual environment, frobc uses that environment instead. Python programs in the environment
+    can import the package frob that belongs to this frobc. *)
 
 type group = {
   name : string;
   packages : (string * string) list;
-      (** for each package: its name in the package index, and the name of its module *)
+      (** for each package, its name in the package index and the name of its module *)
   purpose : string;
 }
 
@@ -32,4 +32,5 @@ val command : string -> string
 (** The command that installs a group, for messages. *)
 
 val state : group -> (string list, string) result
-(** The installed packages of a group, with their versions; or the reason why it is not usable. *)
+(** The installed packages of a group, with their versions, or the reason why the group is not
+    usable. *)

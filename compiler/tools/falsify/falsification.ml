@@ -2,7 +2,8 @@ open Search
 
 let package = "frob.falsify_command"
 
-(* While Python loads its modules, Ctrl-C should end it without a traceback, like other programs. *)
+(* While Python loads its modules, Ctrl-C should end it without a traceback, as it ends other
+   programs. *)
 let program =
   Printf.sprintf
     "import signal, sys\n\
@@ -43,9 +44,9 @@ let run general ~entry ~sources search file =
   if not (Sys.file_exists file) then
     Reporting.wrong_use ("there is no file " ^ Basis.Printable.name file)
   else (
-    (* Otherwise Python imports modules from the user's working directory. *)
+    (* Otherwise, Python would import modules from the user's working directory. *)
     Unix.putenv "PYTHONSAFEPATH" "1";
-    (* Makes the Python package use this frobc and its hosts, whatever else is installed. *)
+    (* Makes the Python package use this frobc and its hosts, even if others are installed. *)
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;
     if Sys.getenv_opt "FROB_HOME" = None then
       Result.iter (fun (r : Resources.t) -> Unix.putenv "FROB_HOME" r.prefix) (Installation.find ());

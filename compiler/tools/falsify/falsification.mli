@@ -1,7 +1,7 @@
 (** [frobc falsify]: searches for a run that violates an assertion.
 
-    The search is in Python, where the libraries for it are available and all instants of a run are
-    in memory. The Python package compiles the program by calling this frobc with
+    The search is written in Python, which has the libraries for it and can keep all instants of a
+    run in memory. The Python package compiles the program by calling this frobc with
     [--asserts=margin], loads it, and runs it. This module only finds and starts the package. *)
 
 val run : Common_options.t -> entry:string -> sources:string list -> Search.t -> string -> int

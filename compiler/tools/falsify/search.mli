@@ -3,8 +3,9 @@
 type t = {
   params : string list;  (** each [NAME=LOW to HIGH] *)
   inputs : string list;  (** each [NAME=LOW to HIGH] or [NAME=VALUE] *)
-  disturbances : string list;  (** each [TABLE.KEY=LOW to HIGH], with a key of the world file *)
-  seeds : string option;  (** [LOW to HIGH], range of the seeds for noise *)
+  disturbances : string list;
+      (** each [TABLE.KEY=LOW to HIGH], for a key in a table of the world file *)
+  seeds : string option;  (** [LOW to HIGH], the range of the seeds for noise *)
   world : string option;
   duration : float;  (** s *)
   rate : float;  (** instants per second *)

@@ -1,6 +1,7 @@
 type line = Kept of string | Removed of string | Added of string
 
-(* Lines without their line feeds, so that a missing last line feed makes no difference. *)
+(* The lines without their line feeds, so that a missing line feed at the end makes no
+   difference. *)
 let lines text =
   match List.rev (String.split_on_char '\n' text) with
   | "" :: rest -> Array.of_list (List.rev rest)

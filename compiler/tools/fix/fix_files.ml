@@ -14,7 +14,7 @@ let applied sources ~file fixes =
   let ends = Line_ends.of_text text in
   let take (edits, taken) (fix : Diagnostic.fix) =
     let is_here (e : Diagnostic.edit) = String.equal e.span.file file in
-    (* Two fixes can add the same import. *)
+    (* Two fixes may add the same import. *)
     let adds_import text = String.starts_with ~prefix:"import " (String.trim text) in
     let is_free ((at, text) as edit) =
       (adds_import text && List.mem edit edits)
@@ -48,8 +48,8 @@ let check general ~library ~robot file text =
   Queries.check sink sources { request with files = { Program_file.files with read } };
   (sink, sources)
 
-(* The fix to apply for a diagnostic: with [All] the first one that can be applied, with [Safe] only
-   a single safe one. *)
+(* The fix to apply for a diagnostic. For [All], this is the first fix that can be applied. For
+   [Safe], it is the only fix, if that fix is safe. *)
 let offered choice sources (d : Diagnostic.t) =
   let can_be_made fix = Kept_comments.fix sources fix <> None in
   match (choice, List.filter can_be_made d.fixes) with
@@ -57,8 +57,8 @@ let offered choice sources (d : Diagnostic.t) =
   | Safe, [ only ] when only.safe -> Some (d, only)
   | Safe, _ | All, [] -> None
 
-(* Maximum number of rounds. Several are needed because a fix may let a later stage of the compiler
-   report more. *)
+(* Maximum number of rounds. Several rounds may be necessary, because after a fix a later stage of
+   the compiler can report more diagnostics. *)
 let most_rounds = 100
 
 let rec mended check choice file ~done_ rounds text =

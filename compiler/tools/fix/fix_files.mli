@@ -3,9 +3,9 @@
 open Basis
 
 val applied : Source.t -> file:string -> Diagnostic.fix list -> string * Diagnostic.fix list
-(** The file's text after applying the fixes, in order, and the fixes that were applied. Skips a fix
-    that changes other files or overlaps another fix. Keeps comments ({!Kept_comments}) and the line
-    endings of the text. *)
+(** The text of the file after the fixes have been applied in order, and the fixes that were
+    applied. Skips a fix that changes other files or overlaps another fix. Keeps comments
+    ({!Kept_comments}) and the line endings of the text. *)
 
 type choice = Safe | All
 

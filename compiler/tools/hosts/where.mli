@@ -1,4 +1,4 @@
-(** The world in which a robot is simulated, and the robot that it names. *)
+(** Finds the world in which a robot is simulated, and the robot that the world names. *)
 
 type from = Here | Beside of string  (** the current folder, or the folder of this file *)
 

@@ -8,7 +8,7 @@ let is_letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 let is_inner c = is_letter c || (c >= '0' && c <= '9') || c = '_' || c = '-'
 let is_name name = name <> "" && is_letter name.[0] && String.for_all is_inner name
 
-(* Suggests a valid name that resembles the given one, if there is one. *)
+(* Suggests a valid name that resembles the given one, if possible. *)
 let suggestion name =
   let stem = Filename.remove_extension name in
   let meant = if Filename.check_suffix name ".frob" then stem else name in
@@ -41,7 +41,7 @@ let check_free path =
 
 (* {1 Files} *)
 
-(* Each file of the project: its path, the template it comes from, and its description. *)
+(* The files of the project, each with its path, its template, and its description. *)
 let files ~program =
   [
     (program, "program.frob", "the program, with a trial that checks what it promises");

@@ -116,7 +116,8 @@ let curve out ~colour ~dash points =
         colour dash
         (String.concat " " (List.map pair (thinned points)))
 
-(* Writes each line's name and a sample of the line, in rows. Returns the position below them. *)
+(* Writes the name of each line with a sample of the line, in rows. Returns the position below the
+   rows. *)
 let legend out ~top columns =
   let next (x, y) (k, column) =
     let needed = 44. +. (7. *. float_of_int (String.length column.name)) in
@@ -162,7 +163,7 @@ let panel out ~top ~across times columns =
 
 (* {1 Bands} *)
 
-(* Intervals of instants with the same text, each up to the start of the next. *)
+(* Intervals of instants with the same text. Each interval ends where the next one starts. *)
 let runs times cells =
   let count = Array.length cells in
   let rec from k found =
@@ -174,8 +175,8 @@ let runs times cells =
   in
   from 0 []
 
-(* The color of a band and of the text in it. True is dark and false is light; other values get a
-   color each. *)
+(* The color of a band and of the text in it. True is dark and false is light. Each other value has
+   a color of its own. *)
 let fill known cell =
   match cell with
   | "true" -> ("#0072b2", "#ffffff")

@@ -10,7 +10,7 @@ type column = {
   cells : string array;  (** one for each instant *)
 }
 
-(** {1 Parts for other pictures} *)
+(** {1 Functions for other pictures} *)
 
 type frame = { low : float; high : float; from : float; upto : float }
 (** A scale that maps numbers from [low] to [high] to coordinates from [from] to [upto]. *)
@@ -21,7 +21,7 @@ val range : float list -> float * float
 (** The range of the numbers with a margin. Not empty even if all numbers are equal. *)
 
 val ticks : float -> float -> about:int -> float list
-(** About [about] round numbers between the limits. *)
+(** Approximately [about] round numbers between the limits. *)
 
 val number : float -> string
 

@@ -56,7 +56,7 @@ let unit_words =
     ([ "K"; "kelvin" ], "K");
   ]
 
-(* A unit that a comment states in brackets, or in words: "[m/s]", "(rad)", "in meters". *)
+(* A unit that a comment states in brackets or in words: "[m/s]", "(rad)", "in meters". *)
 let unit_of comment =
   let stated = Str.regexp "[[(]\\([^])]+\\)[])]\\|\\bin \\([A-Za-z/^0-9]+\\)" in
   let group k = try Some (Str.matched_group k comment) with Not_found -> None in
@@ -82,8 +82,9 @@ let unit_of comment =
 type context = {
   most : int;
   mutable imports : (string * string) list;  (** modules and names *)
-  mutable records : (string * string) list;  (** the message types of records, and their names *)
-  mutable written : string list;  (** the declarations, last one first *)
+  mutable records : (string * string) list;
+      (** the message types of the records, and the records' names *)
+  mutable written : string list;  (** the declarations, in reverse order *)
 }
 
 let use c module_ name =
@@ -91,7 +92,7 @@ let use c module_ name =
 
 let is_header (f : F.field) = f.base = Message { package = "std_msgs"; name = "Header" }
 
-(* A field of the record, or the reason why it is left out. *)
+(* A field of the record, or the reason why it is omitted. *)
 type kept = Kept of { type_ : string; remark : string } | Left_out of string
 
 let with_unit name comment =
@@ -166,8 +167,8 @@ and kept c (f : F.field) =
               use c "Ros" "Upto";
               Kept { type_ = upto c.most; remark = "no maximum in ROS" }))
 
-(* Declares the record of a message, after those of its parts. Returns its name; [None] if no field
-   of it can be kept. *)
+(* Declares the record for a message, after the records for its parts. Returns the name of the
+   record, or [None] if it cannot have any of the message's fields. *)
 and record c ~package ~name =
   let type_ = package ^ "/msg/" ^ name in
   match List.assoc_opt type_ c.records with

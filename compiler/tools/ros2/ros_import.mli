@@ -2,4 +2,4 @@
 
 val import : most:int -> output:string option -> string -> int
 (** Writes the module for the message type [PACKAGE/Type], which is found by [AMENT_PREFIX_PATH].
-    [most]: the maximum length of sequences that have none in ROS. Returns the exit status. *)
+    [most]: the maximum length of sequences that are unbounded in ROS. Returns the exit status. *)

@@ -52,7 +52,7 @@ let find_ros2 () =
   Option.iter (fun text -> prerr_endline ("warning: " ^ text)) (Ros2.untried ());
   Ok ros2
 
-(* The arguments of the host for a robot in ROS 2: those at the beginning, and those at the end. *)
+(* The arguments of the host for a robot in ROS 2. Some come first, others last. *)
 let served_in_ros resources ~robot serve =
   let open Basis.Let_syntax.Result in
   match robot with
@@ -145,7 +145,7 @@ let run general ~entry ~sources run file =
         @ flag "--control" control @ last
         @ if viewer = [] then [] else "--viewer" :: viewer))
 
-(* [-fno-semantic-interposition] lets calls within the object be direct, because no other object
+(* [-fno-semantic-interposition] allows direct calls within the object, because no other object
    replaces its functions. *)
 let library general ~entry ~sources ~output file =
   let path = Option.value output ~default:(C_file.name file ^ ".so") in

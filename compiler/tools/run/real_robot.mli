@@ -1,11 +1,11 @@
-(** Commands for robots on a serial line or in ROS 2: those that simulate such a robot, and those
-    that run or build a program for a real one. Each returns the exit status, like {!Commands}. *)
+(** Commands for robots on a serial line or in ROS 2. They simulate such a robot, or run or build a
+    program for a real one. Each returns the exit status, like {!Commands}. *)
 
 type serve = {
   world : string option;
   log : string option;  (** file in which received commands are logged *)
   link : string option;  (** symbolic link to create for the device *)
-  stamped : bool;  (** in ROS 2, commands are of the type [TwistStamped] *)
+  stamped : bool;  (** whether, in ROS 2, commands have the type [TwistStamped] *)
   ros_arguments : string list;  (** arguments for ROS 2 *)
   host : string list;  (** additional arguments for the server *)
 }
@@ -17,7 +17,7 @@ val serve : robot:string option -> sources:string list -> serve -> int
 type way =
   | Device of string  (** a serial device, or [tcp:HOST:PORT] *)
   | Ros2 of { lifecycle : bool; arguments : string list }
-      (** as a ROS 2 node, which is managed or not, with arguments for ROS 2 *)
+      (** as a ROS 2 node: whether it is managed, and the arguments for ROS 2 *)
 
 type run = {
   way : way;  (** how the program reaches its robot *)
@@ -37,7 +37,8 @@ val build :
   output:string option ->
   string ->
   int
-(** Builds that program for a {!Target}. [sources] are the user's own C files. *)
+(** Builds the program that drives the robot for a {!Target}. [sources] are the user's own C files.
+*)
 
 val with_markers : Common_options.t -> Common_options.t
 (** Adds the drawing to a program that draws, so that its ROS 2 node publishes markers. *)

@@ -53,7 +53,7 @@ let beginning text =
   let shown = List.filteri (fun k _ -> k < 20) lines in
   String.concat "\n" (if List.length lines > 20 then shown @ [ "…" ] else shown)
 
-(* Returns the compiler's output. Output with exit status 0 consists of warnings. *)
+(* Returns the compiler's output. If the exit status is 0, this output consists of warnings. *)
 let compiled t arguments =
   match call (t.compile @ arguments) with
   | Ok said -> Ok (String.trim said)
@@ -69,8 +69,8 @@ let warn t said =
     t.warned <- true;
     prerr_endline ("warning: the compiler warns:\n" ^ beginning said))
 
-(* Runs a program whose last word of output says that the program is correct. Its exit status is
-   ignored, because not every runner passes it on. The error is the program's output. *)
+(* Runs a program that ends its output with a word that says whether it is correct. Ignores its exit
+   status, because not every runner passes it on. The error is the program's output. *)
 let ran t program =
   let last text =
     match List.rev (words (String.map (function '\n' | '\r' -> ' ' | c -> c) text)) with
@@ -241,7 +241,7 @@ let tried t objects group =
 
 let line name value = Printf.printf "%s: %s\n%!" name value
 
-(* Tests all groups, but stops if the compiler cannot be tested. *)
+(* Tests all groups, unless the compiler turns out not to be testable. *)
 let groups_failed t objects =
   List.fold_left
     (fun failed group ->

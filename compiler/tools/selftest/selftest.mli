@@ -1,15 +1,15 @@
 (** [frobc selftest]: checks that a C compiler, called as the user calls it, compiles generated C
     correctly.
 
-    The programs together contain every construct of generated C. This [frobc] compiles them; the
-    reference interpreter and the compiled C run them on {!Sample_input}. The outputs must be equal
-    bit for bit. No expected output is stored, so none can be out of date. *)
+    Together, the programs contain every construct of generated C. [frobc] compiles them, and both
+    the reference interpreter and the compiled C run them on {!Sample_input}. Their outputs must be
+    equal bit for bit. No expected output is stored, so it cannot become outdated. *)
 
 type compiler = {
   cc : string option;  (** the command, with or without options; [None] means [CC], or [cc] *)
   cflags : string option;  (** replaces {!Toolchain.flags} *)
   runner : string option;  (** a command that runs the compiled programs, such as an emulator *)
-  real : Basis.Real.t;  (** the precision of the programs *)
+  real : Basis.Real.t;  (** the precision with which the programs are compiled *)
 }
 
 val run : compiler -> int
@@ -19,4 +19,4 @@ val run : compiler -> int
     tested. *)
 
 val programs : (string * string) list
-(** File and entry of each program. A test checks that they cover every construct. *)
+(** The file and the entry of each program. A test checks that they cover every construct. *)

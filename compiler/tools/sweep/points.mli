@@ -5,11 +5,11 @@ type axis = {
   unit_ : string;  (** for example [1/m]; [1] for a plain number; empty for a Bool *)
   along : along;
 }
-(** The values of a parameter that varies, or its only value. *)
+(** The values of a parameter that varies, or the only value of one that does not. *)
 
 and along =
   | Between of { low : float; high : float; steps : int; whole : bool  (** whether it is an Int *) }
-  | Each of string list  (** in the format that a host reads *)
+  | Each of string list  (** the values in the format that a host reads *)
 
 val count : sampling:Plan.sampling -> points:int -> axis list -> int
 (** Length of the result of {!all}. If several steps round to the same Int, the count is too high.

@@ -137,8 +137,8 @@ let digest_of (context : Session.t) general ~entry file =
          Exit_status.ok));
   Digest.string (String.concat "" (!text :: List.map Digest.file context.sources))
 
-(* Includes the files that a world refers to: every quoted text that is the name of a file next to
-   the world. *)
+(* Includes the files that a world refers to. A file counts as such if it is next to the world and
+   the world contains its name in quotes. *)
 let digest_of_world path =
   let text = Checking.read path in
   let quoted = List.concat_map (String.split_on_char '\'') (String.split_on_char '"' text) in

@@ -21,5 +21,5 @@ val missing : Setup.t -> shard -> Rows.t -> int list
 val make :
   Setup.t -> Resources.t -> jobs:int -> folder:string -> Rows.t -> int list -> (unit, string) result
 (** Performs these runs with up to [jobs] processes, which write rows to files in the folder. If a
-    process is killed, another one performs its runs. The error says why the runs stopped; existing
-    rows are kept. *)
+    process is killed, another one performs its runs. The error says why the runs stopped. The rows
+    that exist by then are kept. *)

@@ -4,12 +4,12 @@
 type options = {
   jobs : int option;
       (** maximum number of concurrent processes; by default the number of processors *)
-  shard : Runs.shard;  (** perform only these runs *)
-  merge : bool;  (** perform no runs, only write the table of existing rows *)
-  dry : bool;  (** perform no runs, only print their number *)
-  rows : string option;  (** folder for rows; [None] for one next to the plan *)
+  shard : Runs.shard;  (** perform only the runs of this shard *)
+  merge : bool;  (** perform no runs, and only write the table of existing rows *)
+  dry : bool;  (** perform no runs, and only print their number *)
+  rows : string option;  (** folder for the rows; [None] for a folder next to the plan *)
   also : string list;  (** additional folders with rows *)
-  table : string option;  (** path of the table; [None] for one next to the plan *)
+  table : string option;  (** path of the table; [None] for a file next to the plan *)
   picture : string option;
 }
 

@@ -1,5 +1,5 @@
-(* A number for each run, with the run's point; and the range of the numbers, if it is known in
-   advance. *)
+(* A number for each run, together with the run's point, and the range of the numbers if it is known
+   in advance. *)
 type panel = {
   title : string;
   values : (string array * float) list;
@@ -222,8 +222,8 @@ let svg (t : Setup.t) rows =
     Array.exists (fun (point : string array) -> point.(k) <> t.points.(0).(k)) t.points
   in
   let varying = List.filter (fun (k, _) -> varies k) (List.mapi (fun k axis -> (k, axis)) t.axes) in
-  (* If no parameter varies, the proportion of successful runs is a single number, so its histogram
-     is only drawn if there is no other panel. *)
+  (* If no parameter varies, the proportion of successful runs is a single number. Its histogram is
+     drawn only if there is no other panel. *)
   let panels = match varying with [ _ ] | [ _; _ ] -> share :: measures | _ -> measures in
   let panels = List.filter (fun panel -> panel.values <> []) panels in
   let panels = if panels = [] then [ share ] else panels in

@@ -3,9 +3,9 @@
 type fate = { held : bool; void : bool }
 
 val csv : Setup.t -> Rows.t -> string
-(** One row for each run, in order; all runs must be complete. The columns are the run's number,
-    world, robot, parameters and seed, its fate with time and cause, the robot's final position, and
-    the measurements. *)
+(** Writes one row for each run, in order. All runs must be complete. The columns are the run's
+    number, world, robot, parameters and seed, its fate with time and cause, the robot's final
+    position, and the measurements. *)
 
 val fate : string list -> fate
 (** Parses the fate in a run's cells. *)

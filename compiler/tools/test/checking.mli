@@ -30,5 +30,6 @@ val test_again : Session.t -> string -> Checks.t -> string
 
 val kept : Session.t -> string -> Checks.t -> string -> string
 (** [kept context file check ending] is the path, without its extension, of files about a failed run
-    of a test: [keep], the slug of the label, and [ending]. If {!kept} has assigned that name to
-    another test, the program's name is added after the slug, and then a number if necessary. *)
+    of a test: [keep], the slug of the label, and [ending]. If {!kept} has already assigned that
+    name to another test, adds the program's name after the slug, and then, if necessary, a number.
+*)

@@ -7,7 +7,7 @@ val of_world : string -> t list
 (** The nonzero disturbances in the text of a world file. *)
 
 val names_files : string -> bool
-(** Whether the text refers to pictures, which are found relative to the world file. *)
+(** Does the text refer to pictures? Their paths are relative to the world file. *)
 
 val without : t list -> string -> string
 (** Turns the lines that set these disturbances into comments. *)
@@ -17,6 +17,5 @@ val name : t -> string
 
 val needed : still_fails:(t list -> bool) -> t list -> t list
 (** The disturbances that are needed for a failure. If the run still fails without all of them, the
-    list is empty. Otherwise, the function removes one disturbance after another, and puts it back
-    if the run no longer fails. The argument of [still_fails] is the list of removed disturbances.
-*)
+    list is empty. Otherwise, the function removes one disturbance at a time, and restores it if the
+    run no longer fails. The argument of [still_fails] is the list of removed disturbances. *)

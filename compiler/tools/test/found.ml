@@ -20,7 +20,7 @@ let rows text =
 
 type column = Judge | Asserted of string | Assumed of string | Other
 
-(* Finds the column's kind from the word after its path. The path contains no spaces. *)
+(* Finds the kind of the column in the word after its path. The path contains no spaces. *)
 let column name =
   let after word =
     let n = String.length word in

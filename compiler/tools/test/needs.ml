@@ -86,8 +86,8 @@ let of_own_robot context file c_files =
           command = command context file ~robot:(Some robot) bodies;
         }
 
-(* The C files that define the functions that the program calls, and the headers that these files do
-   not include. *)
+(* The C files that define the functions the program calls, and the headers that these files do not
+   include. *)
 let of_c context file c_files ~calls ~headers =
   let giving = Foreign_symbols.giving ~calls c_files in
   let folders = List.map Filename.dirname giving in
@@ -122,7 +122,7 @@ let contains text part =
   let rec from i = i + n <= String.length text && (String.sub text i n = part || from (i + 1)) in
   from 0
 
-(* Must match the message in runtime/hosts/common/tag_finder.c. *)
+(* This must match the message in runtime/hosts/common/tag_finder.c. *)
 let library reason =
   if contains reason "libapriltag" && contains reason "is not installed" then
     Some

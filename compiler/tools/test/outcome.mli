@@ -3,15 +3,15 @@
 type fate =
   | Held
   | Violated
-  | Undecided  (** an obligation is still open at the end *)
+  | Undecided  (** an obligation was still open at the end *)
   | Unasked  (** no condition applied at any instant *)
   | Void  (** an assumption failed, so the run proves nothing *)
 
 type collision = {
   time : float;  (** s *)
-  x : float;  (** m, position in the world *)
+  x : float;  (** in m, a position in the world *)
   y : float;
-  clearance : float;  (** m, measured from the robot's center at that time *)
+  clearance : float;  (** in m, measured from the robot's center at that time *)
   with_ : string;  (** for display, for example [the wall (room.toml, line 12)] *)
 }
 (** The beginning of a collision, when the robot first touches an object. *)
@@ -23,20 +23,20 @@ type run = {
   by : string;  (** the label of the failed assertion; [judge] if the judge itself failed *)
   truth : float list;  (** x, y, heading, clearance, touches, driven, odometry error *)
   collisions : int;  (** number of the robot's collisions; 0 for a test without a robot *)
-  first : collision option;  (** the first of these *)
+  first : collision option;  (** the first of these collisions *)
   measured : (string * float) list;  (** final values, by {!Measures.t.probe} *)
 }
 
 type look = {
   around : string list;  (** lines with the program's outputs at the last two instants *)
-  picture : string;  (** path of the picture, or empty *)
-  view : string;  (** command that shows the run, or empty *)
+  picture : string;  (** path of the picture; empty if there is none *)
+  view : string;  (** command that shows the run; empty if there is none *)
 }
 (** Files and lines that illustrate a run. *)
 
 type simpler = {
   needs : string list;  (** the remaining disturbances *)
-  world : string;  (** the path of the world file with only those disturbances *)
+  world : string;  (** the path of a world file that contains only those disturbances *)
   again : run;
   seen : look;
 }
@@ -46,7 +46,7 @@ type evidence = {
   run : run;
   look : look;  (** files and lines about [run] *)
   simpler : simpler option;
-  note : string;  (** why something could not be saved, or empty *)
+  note : string;  (** reason why something could not be saved; empty if there is none *)
 }
 (** The report about a failed run. *)
 
@@ -56,8 +56,8 @@ type t = {
   lasts : float;
   measures : Measures.t list;
   chance : Chance.t option;
-  note : string;  (** additional remark, or empty *)
-  result : (run list, string) result;  (** the error is the reason why it could not be run *)
+  note : string;  (** additional remark; empty if there is none *)
+  result : (run list, string) result;  (** if the test could not be run, the error is the reason *)
   evidence : evidence option;
 }
 

@@ -7,7 +7,7 @@ val start : string -> total:int -> t
 (** Starts a line with this label, for a total number of runs. *)
 
 val add : t -> int -> unit
-(** Counts finished runs and estimates the remaining time from those so far. *)
+(** Counts finished runs, and estimates the remaining time from the time they took. *)
 
 val finish : t -> unit
 (** Erases the line. *)

@@ -5,7 +5,8 @@ let runs t = Result.value t.result ~default:[]
 let failures t = List.filter is_failure (runs t)
 let counted t = List.filter (fun r -> r.fate <> Void) (runs t)
 
-(* The decision about the chance after the runs so far, and the number of runs it needed. *)
+(* The decision about the chance, based on the runs so far, and the number of runs that the decision
+   required. *)
 let decision t chance = Chance.decide chance (List.map (fun r -> not (is_failure r)) (counted t))
 
 let decided t =
@@ -55,7 +56,7 @@ let of_chance t (chance : Chance.t) =
     "%s %g of runs, with confidence %g: held in %d of %s, so the true fraction is %.4f to %.4f" said
     chance.share chance.confidence held (plural total "run") least most
 
-(* The failed runs, starting with the run that has evidence. *)
+(* The failed runs. The run with evidence comes first. *)
 let told t =
   match (t.evidence, failures t) with
   | Some e, _ :: others -> e.run :: others

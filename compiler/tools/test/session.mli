@@ -1,12 +1,12 @@
-(** The state shared by all tests of a command. *)
+(** The state that all tests of a command share. *)
 
 type options = {
   pattern : string option;  (** runs only tests whose labels contain this text *)
-  seeds : int option;  (** number of seeds for each trial, starting with its first *)
+  seeds : int option;  (** number of seeds for each trial, starting with the trial's first seed *)
   jobs : int option;
       (** maximum number of concurrent processes; by default the number of processors *)
   rate : float;  (** Hz *)
-  json : bool;  (** print one JSON object per line instead of text *)
+  json : bool;  (** whether to print one JSON object per line instead of text *)
   junit : string option;  (** file with results for a CI server *)
   update : bool;  (** rewrite golden traces *)
   keep : string;  (** folder for recordings and pictures of failed runs *)

@@ -89,8 +89,8 @@ let runs p progress first last =
   | Some ((first, _), result) -> Error (ended_by p ~first result)
   | None -> Ok (List.concat_map (fun (r : Workers.result) -> Found.of_trial r.output) results)
 
-(* Performs runs until the result is decided. They run in batches, and those after the deciding
-   one are discarded, so the outcome does not depend on the batch size. *)
+(* Performs runs in batches until the result is decided. Discards the runs after the deciding one,
+   so that the outcome does not depend on the batch size. *)
 let rec until_decided p progress ~decided ~first ~last known =
   match decided known with
   | Some count -> Ok (List.filteri (fun k _ -> k < count) known)
@@ -116,9 +116,9 @@ let may_write p ~world outputs =
   let* () = Output.folder p.context.options.keep in
   Output.check ~reads:[ p.file; world ] outputs
 
-(* Repeats the run, and saves a recording and a picture of it at this path. Omits files that cannot
-   be saved; the second result is then the reason. If the recording cannot be saved, it is written
-   to a temporary file, and the command shown to the user repeats the run. *)
+(* Repeats the run, and saves a recording and a picture of it at this path. If a file cannot be
+   saved, omits it and returns the reason as the second result. If the recording cannot be saved,
+   writes it to a temporary file, and the command shown to the user repeats the run instead. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in
@@ -157,9 +157,9 @@ let looked_at p (run : Outcome.run) ~world ~path seed =
           let picture = if Result.is_ok drawn then picture else "" in
           (again, { Outcome.around; picture; view }, String.concat "; " (notes [ drawn ])))
 
-(* Splits the disturbances into those without which the run still fails in the same way, and the
-   others; [None] if all are needed for the failure. Skips a world that names files, because a copy
-   in another folder would not find them. *)
+(* Splits the disturbances into those that the failure does not need, and the others; [None] if it
+   needs all of them. A disturbance is not needed if the run fails in the same way without it. Skips
+   a world that names files, because a copy in another folder would not find them. *)
 let left_out p (run : Outcome.run) seed text =
   let all = Disturbances.of_world text in
   let trial = Filename.concat (Temporary.folder ()) "world.toml" in

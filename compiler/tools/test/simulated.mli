@@ -1,4 +1,4 @@
-(** Trials: run the program in the simulator with many seeds. *)
+(** Runs trials: simulates the program with many seeds. *)
 
 val world_of : Session.t -> string -> string -> (string, string) result
 (** [world_of context file name] is the path of the world, which is next to the program or comes

@@ -66,7 +66,7 @@ let tell (options : Session.options) outcome =
   incr told;
   if options.json then print_endline (Results.json outcome) else Results.print outcome
 
-(* The results of a file. *)
+(* The results of the tests in a file. *)
 type result = { status : int; ran : Outcome.t list; skipped : Outcome.skipped list }
 
 let skip (options : Session.options) path ({ what; command } : Needs.t) (check : Checks.t) =

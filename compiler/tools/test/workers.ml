@@ -11,7 +11,7 @@ let read path =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-(* Redirects the program's output to files, so that it never waits for a reader. *)
+(* Redirects the program's output to files, so that the program never waits for a reader. *)
 let start folder number (program, arguments) =
   let path extension = Filename.concat folder (string_of_int number ^ extension) in
   let opened path = Unix.openfile path [ O_WRONLY; O_CREAT; O_TRUNC; O_CLOEXEC ] 0o600 in

@@ -4,20 +4,20 @@ open Reporting
 
 type look = { browser : bool; control : bool }
 
-(* Argument that takes the place of the recording for a live run. *)
+(* The argument that replaces the recording for a live run. *)
 let live = "-"
 
-(* Optimization level for the program. A program with all its probes is large and takes seconds to
-   optimize, which is not worth it for a run of a few minutes. *)
+(* Optimization level for the program. Optimizing a program with all its probes takes seconds, which
+   is not worth it for a run of a few minutes. *)
 let effort = function
   | None -> [ "-O0" ]
   | Some recording ->
       let size = (Unix.stat recording).st_size in
       [ (if size < 5_000_000 then "-O0" else "-O1") ]
 
-(* Enables all probes, and generates tables of their places in the source and their origins. For a
-   program that has errors or too many signals, changes nothing; the build that follows reports the
-   reason. *)
+(* Enables all probes, and generates tables of their places in the source and their origins. If the
+   program has errors or too many signals, changes nothing, because the build that follows reports
+   the reason. *)
 let with_all_probes general (resources : Resources.t) ~entry file =
   match Robots.known general.robot with
   | Error _ -> (general, [])

@@ -2,7 +2,7 @@
 
 type look = {
   browser : bool;  (** whether to open a browser, if there is a desktop *)
-  control : bool;  (** whether pages may do more to a real robot than stop it *)
+  control : bool;  (** whether pages may control a real robot, rather than only stop it *)
 }
 (** How a run is shown live. *)
 
@@ -31,8 +31,8 @@ type view = {
   compare : string option;  (** a second recording to show on top of the first one *)
   seed : int;  (** seed for running it again in the simulator *)
   at : float option;  (** the time to show first, in seconds *)
-  only_build : bool;  (** only prints the path of the executable *)
-  why_nan : bool;  (** only prints the origin of NaN in the output *)
+  only_build : bool;  (** whether to print only the path of the executable *)
+  why_nan : bool;  (** whether to print only the origin of NaN in the output *)
 }
 
 val view : Common_options.t -> entry:string -> sources:string list -> view -> string -> int
