@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The labels are those of the module Ros of the library. */
+/* The labels are those in the library's module Ros. */
 static const struct {
     const char *label, *topic, *function;
 } bumpers[] = {
@@ -14,7 +14,7 @@ static const struct {
 
 enum { BUMPERS = sizeof bumpers / sizeof bumpers[0] };
 
-/* Returns the index of the bumper, or BUMPERS. */
+/* Returns the index of the bumper, or BUMPERS if there is none. */
 static size_t find(const struct frob_control *control)
 {
     size_t i = 0;
@@ -30,8 +30,8 @@ const char *bumpers_topic(const struct frob_control *control)
     return i < BUMPERS ? bumpers[i].topic : NULL;
 }
 
-/* Whether an argument is a rule that remaps the topic: `bumper_left:=TOPIC`, or
- * `NODE:bumper_left:=TOPIC`. */
+/* Returns whether an argument is a rule that remaps the topic:
+ * `bumper_left:=TOPIC`, or `NODE:bumper_left:=TOPIC`. */
 static bool is_remapped(const char *topic, const char *const *arguments, size_t count)
 {
     char rule[64];

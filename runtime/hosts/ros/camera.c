@@ -21,8 +21,8 @@
 
 #define WAIT_NS INT64_C(1000000000)
 
-/* The first argument of this executable in the process of a camera, which continues with the pipe,
- * the topic, the name of the node, `--`, and the arguments for ROS. */
+/* The first argument of this executable in the process of a camera. It is followed by the pipe, the
+ * topic, the name of the node, `--`, and the arguments for ROS. */
 #define CAMERA_OPTION "--ros-camera"
 
 enum { FAULT = 2, PIPE_SIZE = 1048576, NAME = 256 };
@@ -183,7 +183,7 @@ struct camera {
     sensor_msgs__msg__Image image;
     sensor_msgs__msg__CompressedImage compressed;
     bool heard, told_bad, told_silence, told_type;
-    uint8_t *row; /* a row with exchanged colours */
+    uint8_t *row; /* one row, with the colours exchanged */
     size_t row_size;
 };
 
@@ -198,7 +198,7 @@ static bool joined(struct camera *c, const char *name, int argc, char **argv)
            rcl_node_init(&c->node, name, "", &c->context, &options) == RCL_RET_OK;
 }
 
-/* By the convention of image_transport, the topic's name tells the type. */
+/* According to the conventions of image_transport, the topic's name determines the type. */
 static bool subscribed(struct camera *c, const char *topic)
 {
     static const char end[] = "/compressed";
@@ -209,7 +209,7 @@ static bool subscribed(struct camera *c, const char *topic)
     type = c->is_compressed ? ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, CompressedImage)
                             : ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, Image);
     options.qos = rmw_qos_profile_sensor_data;
-    options.qos.depth = 1; /* only the newest image is of use */
+    options.qos.depth = 1; /* only the newest image is needed */
     c->subscription = rcl_get_zero_initialized_subscription();
     if (!sensor_msgs__msg__Image__init(&c->image) ||
         !sensor_msgs__msg__CompressedImage__init(&c->compressed) ||
@@ -219,7 +219,7 @@ static bool subscribed(struct camera *c, const char *topic)
     return true;
 }
 
-/* Returns false if no process reads the pipe any more. */
+/* Returns false if the pipe no longer has a reader. */
 static bool put(const struct camera *c, const void *bytes, size_t count)
 {
     const char *from = (const char *)bytes;
@@ -258,7 +258,7 @@ static const uint8_t *exchanged(struct camera *c, const uint8_t *from, size_t si
     return c->row;
 }
 
-/* Writes an image as PPM or PGM. Returns false if no process reads the pipe any more. */
+/* Writes an image as PPM or PGM. Returns false if the pipe no longer has a reader. */
 static bool pass_image(struct camera *c)
 {
     const sensor_msgs__msg__Image *m = &c->image;
@@ -298,7 +298,7 @@ static bool pass_compressed(struct camera *c)
     return put(c, m->data.data, m->data.size);
 }
 
-/* Reports once a topic without a publisher, or with another type. */
+/* Reports a topic that has no publisher, or a different type. Each is reported once. */
 static void look_at_topic(struct camera *c)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();

@@ -1,8 +1,8 @@
 /* camera.h -- cameras of the robot `ros`: `--camera ros:TOPIC`.
  *
- * For each of them, one more process is a ROS 2 node, which writes the images of its topic to a pipe
- * as PPM, PGM or JPEG. This pipe is the source of the camera's frames (hosts/camera), like any other
- * pipe. So images never delay the messages of the program's node. */
+ * For each of them, one more process is a ROS 2 node, which writes the images of its topic to a
+ * pipe as PPM, PGM or JPEG. This pipe is the source of the camera's frames (hosts/camera), like any
+ * other pipe. Therefore images never delay the messages of the program's node. */
 #ifndef FROB_HOST_ROS_CAMERA_H
 #define FROB_HOST_ROS_CAMERA_H
 
@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-/* A command line in which the sources of cameras are pipes. */
+/* The command line, in which pipes replace the topics of cameras. */
 struct camera_sources {
     int argc;
     char **argv; /* NULL if a process could not be started */

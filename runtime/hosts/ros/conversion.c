@@ -129,7 +129,7 @@ static void write_number(const struct mapping *m, const void *values, void *to)
 static void set_tag(const struct frob_value *value, size_t tag, void *values)
 {
     const uint8_t byte = (uint8_t)tag;
-    /* A product has one constructor, and no tag. */
+    /* A product type has one constructor and no tag. */
     if (value->kind == FROB_SUM)
         memcpy((char *)values + value->offset, &byte, sizeof byte);
 }
@@ -175,7 +175,8 @@ static bool write_text(const struct mapping *m, const void *values, void *place)
                   is_nothing ? "" : m->texts->texts[tag_of(m->value, values)]);
 }
 
-/* ---- Values. `place`: the record, the number or the element in the message. */
+/* ---- Values. `place` is the place of the record, the number or the element in
+ * the message. */
 
 static bool read_at(const struct mapping *m, const void *place, void *values,
                     struct mapping_fault *fault);
@@ -185,7 +186,7 @@ static const void *member_in(const struct mapping *m, const void *record)
     return (const char *)record + m->member->offset_;
 }
 
-/* Elements beyond the end of a sequence keep the values that they had. */
+/* Elements after the end of a sequence keep their previous values. */
 static bool read_elements(const struct mapping *m, const void *sequence, void *values,
                           struct mapping_fault *fault)
 {

@@ -6,22 +6,22 @@
 
 /* A part of a message that the program does not have. */
 struct mapping_fault {
-    const struct mapping *of; /* NULL: there is none */
-    const char *text;         /* an unknown text; NULL: an array has another length */
+    const struct mapping *of; /* NULL if there is none */
+    const char *text;         /* an unknown text; NULL if an array has a different length */
 };
 
 /* Copies a message to the value, in a struct of the program. Returns false if the message cannot be
- * used. An unknown text is reported also if the value is Nothing then. */
+ * used. Reports an unknown text even if it becomes Nothing. */
 bool mapping_read(const struct mapping *mapping, const void *message, void *values,
                   struct mapping_fault *fault);
 
-/* What the node writes to headers that the program leaves out. */
+/* The values that the node writes to headers that the program omits. */
 struct message_origin {
     int64_t stamp_ns;
     const char *frame;
 };
 
-/* Copies the value to a message. Returns false without enough memory. */
+/* Copies the value to a message. Returns false if memory runs out. */
 bool mapping_write(const struct mapping *mapping, const void *values,
                    const struct message_origin *origin, void *message);
 

@@ -9,8 +9,8 @@
 
 #include "hosts/robot/line.h"
 
-/* Robot bases stop if they receive no command for some time, often half a second. So the last
- * command is repeated after this time. */
+/* Robot bases stop if they do not receive a command for some time, often half a second. Therefore
+ * the driver repeats the last command after this time. */
 #define REPEAT_NS INT64_C(100000000)
 
 /* After this time without messages, the driver reports the silence. */
@@ -19,7 +19,7 @@
 /* Time to wait for the transforms of a lidar's frame before reporting that there are none. */
 #define FRAMES_NS INT64_C(3000000000)
 
-/* A robot that is slower than this counts as standing still. */
+/* A robot that is slower than this is considered to stand still. */
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
@@ -79,8 +79,8 @@ static double s(int64_t ns)
     return (double)ns * 1e-9;
 }
 
-/* Reports a message with an implausible timestamp: once for each kind of fault, until the clock is
- * set. */
+/* Reports a message with an implausible timestamp. Each kind of fault is reported once, until the
+ * clock is set. */
 static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int64_t by_ns)
 {
     if (verdict == STAMPS_GOOD || topic->told[verdict])
@@ -137,7 +137,7 @@ bool ros_device_accepts(struct ros_device *d, struct ros_topic *topic, const cha
         topic->told_bad = bad;
         return false;
     }
-    /* A simulator's time may run slower than ours, or stand still. */
+    /* A simulator's time may run slower than ours, or not at all. */
     if (has_sim_time(d) && !d->sim_clock.started)
         return false;
     if (has_sim_time(d))
@@ -159,7 +159,7 @@ static void take_odometry(struct ros_device *d, const struct ros_odometry *odome
         d->motion = motion;
 }
 
-/* Returns the sensor of a message; NULL if there is no room for another one. */
+/* Returns the sensor to which a message belongs; NULL if there is no space for another sensor. */
 static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
                                     const struct ros_origin *origin)
 {
@@ -203,8 +203,8 @@ static double or_zero(double setting)
     return isnan(setting) ? 0.0 : setting;
 }
 
-/* Determines the place of a lidar: by the settings, if there are any, otherwise by the transforms.
- * Returns NULL, or the reason why it is not known. */
+/* Determines the place of a lidar from the settings, if there are any, and otherwise from the
+ * transforms. Returns NULL, or the reason why the place is not known. */
 static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor,
                            const struct ros_scan *message, struct ros_seat *seat)
 {
@@ -286,7 +286,7 @@ static void take_bumper(struct ros_device *d, const struct ros_bumper *message)
         sensor->is_pressed = message->is_pressed;
 }
 
-/* Sets the event of one control. A control may share its sensor with others. */
+/* Sets the event of one control. Several controls may share a sensor. */
 static void give(const struct ros_sensor *sensor, const struct frob_control *control, void *input,
                  int64_t now_ns)
 {
@@ -317,7 +317,7 @@ static void take_clock(struct ros_device *d, const struct ros_clock *clock)
                 "warning: the time of /clock jumped %s by %.3f s; the program continues at its own "
                 "time\n",
                 jump_ns < 0 ? "back" : "ahead", s(jump_ns < 0 ? -jump_ns : jump_ns));
-        /* The stamps of messages jump too. */
+        /* The timestamps of messages jump, too. */
         memset(&d->odometry.stamps, 0, sizeof d->odometry.stamps);
         for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
             memset(&d->sensors[i].topic.stamps, 0, sizeof d->sensors[i].topic.stamps);
@@ -388,12 +388,12 @@ static void tell_node(const struct ros_device *d, size_t control, double value)
     touch.head.kind = ROS_TOUCH;
     touch.control = (uint32_t)control;
     touch.value = value;
-    /* If the line is lost, poll finds out. */
+    /* If the line is lost, poll detects it. */
     d->serial.operations->write(d->serial.port, (const uint8_t *)&touch, sizeof touch);
 }
 
-/* Sets the knobs and toggles that other nodes have set, and tells the node about those that were
- * set here. */
+/* Applies the values of knobs and toggles that other nodes have set, and sends the node the values
+ * that were set here. */
 static void give_dials(struct ros_device *d, const struct frob_program *program, void *input)
 {
     for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {
@@ -467,8 +467,8 @@ static void take(struct ros_device *d)
     }
 }
 
-/* Handles the received messages, and keeps the beginning of the next one. Returns false if the
- * bytes are not messages. */
+/* Handles the messages that have been received, and keeps an incomplete one for later. Returns
+ * false if the bytes are not messages. */
 static bool take_all(struct ros_device *d)
 {
     while (d->have >= sizeof d->message.head) {

@@ -25,7 +25,7 @@ enum ros_setting {
     ROS_SIM_TIME,
     ROS_INSTANTS,
     ROS_LIFECYCLE,
-    ROS_OWN_SETTINGS, /* nodes with topics of their own have only those before */
+    ROS_OWN_SETTINGS, /* nodes with topics of their own have only the settings before this one */
     ROS_FASTEST = ROS_OWN_SETTINGS,
     ROS_FASTEST_TURN,
     ROS_STAMPED,
@@ -39,21 +39,22 @@ struct ros_sensor {
     enum ros_kind kind;
     uint32_t control;
     struct ros_topic topic;
-    bool fresh;       /* a message has arrived that the program has not read */
-    int64_t taken_ns; /* when the newest one was sent */
+    bool fresh;       /* whether a message has arrived that the program has not read */
+    int64_t taken_ns; /* time at which the newest message was sent */
     struct frob_scan scan;
     double ranges_m[ROS_RAYS_MOST];
     uint32_t number; /* counts the scans */
     struct ros_measurements sums;
     bool is_pressed; /* a bumper */
-    int64_t lost_ns; /* since when the place of the lidar is not known; INT64_MAX: it is known */
-    char why[ROS_REASON]; /* why its messages are ignored */
+    int64_t lost_ns; /* time since which the place of the lidar has been unknown; INT64_MAX if it is
+                      * known */
+    char why[ROS_REASON]; /* the reason why its messages are ignored */
 };
 
 /* A control of the console whose value other nodes may set. */
 struct ros_dial {
-    bool is_known; /* the node has received the value */
-    bool is_set;   /* another node has set it, and the program has not read it yet */
+    bool is_known; /* whether the node has received the value */
+    bool is_set;   /* whether another node has set it, and the program has not read it yet */
     double value;  /* the newest one */
 };
 
@@ -84,41 +85,42 @@ struct ros_device {
         struct ros_press press;
         uint8_t bytes[ROS_MESSAGE_MOST];
     } message;   /* the message being received */
-    size_t have; /* number of its bytes so far */
+    size_t have; /* number of bytes of this message received so far */
     struct ros_started started;
     struct ros_topic odometry;
     struct ros_motion motion;
-    double battery_v;  /* NaN: not known yet */
-    int64_t sensed_ns; /* when the newest accepted odometry was sent; INT64_MIN: never */
+    double battery_v;  /* NaN if it is not known yet */
+    int64_t sensed_ns; /* time at which the newest accepted odometry was sent; INT64_MIN if there
+                        * was none */
     struct ros_sensor sensors[ROS_SENSORS_MOST];
     struct operated operated;
     struct sim_clock sim_clock;
     struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
-    /* Takes the messages that this driver does not know; NULL: there are none. */
+    /* Handles the messages that this driver does not know; NULL if there are none. */
     void (*take_other)(struct ros_device *device, const struct ros_head *message);
-    bool gave;      /* the program has had an instant in this or an earlier session */
-    bool commanded; /* a velocity was commanded, which the driver repeats */
-    bool drove;     /* a velocity was commanded since the first session */
+    bool gave;      /* whether the program has had an instant in this session or an earlier one */
+    bool commanded; /* whether a velocity was commanded, which the driver repeats */
+    bool drove;     /* whether a velocity was commanded since the first session */
     struct ros_velocity velocity;
     int64_t sent_ns;
 };
 
 extern const struct frob_driver frob_ros_driver;
 
-/* Decides whether a message is accepted. Reports rejected messages, each reason once. `bad`: the
- * reason why its content is invalid, or NULL. `taken_ns` receives the time at which it was sent, on
- * our clock. */
+/* Decides whether to accept a message. Reports rejected messages, once for each reason. `bad`: the
+ * reason why its content is invalid, or NULL. Stores the time at which it was sent, on our clock,
+ * in `taken_ns`. */
 bool ros_device_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                         int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
 
-/* Explains that the frame of a message is not known. `effect`: what happens therefore. `how`: how to do
- * without the transform. */
+/* Reports that the frame of a message is not known. `effect`: the consequence. `how`: how the user
+ * can do without the transform. */
 void ros_device_explain(const struct ros_placing *placing, const char *effect, const char *how,
                         char *why, size_t room);
 
-/* Returns since when the program can no longer be given readings, because the place of a lidar is not
- * known; `sensed_ns` if this is later or not so. */
+/* Returns the time since which the program cannot receive readings because the place of a lidar is
+ * not known. Returns `sensed_ns` if that is earlier, or if all places are known. */
 int64_t ros_device_placed_ns(const struct ros_device *device, int64_t sensed_ns);
 
 /* Reports once that messages no longer arrive, until the next one does. */
@@ -128,11 +130,11 @@ void ros_device_tell_silence(const struct ros_device *device, struct ros_topic *
 /* Sets the events of the program's lidars and inertial measurement units for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
-/* Returns the time that the program's instants follow: the time of /clock with use_sim_time,
- * otherwise `now_ns`, the time of this machine; INT64_MIN if it is not known yet. */
+/* Returns the time on which the program's instants are based: the time of /clock if use_sim_time is
+ * set, otherwise `now_ns`, the time of this machine; INT64_MIN if it is not known yet. */
 int64_t ros_device_time_ns(const void *device, int64_t now_ns);
 
-/* The orders of the nodes that manage this one. */
+/* What the nodes that manage this one request. */
 struct line_orders ros_device_orders(const void *device);
 
 #endif

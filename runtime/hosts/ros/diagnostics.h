@@ -10,7 +10,7 @@
 #include "messages.h"
 
 struct diagnostics {
-    size_t count; /* assertions of the program; 0: nothing is published */
+    size_t count; /* number of the program's assertions; 0 if nothing is published */
     rcl_publisher_t publisher;
     diagnostic_msgs__msg__DiagnosticArray message;
 };
@@ -19,7 +19,7 @@ struct diagnostics {
 bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
                        const rcl_node_t *node, char *why, size_t room);
 
-/* Takes the verdict on an assertion, and publishes all of them after the last one. */
+/* Takes the verdict on one assertion. After the last one, publishes all of them. */
 void diagnostics_take(struct diagnostics *d, const struct ros_claim *claim);
 
 /* Returns false if rcl reports an error. */

@@ -6,7 +6,7 @@
 
 /* ---- Finding the drawing */
 
-/* The probe is `draw`, or `draw.1` in a program with a signal of this name. */
+/* The probe is called `draw`, or `draw.1` in a program that has a signal called `draw`. */
 static bool is_drawing(const struct frob_field *field)
 {
     static const char name[] = "draw";
@@ -146,7 +146,7 @@ static void copy_text(const char *name, char text[DRAWING_TEXT])
         }
         text[length++] = c;
     }
-    /* Do not cut off within a character of UTF-8. */
+    /* Does not cut a UTF-8 character in two. */
     if (length + 1 == DRAWING_TEXT)
         while (length > 0 && ((unsigned char)text[length - 1] & 0x80) != 0)
             length--;

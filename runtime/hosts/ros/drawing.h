@@ -1,5 +1,5 @@
-/* drawing.h -- the program's drawing, the probe `draw`, in its output: an array of events of a
- * Mark of the library's module Display. */
+/* drawing.h -- finds the program's drawing in its output. It is the probe `draw`, an array of
+ * events whose values have the type Mark of the library's module Display. */
 #ifndef FROB_HOST_ROS_DRAWING_H
 #define FROB_HOST_ROS_DRAWING_H
 
@@ -8,12 +8,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Returns the drawing; NULL if the program does not draw, or was compiled without it. */
+/* Returns the drawing; NULL if the program does not draw, or if it was compiled without the
+ * drawing. */
 const struct frob_value *drawing_of(const struct frob_program *program);
 
-/* Returns the program without its drawing, of which drawing_of still finds the drawing: recordings and
- * instants do not contain it. The result is the program itself if there is no drawing, or if memory runs
- * out. */
+/* Returns a program whose output does not contain the drawing, so that recordings and published
+ * instants do not contain it either. drawing_of still finds it. Returns the program itself if there
+ * is no drawing, or if memory runs out. */
 const struct frob_program *drawing_hide(const struct frob_program *program);
 
 /* Returns the maximum number of marks. */
@@ -28,20 +29,21 @@ enum drawing_shape {
     DRAWING_LABEL
 };
 
-/* Maximum length of a label; longer ones are cut off. */
+/* Maximum length of a label. Longer labels are truncated. */
 enum { DRAWING_TEXT = 256 };
 
-/* A mark in the frame of odometry, or of the robot. */
+/* A mark, in the frame of the odometry or of the robot. */
 struct drawing_mark {
     bool is_on_robot;
     enum drawing_shape shape;
     float red, green, blue;
-    double at[6];            /* the numbers of the shape, in the order of the library */
+    double at[6];            /* the numbers of the shape, in the order in which the library declares
+                              * them */
     char text[DRAWING_TEXT]; /* of a label */
 };
 
-/* Reads element `i` of the drawing in an output. Returns false if it is not drawn: if there is no
- * mark, if it has another frame, or if a coordinate is not finite. */
+/* Reads element `i` of the drawing in an output. Returns false if there is nothing to draw, because
+ * there is no mark, because it has another frame, or because a coordinate is not finite. */
 bool drawing_read(const struct frob_value *drawing, size_t i, const void *output,
                   struct drawing_mark *mark);
 

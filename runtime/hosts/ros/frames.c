@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A transform of /tf that is older than this does not count. */
+/* A transform from /tf that is older than this is ignored. */
 #define VALID_NS INT64_C(2000000000)
 
 /* Maximum difference between 1 and the squared norm of a quaternion. */
@@ -107,8 +107,8 @@ const char *frames_put(struct frames *frames, const char *parent, const char *na
     return NULL;
 }
 
-/* Replaces a frame with its parent, and the pose of something in the frame with its pose in the
- * parent. Returns false at the root. */
+/* Replaces a frame with its parent, and converts a pose from the frame to the parent. Returns
+ * false at the root. */
 static bool climb(const struct frames *frames, const char **name, struct frames_pose *pose,
                   int64_t now_ns)
 {
@@ -120,7 +120,7 @@ static bool climb(const struct frames *frames, const char **name, struct frames_
     return true;
 }
 
-/* Finds the pose of a frame in one of its ancestors, or in itself. */
+/* Finds the pose of a frame relative to one of its ancestors or to itself. */
 static bool find_in_ancestor(const struct frames *frames, const char *ancestor, const char *name,
                              int64_t now_ns, struct frames_pose *pose)
 {

@@ -1,8 +1,8 @@
 /* frames.h -- the frames of reference of a robot in ROS 2: a tree of transforms, as /tf_static and
  * /tf publish it.
  *
- * Transforms of /tf_static are valid for ever. The newest one of /tf is valid for some seconds; it is
- * used as it is, without interpolation. */
+ * Transforms from /tf_static are always valid. The newest one from /tf is valid for some seconds,
+ * and is used without interpolation. */
 #ifndef FROB_HOST_ROS_FRAMES_H
 #define FROB_HOST_ROS_FRAMES_H
 
@@ -14,7 +14,7 @@
 
 enum { FRAMES_MOST = 256 };
 
-/* The pose of a frame in another one. */
+/* The pose of a frame in another frame. */
 struct frames_pose {
     double at_m[3];
     double rotation[4]; /* quaternion: x, y, z, w */
@@ -32,7 +32,7 @@ struct frames {
     size_t count;
 };
 
-/* Sets the pose of a frame in its parent. Returns NULL, or the reason why the transform is
+/* Sets the pose of a frame relative to its parent. Returns NULL, or the reason why the transform is
  * ignored. */
 const char *frames_put(struct frames *frames, const char *parent, const char *name,
                        const struct frames_pose *pose, bool is_fixed, int64_t now_ns);
@@ -45,7 +45,7 @@ bool frames_find(const struct frames *frames, const char *in, const char *name, 
 /* Converts a point in a frame with this pose. */
 void frames_point(const struct frames_pose *pose, const double point[3], double result[3]);
 
-/* Returns the name without the slash at its beginning, which old nodes write. */
+/* Returns the name without a slash at its beginning, which old nodes write. */
 const char *frames_name(const char *name);
 
 /* Converts the pose of a lidar in the robot's frame. Returns false if the lidar is tilted, so that

@@ -12,8 +12,8 @@
 /* Time to wait for a publisher before reporting that there is none. */
 #define SILENCE_NS INT64_C(2000000000)
 
-/* Reports nodes that use a different type on the topic. DDS does not connect such nodes, and does
- * not report the mismatch. `their`: "publishes" or "subscribes to". */
+/* Reports nodes that use a different type on the topic. DDS neither connects such nodes nor reports
+ * the mismatch. `their`: "publishes" or "subscribes to". */
 static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes,
                       const char *their)
 {

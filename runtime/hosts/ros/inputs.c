@@ -37,7 +37,7 @@ bool inputs_is_needed(const struct input *input)
     switch (input->kind) {
     /* Robots without a battery topic are common, and most programs do not use it. */
     case ROS_BATTERY: return false;
-    /* An operator may start rviz later, or press no button. */
+    /* An operator may start rviz later, or never press a button. */
     case ROS_CLICK:
     case ROS_PRESS: return false;
     /* The messages name the frames that are missing. */
@@ -77,7 +77,7 @@ static bool add_own(struct inputs *inputs, const struct frob_program *program, s
     return false;
 }
 
-/* Whether the positions in messages of the program's inputs refer to a frame. */
+/* Returns whether the positions in messages of the program's inputs refer to a frame. */
 static bool has_frames(const struct inputs *inputs)
 {
     for (size_t i = 0; i < inputs->count; i++)
@@ -222,10 +222,10 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
     }
 }
 
-/* As in the package tf2_ros. */
+/* The same value as in the package tf2_ros. */
 enum { TRANSFORMS_KEPT = 100 };
 
-/* Best-effort delivery matches every publisher. */
+/* Best-effort delivery is compatible with every publisher. */
 static rmw_qos_profile_t qos_of(const struct input *input)
 {
     rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
@@ -345,7 +345,7 @@ static void send_imu(const struct input *input, int socket)
     imu.rotation[1] = m->orientation.y;
     imu.rotation[2] = m->orientation.z;
     imu.rotation[3] = m->orientation.w;
-    /* By the message's definition, -1 means that there is no orientation. */
+    /* According to the message's definition, -1 means that there is no orientation. */
     imu.has_rotation = m->orientation_covariance[0] != -1.0;
     send_message(socket, &imu.head);
 }
@@ -360,8 +360,8 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
-/* Returns whether a fault of a message must be reported. Each unknown text is reported once, up to a
- * maximum number. */
+/* Returns whether a fault in a message must be reported. Each unknown text is reported once, up to
+ * a maximum number of texts. */
 static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
 {
     const size_t most = sizeof own->told_texts / sizeof own->told_texts[0];

@@ -23,14 +23,14 @@
 
 /* A topic of the program's own. */
 struct own_topic {
-    uint32_t number; /* index in the program's table */
+    uint32_t number; /* index in the program's table of topics */
     struct message_type type;
     struct mapping mapping;
     struct topic_parts parts;
     struct topic_span span;
     void *message;
     uint32_t count; /* of messages received */
-    bool told;      /* a message with a wrong length was reported */
+    bool told;      /* whether a message with a wrong length was reported */
     /* Digests of the unknown texts that were reported. */
     uint32_t told_texts[8];
     size_t told_text_count;
@@ -61,8 +61,8 @@ struct input {
 struct inputs {
     struct input *each;
     size_t count;
-    struct ros_scan scan;            /* the message that is sent next */
-    struct ros_topic_message *value; /* the same for topics of the program's own */
+    struct ros_scan scan;            /* the message to send next */
+    struct ros_topic_message *value; /* the same, for topics of the program's own */
     char *values;                    /* a struct of the program's input, for conversions */
     struct tf tf;
     int64_t clock_ns; /* newest time of /clock; accessed atomically */
@@ -86,7 +86,7 @@ bool inputs_is_reliable(const struct input *input);
 const char *inputs_subscribe(struct inputs *inputs, const rcl_node_t *node);
 
 /* Forwards all messages that have arrived to the supervisor. If the supervisor does not keep up,
- * drops messages, which would be old when the supervisor reads them. */
+ * drops messages, because they would be outdated when it reads them. */
 void inputs_take(struct inputs *inputs, struct input *input, int socket);
 
 #endif

@@ -27,7 +27,8 @@ static bool is_operated(const struct frob_control *control)
     return is_hold(control) || control->kind == FROB_KNOB || control->kind == FROB_BUTTON;
 }
 
-/* Reports that a control cannot be operated, with those that can. */
+/* Reports that the joystick cannot operate a control, and lists the controls that it can
+ * operate. */
 static void refuse(const struct frob_program *program, const char *label, size_t length)
 {
     const char *separator = "its buttons and knobs are";
@@ -85,7 +86,7 @@ static bool assign(const struct frob_program *program, const char *text)
     return true;
 }
 
-/* Reports holds that nothing operates, so that the program would never see them pressed. */
+/* Reports holds that nothing operates, because the program would never see them pressed. */
 static void tell_idle(int argc, char **argv, const struct frob_program *program)
 {
     for (int i = 1; i < argc; i++)
@@ -175,7 +176,8 @@ void joy_take(struct joy *joy, const struct ros_joy *m, const struct frob_progra
     joy->heard_ns = now_ns;
 }
 
-/* Passes a value to the program if it has changed: others may operate the control too. */
+/* Passes a value to the program if it has changed, because others may operate the control,
+ * too. */
 static void pass(struct joy *joy, size_t i, double value, const struct frob_program *program,
                  void *input)
 {

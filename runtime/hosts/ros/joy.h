@@ -29,8 +29,9 @@ struct joy {
     bool heard;
     int64_t heard_ns;                /* when the newest message arrived */
     double value[ROS_CONTROLS_MOST]; /* of each control: from 0 to 1 for buttons, or of the knob */
-    bool is_pressed[ROS_CONTROLS_MOST]; /* a button was pressed and the program has not read it */
-    double given[ROS_CONTROLS_MOST];    /* the newest value that the program has */
+    bool is_pressed[ROS_CONTROLS_MOST]; /* whether a button was pressed and the program has not read
+                                         * it */
+    double given[ROS_CONTROLS_MOST];    /* the newest value that the program has received */
     bool is_given[ROS_CONTROLS_MOST];
 };
 
@@ -38,7 +39,7 @@ struct joy {
 const char *joy_check(const struct ros_joy *message, const struct frob_program *program, char *why,
                       size_t room);
 
-/* Takes a message that joy_check accepts. */
+/* Handles a message that joy_check accepts. */
 void joy_take(struct joy *joy, const struct ros_joy *message, const struct frob_program *program,
               int64_t now_ns);
 

@@ -111,8 +111,8 @@ static void refuse(const struct lifecycle *l, const char *wanted)
     fputc('\n', stderr);
 }
 
-/* Returns the transition that the request names by its label, or otherwise by its number; NULL if
- * it is not possible now. */
+/* Returns the transition that the request names by its label or, without a label, by its number;
+ * NULL if it is not possible now. */
 static const rcl_lifecycle_transition_t *wanted(struct lifecycle *l,
                                                 const lifecycle_msgs__msg__Transition *request)
 {
@@ -179,7 +179,7 @@ static bool set_transitions(lifecycle_msgs__msg__TransitionDescription__Sequence
     return true;
 }
 
-/* Room for a request or response of any of the services. */
+/* Space for a request or response of any of the services. */
 union message {
     lifecycle_msgs__srv__ChangeState_Request change_request;
     lifecycle_msgs__srv__ChangeState_Response change_response;

@@ -1,9 +1,9 @@
 /* lifecycle.h -- the state machine of a managed node (`--lifecycle`), which other nodes configure,
  * activate and deactivate.
  *
- * The node publishes velocities only while it is active. Deactivation publishes zero at once,
- * without waiting for the supervisor, which then learns of the new state. A node that is not
- * managed is always active. */
+ * The node publishes velocities only while it is active. Deactivation immediately publishes a
+ * velocity of zero, without waiting for the supervisor, which is informed of the new state
+ * afterwards. A node that is not managed is always active. */
 #ifndef FROB_HOST_ROS_LIFECYCLE_H
 #define FROB_HOST_ROS_LIFECYCLE_H
 
@@ -19,10 +19,10 @@ enum { LIFECYCLE_SERVICES = 5 };
 struct lifecycle {
     bool is_managed;
     rcl_lifecycle_state_machine_t machine;
-    int socket;                  /* leads to the supervisor */
+    int socket;                  /* socket to the supervisor */
     void (*rest)(void *context); /* publishes zero */
     void *context;
-    pthread_mutex_t lock; /* guards `is_active`, and is held while a velocity is published */
+    pthread_mutex_t lock; /* guards `is_active`; held while a velocity is published */
     bool is_active;
 };
 

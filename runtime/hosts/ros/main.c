@@ -1,7 +1,7 @@
 /* The main program of an executable that is a ROS 2 node: `frobc build --ros2` links it with a
  * compiled program, and `frobc run --ros2` starts it.
  *
- * Exit status: as in hosts/robot/main.c. */
+ * The exit status is the same as in hosts/robot/main.c. */
 #include "hosts/robot/host.h"
 
 #include "camera.h"

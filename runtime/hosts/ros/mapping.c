@@ -68,8 +68,8 @@ void *message_header(const struct message_type *type, void *message)
 
 /* ---- Names */
 
-/* Returns whether a field of a record has the name of the member: angleMin is angle_min, and data_
- * is data. */
+/* Returns whether a field of a record corresponds to the name of the member: angleMin corresponds
+ * to angle_min, and data_ to data. */
 static bool is_named(const char *field, const char *member)
 {
     for (; *member != '\0'; member++) {
@@ -118,7 +118,7 @@ static const char *type_text(uint8_t type)
 struct search {
     char *why;
     size_t room;
-    const char *type;   /* of the whole message */
+    const char *type;   /* type of the whole message */
     const char *record; /* of the program that contains the value; NULL: it is the whole message */
     const struct frob_node *node;
 };
@@ -174,7 +174,7 @@ static const struct frob_texts *texts_of(const struct frob_node *node,
     return NULL;
 }
 
-/* Returns what a Maybe contains; NULL if the value is not a Maybe. */
+/* Returns the content type of a Maybe; NULL if the value is not a Maybe. */
 static const struct frob_value *maybe_of(const struct frob_value *value)
 {
     return value->kind == FROB_SUM && !value->is_event && value->count == 2 &&
@@ -183,7 +183,7 @@ static const struct frob_value *maybe_of(const struct frob_value *value)
                : NULL;
 }
 
-/* Prepares the mapping of a text. Returns false if the value is not one. */
+/* Prepares the mapping of a text. Returns false if the value is not a text. */
 static bool is_text(const struct search *s, struct mapping *m, const struct frob_value *value)
 {
     const struct frob_value *inner = maybe_of(value);
@@ -291,7 +291,7 @@ static bool map_member(const struct search *s, struct mapping *m, const member_t
     return map_one(s, m, member, value);
 }
 
-/* Determines whether the record leaves out the stamp or the frame of its header. */
+/* Determines whether the record omits the stamp or the frame of its header. */
 static void find_header(struct mapping *m, const members_type *members)
 {
     if (!has_header(members))

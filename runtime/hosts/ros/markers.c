@@ -15,7 +15,8 @@
 
 typedef visualization_msgs__msg__Marker marker_type;
 
-/* Sides of the polygon for a circle. Its points are the most that a marker has. */
+/* The number of sides of the polygon for a circle. A polygon for a circle has more
+ * points than any other marker. */
 enum { SIDES = 36, POINTS_MOST = SIDES + 1 };
 
 /* Maximum time to wait until the removal of all markers has arrived. */
@@ -121,7 +122,7 @@ static bool set_label(marker_type *marker, const struct drawing_mark *mark)
 static bool set_marker(marker_type *marker, const struct drawing_mark *mark, const struct tf *tf)
 {
     marker->action = visualization_msgs__msg__Marker__ADD;
-    /* A stamp of 0 is the newest transform. */
+    /* With a stamp of 0, viewers use the newest transform. */
     marker->frame_locked = true;
     marker->color.r = mark->red;
     marker->color.g = mark->green;

@@ -12,7 +12,7 @@
 #include "tf.h"
 
 struct markers {
-    const struct frob_value *drawing; /* NULL: nothing is published */
+    const struct frob_value *drawing; /* NULL if nothing is published */
     char *output;                     /* the program's output, of which only the drawing is set */
     size_t room;                      /* maximum number of markers */
     size_t shown;                     /* number of markers in the last message */
@@ -24,7 +24,7 @@ struct markers {
 bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
                    char *why, size_t room);
 
-/* Takes a drawing and publishes it, if another node subscribes. */
+/* Takes a drawing, and publishes it if another node subscribes. */
 void markers_take(struct markers *m, const struct ros_marks *marks, const struct tf *tf);
 
 /* Removes all markers. Returns false if rcl reports an error. */

@@ -28,21 +28,23 @@ enum ros_kind {
     ROS_TF,    /* only in the node: transforms of /tf, or of /tf_static */
     ROS_TF_STATIC,
     ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
-    ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, and then the value */
+    ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, followed by the value */
     /* To the node. */
     ROS_VELOCITY,
-    /* An instant of the run, or its columns: a struct ros_text and then the text. */
+    /* An instant of the run, or its columns: a struct ros_text, followed by the text. */
     ROS_TEXT,
-    ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, and then the output */
-    ROS_REST,   /* publish zeros on those that are commands */
-    ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, and then its bytes */
+    ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, followed by the
+                 * output */
+    ROS_REST,   /* publish zeros on those topics that are commands */
+    ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, followed by its bytes */
     ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
-    /* In both directions: a control of the console has a new value; a struct ros_touch. */
+    /* Sent in both directions when a control of the console has a new value; a struct
+     * ros_touch. */
     ROS_TOUCH
 };
 
 struct ros_head {
-    uint32_t size; /* of the whole message */
+    uint32_t size; /* size of the whole message */
     uint32_t kind;
 };
 
@@ -56,11 +58,11 @@ struct ros_started {
     char node[ROS_NAME];     /* with its namespace: "/wall_follow" */
     char odometry[ROS_NAME]; /* the names of the topics, after remapping */
     char velocity[ROS_NAME];
-    char joy[ROS_NAME];   /* "" if the program reads no joystick */
+    char joy[ROS_NAME];   /* "" if the program does not read a joystick */
     char click[ROS_NAME]; /* "" if the program has no map */
     uint32_t sensor_count;
     struct {
-        uint32_t control; /* as in struct ros_origin */
+        uint32_t control; /* see struct ros_origin */
         char topic[ROS_NAME];
     } sensors[ROS_SENSORS_MOST];
 };
@@ -73,8 +75,9 @@ struct ros_refused {
 /* The numbers of a nav_msgs/msg/Odometry, unchecked. */
 struct ros_odometry {
     struct ros_head head;
-    int64_t stamp_ns;   /* of the header, on the sender's clock */
-    int64_t arrived_ns; /* when the node received it, on this machine's monotonic clock */
+    int64_t stamp_ns;   /* time in the header, on the sender's clock */
+    int64_t arrived_ns; /* time at which the node received it, on this machine's monotonic
+                         * clock */
     double x_m, y_m;
     double rotation[4]; /* quaternion: x, y, z, w */
     double speed_m_s, turning_rad_s;
@@ -82,8 +85,9 @@ struct ros_odometry {
 
 /* The sensor and the times of a message. */
 struct ros_origin {
-    uint32_t control; /* index of the first control of the program's console that uses it */
-    int64_t stamp_ns; /* as in struct ros_odometry */
+    uint32_t control; /* index of the first control of the program's console that uses the
+                       * sensor */
+    int64_t stamp_ns; /* see struct ros_odometry */
     int64_t arrived_ns;
 };
 
@@ -99,7 +103,7 @@ enum ros_fate {
 struct ros_placing {
     uint32_t fate;         /* enum ros_fate */
     char frame[ROS_FRAME]; /* of the message */
-    char in[ROS_FRAME];    /* the robot's frame, or that of its odometry */
+    char in[ROS_FRAME];    /* the robot's frame, or the frame of its odometry */
 };
 
 /* The place of a lidar on the robot. */
@@ -151,7 +155,7 @@ enum { ROS_CONTROLS_MOST = 64 };
 
 enum { ROS_JOY_MOST = 64 };
 
-/* A sensor_msgs/msg/Joy, unchecked, without axes and buttons behind the first 64. */
+/* A sensor_msgs/msg/Joy, unchecked. It contains only the first 64 axes and buttons. */
 struct ros_joy {
     struct ros_head head;
     struct ros_origin origin;
@@ -184,8 +188,8 @@ struct ros_states {
 
 enum { ROS_CAMERAS_MOST = 4, ROS_IMAGE_SLOTS = 4, ROS_IMAGE_MOST = 3 * 1920 * 1080 };
 
-/* Sent by the simulator. The pixels are in the slot of the memory that is shared for this camera,
- * row by row without gaps. */
+/* Sent by the simulator. The pixels are in this camera's slot in shared memory, row by row
+ * without gaps. */
 struct ros_image {
     struct ros_head head;
     uint32_t camera, slot;
@@ -204,10 +208,10 @@ struct ros_state {
     struct ros_head head;
     bool is_active; /* the program steps */
     bool is_final;  /* the run ends */
-    bool resets;    /* the program begins again at its initial state */
+    bool resets;    /* the program starts again in its initial state */
 };
 
-/* Topics of the program's own, by their index in its table. */
+/* Topics of the program's own, identified by their index in its table. */
 
 /* Sent after a struct ros_started, for each topic. */
 struct ros_named {
@@ -221,8 +225,8 @@ struct ros_named {
 struct ros_topic_message {
     struct ros_head head;
     uint32_t topic;
-    uint32_t number;  /* counts the messages on this topic, from 1 */
-    int64_t stamp_ns; /* 0: the message has no header; otherwise as in struct ros_odometry */
+    uint32_t number;  /* number of the message on this topic, from 1 */
+    int64_t stamp_ns; /* 0: the message has no header; otherwise see struct ros_odometry */
     int64_t arrived_ns;
 };
 
@@ -243,7 +247,7 @@ enum { ROS_VALUE_MOST = 60000 };
 struct ros_touch {
     struct ros_head head;
     uint32_t control; /* index in the program's console */
-    bool is_initial;  /* from the arguments for ROS */
+    bool is_initial;  /* whether the value is from the arguments for ROS */
     double value;     /* in base units; 0 or 1 for a toggle */
 };
 
@@ -252,7 +256,7 @@ enum { ROS_TEXT_MOST = 60000 };
 
 struct ros_text {
     struct ros_head head;
-    int64_t number; /* of the instant; -1: the columns */
+    int64_t number; /* number of the instant; -1 for the columns */
 };
 
 /* Levels of diagnostic_msgs/msg/DiagnosticStatus. */
@@ -262,7 +266,7 @@ enum { ROS_FATE = 100 };
 
 struct ros_claim {
     struct ros_head head;
-    uint32_t claim; /* index in the program's table */
+    uint32_t claim; /* index in the program's table of assertions */
     uint8_t level;  /* enum ros_level */
     char fate[ROS_FATE];
 };

@@ -319,7 +319,7 @@ static void publish_if_active(struct node *n, const struct ros_velocity *velocit
     pthread_mutex_unlock(&n->lifecycle.lock);
 }
 
-/* Publishes an instant after its number and a space. */
+/* Publishes an instant, preceded by its number and a space. */
 static void publish_text(struct node *n, const struct ros_text *text)
 {
     static char buffer[ROS_TEXT_MOST + 32];
@@ -335,7 +335,7 @@ static void publish_text(struct node *n, const struct ros_text *text)
         rcl_reset_error();
 }
 
-/* The thread that publishes. It ends when no process has the other end of the socket open. */
+/* The thread that publishes. It ends when no other process has the socket's other end open. */
 static void *publish_all(void *of)
 {
     struct node *n = (struct node *)of;

@@ -1,4 +1,4 @@
-/* odometry.h -- a nav_msgs/msg/Odometry as the pose and speeds of a robot on a plane. */
+/* odometry.h -- converts a nav_msgs/msg/Odometry to the pose and speeds of a robot on a plane. */
 #ifndef FROB_HOST_ROS_ODOMETRY_H
 #define FROB_HOST_ROS_ODOMETRY_H
 

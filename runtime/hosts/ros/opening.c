@@ -230,7 +230,7 @@ static void show(const struct line *line, const void *output)
     memset(&message, 0, sizeof message);
     message.msg_iov = parts;
     message.msg_iovlen = 2;
-    /* If the line is busy or lost, the next drawing replaces this one. */
+    /* If the line is busy or lost, the next drawing will replace this one. */
     if (ioctl(line->port.fd, SIOCOUTQ, &waiting) == 0 && waiting <= WAITING_MOST)
         waiting = (int)sendmsg(line->port.fd, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
 }

@@ -9,7 +9,7 @@
 
 #include "device.h"
 
-/* If the readings are older, the program does not run. */
+/* If the readings are older than this, the program does not run. */
 #define RUNNING_NS INT64_C(500000000)
 
 static const struct frob_program *program;
@@ -48,13 +48,13 @@ static bool is_running(const struct ros_device *d)
     const int64_t since = ros_device_placed_ns(d, d->sensed_ns);
     if (!d->managed.is_active)
         return false;
-    /* Nodes with topics of their own need no odometry. */
+    /* Nodes with topics of their own do not need odometry. */
     return d->take_other != NULL ||
            (since != INT64_MIN && frob_now_ns(&d->clock) - since < RUNNING_NS);
 }
 
-/* Returns whether the program runs; if not, reports that it does not see what somebody has done with
- * this control. */
+/* Returns whether the program runs. If not, reports that the program ignores an action on this
+ * control. */
 static bool sees(const struct ros_device *d, const struct frob_control *control)
 {
     if (is_running(d))

@@ -1,7 +1,8 @@
-/* operated.h -- what other nodes do with the program's console: presses of its buttons, clicks on its
- * map, and a joystick.
+/* operated.h -- handles the actions of other nodes on the program's console: presses of its
+ * buttons, clicks on its map, and a joystick.
  *
- * If the program does not run, this is ignored: when it continues, it may be long ago. */
+ * Actions are ignored while the program does not run, because they would be outdated when it
+ * continues. */
 #ifndef FROB_HOST_ROS_OPERATED_H
 #define FROB_HOST_ROS_OPERATED_H
 
@@ -19,14 +20,16 @@ struct ros_device;
 struct operated {
     struct ros_topic joystick, map;
     struct joy joy;
-    bool is_pressed[ROS_CONTROLS_MOST]; /* a button, and the program has not read it */
-    bool is_clicked;                    /* the map, and the program has not read it */
+    bool is_pressed[ROS_CONTROLS_MOST]; /* whether a button was pressed and the program has not read
+                                         * it */
+    bool is_clicked;                    /* whether the map was clicked and the program has not read
+                                         * it */
     double x_m, y_m;
-    char why[ROS_REASON];     /* why messages of the joystick are ignored */
-    char why_not[ROS_REASON]; /* the same for clicks */
+    char why[ROS_REASON];     /* the reason why messages of the joystick are ignored */
+    char why_not[ROS_REASON]; /* the same, for clicks */
 };
 
-/* Sets the program whose console it is. */
+/* Sets the program whose console is operated. */
 void operated_of(const struct frob_program *program);
 
 void operated_start(struct operated *operated);

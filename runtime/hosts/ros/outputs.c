@@ -7,7 +7,7 @@
 #include <rcl/error_handling.h>
 #include <rosidl_runtime_c/string_functions.h>
 
-/* Number of messages of an event that wait for delivery. */
+/* The number of messages of an event that may wait for delivery. */
 enum { EVENTS_KEPT = 10 };
 
 /* ---- Setting up */
@@ -46,12 +46,12 @@ static bool start_velocity(struct outputs *o, const rcl_node_t *node, char *why,
         !geometry_msgs__msg__TwistStamped__init(&o->stamped_twist) ||
         !rosidl_runtime_c__String__assign(&o->stamped_twist.header.frame_id, "base_link"))
         return lacks_memory(why, room);
-    /* An old velocity is useless. */
+    /* Old velocities are useless. */
     return advertise(o, 0, type, "cmd_vel", 1, node, why, room);
 }
 
-/* The frame if the program leaves it out. Poses and markers are in the frame of odometry, all else is
- * in that of the robot. */
+/* The frame to use if the program omits it. Poses and markers are in the frame of the odometry,
+ * everything else is in that of the robot. */
 static const char *frame_of(const char *type)
 {
     static const char *const in_odometry[] = {

@@ -1,4 +1,4 @@
-/* outputs.h -- what the node publishes for the program: the velocity of a robot, or the topics of the
+/* outputs.h -- publishes the program's output: the velocity of a robot, or the topics of the
  * program's own. */
 #ifndef FROB_HOST_ROS_OUTPUTS_H
 #define FROB_HOST_ROS_OUTPUTS_H
@@ -24,12 +24,12 @@ struct own_output {
     struct mapping mapping;
     struct topic_parts parts;
     void *message, *zero;
-    bool told; /* a command with a number that is not finite was reported */
+    bool told; /* whether a command with a number that is not finite was reported */
 };
 
 struct outputs {
     const struct frob_program *program;
-    bool stamped; /* the velocity is a TwistStamped */
+    bool stamped; /* whether the velocity is a TwistStamped */
     rcl_publisher_t *publishers;
     struct topic *topics; /* with their names after remapping */
     size_t count;
@@ -39,21 +39,22 @@ struct outputs {
     struct own_output *own;
 };
 
-/* Creates the publishers. Returns false if that is impossible; then `why` explains it. If rcl refused
- * a publisher, `why` ends with a colon, and the reason is rcl's. */
+/* Creates the publishers. If that is impossible, returns false and explains it in `why`. If rcl
+ * rejects a publisher, `why` ends with a colon, and the caller must append rcl's reason. */
 bool outputs_start(struct outputs *outputs, const struct frob_program *program, bool stamped,
                    const rcl_node_t *node, char *why, size_t room);
 
 /* Publishes a velocity. */
 void outputs_drive(struct outputs *outputs, double speed_m_s, double turn_rad_s);
 
-/* Publishes the program's own topics. `values`: the program's output. `rests`: commands are zero. */
+/* Publishes the program's own topics. `values`: the program's output. `rests`: whether to publish
+ * zero on topics that are commands. */
 void outputs_publish(struct outputs *outputs, const void *values, bool rests);
 
 /* Publishes zero as the velocity, or on the program's topics that are commands. */
 void outputs_rest(struct outputs *outputs);
 
-/* Waits until the newest commands have arrived, at most this time for each. */
+/* Waits until the newest commands have arrived, for at most this time each. */
 void outputs_wait(const struct outputs *outputs, int64_t most_ns);
 
 /* Returns false if rcl reports an error. */

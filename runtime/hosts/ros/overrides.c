@@ -100,8 +100,8 @@ static void take_value(void *context, const char *before, const char *argument)
         add_override(&search->found, argument, (size_t)(assign - argument), assign + 2);
 }
 
-/* Finds the values in the arguments for ROS and in parameter files, in their order. rcl reports
- * arguments that are wrong. */
+/* Finds the values in the arguments for ROS and in parameter files, in order. rcl reports
+ * invalid arguments. */
 static struct found overrides_in(int argc, char **argv, const char *program)
 {
     struct search search;

@@ -13,9 +13,9 @@ struct overrides {
 };
 
 /* Returns the command line, extended by an option `--param NAME=VALUE` for each of the program's
- * parameters that the arguments for ROS set, and by a driver setting if they set use_sim_time. The
- * option `--lifecycle` becomes a driver setting too. Reports names that the program does not have,
- * and wrong values. The result is never freed. */
+ * parameters that the arguments for ROS set, and by a driver setting if they set use_sim_time.
+ * Replaces the option `--lifecycle` by a driver setting. Reports names that the program does not
+ * have, and wrong values. The result is never freed. */
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program);
 
 /* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: the

@@ -11,14 +11,15 @@ struct own_input {
     struct ros_topic topic;
     struct topic_parts parts;
     struct topic_span span;
-    int64_t taken_ns; /* when the newest message was sent; INT64_MIN: never in this session */
-    bool fresh;       /* a message has arrived that the program has not read */
-    uint32_t number;  /* of the newest message */
+    int64_t taken_ns; /* time at which the newest message was sent; INT64_MIN if none was sent in
+                       * this session */
+    bool fresh;       /* whether a message has arrived that the program has not read */
+    uint32_t number;  /* number of the newest message */
     uint32_t read;    /* number of the message that the program read last */
 };
 
-/* The state of this driver. Behind it are the inputs, the names of the outputs, the newest values in
- * a struct of the program's input, and the message that is sent next. */
+/* The state of this driver. After it, the memory contains the inputs, the names of the outputs, the
+ * newest values in a struct of the program's input, and the message to send next. */
 struct own_device {
     struct ros_device base;
     bool commanded; /* since the last stop */
@@ -29,7 +30,7 @@ struct output_name {
 };
 
 static const struct frob_program *program;
-static size_t output_size; /* of the topics in the program's output struct */
+static size_t output_size; /* size of the topics in the program's output struct */
 
 /* ---- Parts of the memory */
 
@@ -135,7 +136,8 @@ static bool is_plain(const struct own_input *input)
     return input->parts.event == NULL;
 }
 
-/* The oldest of the newest messages on plain topics. Events may arrive at any time. */
+/* The time of the oldest among the newest messages on plain topics. Topics that are events do not
+ * count, because their messages may arrive at any time. */
 static int64_t sensed_ns(const void *device)
 {
     const struct own_device *own = (const struct own_device *)device;

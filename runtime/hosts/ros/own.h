@@ -1,5 +1,5 @@
 /* own.h -- the driver for a node with topics of its own (`node` of the library's module Ros). The
- * topics are its sensors and its commands; its line is that of device.h. */
+ * topics are its sensors and its commands. It uses the same line as device.h. */
 #ifndef FROB_HOST_ROS_OWN_H
 #define FROB_HOST_ROS_OWN_H
 

@@ -87,7 +87,7 @@ bool parameters_of(struct parameters *parameters, const struct frob_program *pro
         parameters->each[parameters->count++] = of_param(program, i, values);
     for (size_t i = 0; i < program->control_count; i++) {
         const enum frob_control_kind kind = program->console[i].kind;
-        /* A parameter hides a control with the same name. */
+        /* A parameter hides a control of the same name. */
         if ((kind == FROB_KNOB || kind == FROB_TOGGLE) &&
             parameters_find(parameters, program->console[i].label) == NULL)
             parameters->each[parameters->count++] = of_control(program, i);
@@ -133,7 +133,7 @@ static void list(const struct parameters *parameters, char *text, size_t room)
     }
 }
 
-/* Explains how to set a parameter that is fixed. */
+/* Explains how to set a parameter that is read-only. */
 static void refuse_fixed(const struct parameter *p, char *reason, size_t room)
 {
     if (strcmp(p->name, sim_time) == 0)
@@ -200,7 +200,7 @@ bool parameters_read(const struct parameters *parameters, const struct parameter
     struct parameter_request request;
     char *end;
     memset(&request, 0, sizeof request);
-    request.type = 4; /* a string, unless it is something else */
+    request.type = 4; /* the text is a string unless it has another type */
     request.number = strtod(text, &end);
     if (end != text && *end == '\0')
         request.type = (int)PARAMETER_DOUBLE;

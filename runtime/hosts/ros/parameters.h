@@ -1,4 +1,4 @@
-/* parameters.h -- the parameters of the node, as other nodes see them.
+/* parameters.h -- the parameters of the node that other nodes can read and set.
  *
  * A program's parameters are fixed during a run, so they are read-only. The knobs and toggles of
  * its console can be set at any time. The node also has the parameter use_sim_time, like every
@@ -23,11 +23,11 @@ enum parameter_type {
 struct parameter {
     const char *name;
     enum parameter_type type;
-    const char *unit; /* "" if it has none */
+    const char *unit; /* the unit; "" if there is none */
     bool is_fixed;    /* read-only */
     size_t control;   /* index in the program's console; `control_count` if it is not a control */
     double least, most;
-    double value; /* 0 or 1 for a bool; whole for an integer */
+    double value; /* 0 or 1 for a bool; a whole number for an integer */
 };
 
 struct parameters {
@@ -37,7 +37,7 @@ struct parameters {
 
 /* A value as it arrives in a request. */
 struct parameter_request {
-    int type; /* of rcl_interfaces/msg/ParameterType, possibly one that no parameter has */
+    int type; /* a value of rcl_interfaces/msg/ParameterType, possibly one that no parameter has */
     bool truth;
     int64_t integer;
     double number;

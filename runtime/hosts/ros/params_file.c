@@ -8,7 +8,7 @@
 #include <rcutils/allocator.h>
 #include <rcutils/error_handling.h>
 
-/* Both pointers point to the beginning of a part, that is, after a slash, or to the end of the
+/* Both pointers point to the beginning of a part, which is after a slash, or to the end of the
  * text. */
 static bool matches(const char *pattern, const char *node)
 {
@@ -30,7 +30,7 @@ bool params_file_matches(const char *pattern, const char *node)
     return matches(pattern + (*pattern == '/' ? 1 : 0), node + (*node == '/' ? 1 : 0));
 }
 
-/* Writes a value as text. Lists become a text that no parameter of a program accepts. */
+/* Writes a value as text. A list becomes a text that is not valid for any parameter. */
 static void write_value(const rcl_variant_t *value, char *text, size_t room)
 {
     if (value->bool_value != NULL)

@@ -12,8 +12,9 @@ bool params_file_read(const char *file, const char *node,
                       void (*set)(void *context, const char *name, const char *value),
                       void *context);
 
-/* Whether the name of a node in such a file means this node: the same name, with or without the
- * first slash, or a pattern in which `*` is one part of a name, and `**` any number of parts. */
+/* Returns whether the name of a node in such a file matches this node. It matches if it is the
+ * node's name, with or without the first slash, or a pattern in which `*` matches one part of a
+ * name and `**` any number of parts. */
 bool params_file_matches(const char *pattern, const char *node);
 
 #endif

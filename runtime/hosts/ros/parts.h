@@ -15,7 +15,7 @@ struct topic {
     bool told_silence;
     bool told_reliability; /* whether a node with an incompatible reliability was reported */
     bool told_durability;  /* whether a node with an incompatible durability was reported */
-    const char *kept;      /* what a late subscriber misses: "old velocities" */
+    const char *kept;      /* what a late subscriber does not receive: "old velocities" */
     const char *cure;      /* for a subscriber of TwistStamped; "" if there is none */
 };
 
@@ -36,8 +36,8 @@ int64_t node_now_ns(void);
 /* The time for stamps: the time of /clock with use_sim_time, otherwise this machine's time. */
 int64_t node_stamp_ns(void);
 
-/* Checks the other nodes once a second, and reports topics without a publisher, messages of a
- * different type, and a second node with the same name, each once. */
+/* Checks the other nodes once a second. Reports topics without a publisher, messages of a
+ * different type, and a second node with the same name. Each problem is reported once. */
 void graph_look(struct graph *graph, const rcl_node_t *node);
 
 #endif

@@ -20,9 +20,9 @@ const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *s
 /* Measurements since a program last read an inertial measurement unit. */
 struct ros_measurements {
     double rate_radps[3], acceleration_mps2[3]; /* sums */
-    double heading_rad; /* heading in the last measurement; NaN if it has none */
-    uint32_t count;     /* measurements in the sums */
-    uint32_t number;    /* measurements since the start */
+    double heading_rad; /* heading in the last measurement; NaN if that had none */
+    uint32_t count;     /* number of measurements in the sums */
+    uint32_t number;    /* number of measurements since the start */
 };
 
 /* Returns NULL, or the reason why the message is invalid. */

@@ -59,7 +59,7 @@ static bool convert(const struct services *s, const rcl_interfaces__msg__Paramet
 
 /* ---- Changes */
 
-/* Reports a new value to the nodes that listen. */
+/* Reports a new value to the nodes that subscribe. */
 static void publish_change(const struct services *s, const struct parameter *p)
 {
     rcl_interfaces__msg__ParameterEvent event;
@@ -92,7 +92,7 @@ static bool send_touch(const struct services *s, const struct parameter *p, doub
            (ssize_t)sizeof touch;
 }
 
-/* Sets a parameter that is not fixed. Returns false, with a reason, if the program cannot
+/* Sets a parameter that is not read-only. Returns false, with a reason, if the program cannot
  * receive the value. */
 static bool set(struct services *s, const rcl_interfaces__msg__Parameter *parameter, double value,
                 char *reason)
@@ -126,8 +126,8 @@ void services_note(struct services *s, size_t control, double value)
     pthread_mutex_unlock(&s->lock);
 }
 
-/* ---- The services. Each fills in a response that was initialized. Returns false if memory runs
- * out. */
+/* ---- The services. Each function fills in a response that was initialized. Returns false if
+ * memory runs out. */
 
 static bool set_parameters(struct services *s, const void *request, void *response)
 {
@@ -236,7 +236,7 @@ static bool describe_parameters(struct services *s, const void *request, void *r
     return ok;
 }
 
-/* Whether a name is below a prefix, at most `depth` levels deep; 0: at any depth. */
+/* Returns whether a name is below a prefix, at most `depth` levels deep; 0: at any depth. */
 static bool is_below(const char *name, const char *prefix, uint64_t depth)
 {
     const size_t length = strlen(prefix);
@@ -275,13 +275,13 @@ static bool list_parameters(struct services *s, const void *request, void *respo
         if (is_listed(name, wanted) && !assign(&result->names.data[count++], name))
             return false;
     }
-    result->names.size = count; /* its capacity determines how many are freed */
+    result->names.size = count; /* the capacity determines how many elements are freed */
     return true;
 }
 
 /* ---- The table of services */
 
-/* Room for a request or response of any of the services. */
+/* Space for a request or response of any of the services. */
 union message {
     rcl_interfaces__srv__SetParameters_Request set_parameters_request;
     rcl_interfaces__srv__SetParameters_Response set_parameters_response;

@@ -15,7 +15,7 @@ struct services {
     struct parameters parameters; /* guarded by the lock */
     pthread_mutex_t lock;
     const rcl_node_t *node;
-    int socket; /* leads to the supervisor */
+    int socket; /* socket to the supervisor */
     rcl_service_t each[SERVICES];
     rcl_publisher_t events;
 };

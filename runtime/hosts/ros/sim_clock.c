@@ -1,6 +1,6 @@
 #include "sim_clock.h"
 
-/* The time jumps if two messages are further apart than this. */
+/* The time has jumped if two messages are further apart than this. */
 #define JUMP_NS INT64_C(10000000000)
 
 int64_t sim_clock_take(struct sim_clock *clock, int64_t time_ns)

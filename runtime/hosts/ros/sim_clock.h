@@ -1,9 +1,9 @@
-/* sim_clock.h -- the time of a simulator, which publishes it on /clock, as a time that never goes
+/* sim_clock.h -- converts the time that a simulator publishes on /clock to a time that never goes
  * back.
  *
- * A simulator that is restarted sets its time back. Then the program's time stands still for a
- * moment and continues from there: no instant may be before an earlier one. If the simulator's time
- * jumps far ahead, the program does not notice either. */
+ * A simulator that is restarted sets its time back. In that case, the program's time pauses for a
+ * moment and continues from there, because no instant may be before an earlier one. If the
+ * simulator's time jumps far ahead, the program's time does not jump either. */
 #ifndef FROB_HOST_ROS_SIM_CLOCK_H
 #define FROB_HOST_ROS_SIM_CLOCK_H
 
@@ -16,11 +16,11 @@ struct sim_clock {
     int64_t offset_ns; /* the program's time minus the simulator's */
 };
 
-/* Handles the next message. Returns the size of a jump in time, which is negative for a jump back;
- * 0 if there was none. */
+/* Handles the next message. If the time has jumped, returns the size of the jump, which is negative
+ * for a jump back; otherwise 0. */
 int64_t sim_clock_take(struct sim_clock *clock, int64_t time_ns);
 
-/* The program's time; meaningless before the first message. */
+/* The program's time. It is meaningless before the first message. */
 int64_t sim_clock_now_ns(const struct sim_clock *clock);
 
 #endif

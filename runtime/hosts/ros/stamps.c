@@ -1,12 +1,12 @@
 #include "stamps.h"
 
 /* Minimum time for which messages with a different clock must arrive before that clock is accepted.
- * Also the time after the start in which a message may be ahead, because the first message may have
- * been delayed. */
+ * For the same time after the start, messages may be ahead, because the first message may have been
+ * delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
-/* Clocks run at different speeds: the smallest difference may grow by one part in this number
- * (clock drift). */
+/* Clocks run at different speeds (clock drift), so the smallest difference may grow by one part in
+ * this number. */
 enum { DRIFT = 2000 };
 
 static int64_t apart(int64_t a, int64_t b)

@@ -5,9 +5,9 @@
  * between arrival and timestamp had the shortest delay. A message with a larger difference was
  * delayed by the excess, so a message that waited in a queue is recognized as old.
  *
- * If timestamps go back or jump ahead, somebody set the clock or restarted a simulation. Such
- * messages are rejected at first, because a single one may be an error. When they have arrived for
- * a second, the new clock is accepted. */
+ * If timestamps go back or jump ahead, somebody has set the clock or restarted a simulation. At
+ * first, such messages are rejected, because a single one may be an error. After a second of such
+ * messages, the new clock is accepted. */
 #ifndef FROB_HOST_ROS_STAMPS_H
 #define FROB_HOST_ROS_STAMPS_H
 
@@ -16,25 +16,27 @@
 
 struct stamps {
     bool started;
-    int64_t first_ns;    /* arrival of the first message */
-    int64_t previous_ns; /* arrival of the previous accepted message */
-    int64_t shortest_ns; /* smallest difference between arrival and stamp */
-    int64_t newest_ns;   /* stamp of the newest accepted message */
-    bool doubted;        /* messages with another clock have arrived, described below */
-    int64_t doubted_ns;  /* arrival of the first one */
-    int64_t other_ns;    /* difference between arrival and stamp of the last one */
+    int64_t first_ns;    /* arrival time of the first message */
+    int64_t previous_ns; /* arrival time of the previous accepted message */
+    int64_t shortest_ns; /* smallest difference between arrival time and timestamp */
+    int64_t newest_ns;   /* timestamp of the newest accepted message */
+    bool doubted;        /* whether messages with another clock have arrived, as described below */
+    int64_t doubted_ns;  /* arrival time of the first such message */
+    int64_t other_ns;    /* difference between arrival time and timestamp of the last such
+                          * message */
 };
 
 enum stamps_verdict {
     STAMPS_GOOD,
-    STAMPS_OLD,   /* delayed by more than the patience */
+    STAMPS_OLD,   /* the message was delayed by more than the patience */
     STAMPS_BACK,  /* its timestamp is before an earlier message's */
     STAMPS_AHEAD, /* its timestamp is ahead of the sender's clock by more than the patience */
-    STAMPS_RESET  /* accepted: from now on, the new clock applies */
+    STAMPS_RESET  /* accepted: the new clock applies from now on */
 };
 
 /* Checks the next message. `by_ns` receives the delay of a good or old message, and otherwise the
- * size of the jump. A sender that does not fill in stamps sends 0; then every message is good. */
+ * size of the jump. A sender that does not set timestamps sends 0; in that case, every message is
+ * good. */
 enum stamps_verdict stamps_judge(struct stamps *stamps, int64_t stamp_ns, int64_t arrived_ns,
                                  int64_t patience_ns, int64_t *by_ns);
 

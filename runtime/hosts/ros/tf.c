@@ -10,7 +10,8 @@ const rosidl_message_type_support_t *tf_type(void)
     return late_message_type("tf2_msgs", "TFMessage");
 }
 
-/* Copies the name of a frame. If the message has none, keeps the present one. */
+/* Copies the name of a frame. If the message does not contain one, keeps the current
+ * name. */
 static void copy_name(char name[ROS_FRAME], const rosidl_runtime_c__String *from)
 {
     /* Another thread reads the name (markers.h), so it is only written when it changes. */

@@ -1,7 +1,7 @@
 /* tf.h -- reads the transforms of /tf_static and /tf.
  *
- * A minimal installation of ROS 2 does not contain the package tf2_msgs, so the node does not need
- * its headers: it opens the library of the message's type support, if there is one. */
+ * A minimal installation of ROS 2 does not contain the package tf2_msgs. Therefore the node does
+ * not use its headers, and opens the library of the message's type support only if it exists. */
 #ifndef FROB_HOST_ROS_TF_H
 #define FROB_HOST_ROS_TF_H
 
@@ -18,10 +18,11 @@ struct tf_message {
 };
 
 struct tf {
-    bool is_read;                               /* the node subscribes to /tf_static and /tf */
+    bool is_read;                               /* whether the node subscribes to /tf_static and
+                                                 * /tf */
     char odometry[ROS_FRAME], robot[ROS_FRAME]; /* the names of the robot's frames */
     struct frames frames;
-    bool told; /* a bad transform was reported */
+    bool told; /* whether an invalid transform was reported */
 };
 
 /* Returns NULL if tf2_msgs is not installed. */
@@ -37,8 +38,8 @@ void tf_name(struct tf *tf, const nav_msgs__msg__Odometry *odometry);
 void tf_take(struct tf *tf, const struct tf_message *message, const char *topic, bool is_fixed,
              int64_t now_ns);
 
-/* Finds a frame in the robot's frame, or in that of its odometry. An empty name is that frame
- * itself. `pose` is only valid for ROS_FOUND. */
+/* Finds the pose of a frame relative to the robot's frame, or to the frame of its odometry. An
+ * empty name means that frame itself. `pose` is valid only if the result is ROS_FOUND. */
 struct ros_placing tf_place(const struct tf *tf, bool in_odometry, const char *name, int64_t now_ns,
                             struct frames_pose *pose);
 

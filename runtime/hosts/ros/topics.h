@@ -1,4 +1,4 @@
-/* topics.h -- the topics of a node's own as parts of the program's input and output structs. */
+/* topics.h -- finds the node's own topics in the program's input and output structs. */
 #ifndef FROB_HOST_ROS_TOPICS_H
 #define FROB_HOST_ROS_TOPICS_H
 
@@ -7,9 +7,9 @@
 /* The value of a topic, and its parts. */
 struct topic_parts {
     const struct frob_value *whole;
-    const struct frob_value *event;   /* NULL: a plain value */
-    const struct frob_value *missed;  /* of a Counted; NULL: none */
-    const struct frob_value *message; /* NULL: an event without a value */
+    const struct frob_value *event;   /* NULL for a plain value */
+    const struct frob_value *missed;  /* the count in a Counted; NULL if there is none */
+    const struct frob_value *message; /* the value of an event; NULL if the event has none */
 };
 
 /* `record`: the program's input or output. */

@@ -1,7 +1,8 @@
 /* images.h -- publishes the images of the simulated robot's cameras.
  *
  * An image is too large for a message on the socket. The simulator writes it to memory that it
- * shares with this process, one of ROS_IMAGE_SLOTS places for each camera, and sends the place. */
+ * shares with this process. There are ROS_IMAGE_SLOTS slots for each camera, and the message
+ * contains the slot's number. */
 #ifndef FROB_HOST_ROS_ROBOT_IMAGES_H
 #define FROB_HOST_ROS_ROBOT_IMAGES_H
 
@@ -28,7 +29,7 @@ struct images {
 /* Reads the argument `camera=TOPIC,NAME,DESCRIPTOR`. Returns false for other arguments. */
 bool images_argument(struct images *images, const char *argument);
 
-/* Returns NULL, or the name of a topic that rcl refuses. */
+/* Returns NULL, or the name of a topic that rcl rejects. */
 const char *images_start(struct images *images, const rcl_node_t *node);
 
 void images_publish(struct images *images, const struct ros_image *image);

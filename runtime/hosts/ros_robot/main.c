@@ -62,7 +62,7 @@ union message {
 
 struct robot {
     int socket;
-    bool stamped; /* cmd_vel is of type TwistStamped */
+    bool stamped; /* whether cmd_vel is of type TwistStamped */
     struct sensor sensors[ROS_SENSORS_MOST];
     size_t sensor_count;
     struct seat seats[ROS_SENSORS_MOST]; /* of the sensors */
@@ -121,7 +121,7 @@ static bool join(struct robot *r, int argc, char **argv)
     return true;
 }
 
-/* Reliable publishers match every subscription. */
+/* Reliable publishers are compatible with every subscription. */
 static bool advertise(struct robot *r, rcl_publisher_t *publisher, const char *topic, size_t depth,
                       const rosidl_message_type_support_t *type)
 {
@@ -172,7 +172,7 @@ static bool open_topics(struct robot *r)
         snprintf(what, sizeof what, "cannot publish %s", failed);
         return refuse(r, what);
     }
-    /* Best-effort delivery matches every publisher. */
+    /* Best-effort delivery is compatible with every publisher. */
     options.qos = rmw_qos_profile_sensor_data;
     r->velocity = rcl_get_zero_initialized_subscription();
     if (rcl_subscription_init(&r->velocity, &r->node,
@@ -240,7 +240,7 @@ static void publish(const rcl_publisher_t *publisher, const void *message)
         rcl_reset_error();
 }
 
-/* The frame of a sensor. Without transforms it is the robot's frame, which every node knows. */
+/* The frame of a sensor. Without transforms, it is the robot's frame, which every node knows. */
 static bool set_frame(const struct robot *r, std_msgs__msg__Header *header, uint32_t sensor)
 {
     return rosidl_runtime_c__String__assign(
@@ -292,7 +292,7 @@ static void publish_imu(struct robot *r, const struct ros_imu *imu)
     m->linear_acceleration.z = imu->acceleration_mps2[2];
     m->orientation.z = imu->rotation[2];
     m->orientation.w = imu->rotation[3];
-    /* By the message's definition, -1 means that there is no orientation. */
+    /* According to the message's definition, -1 means that there is no orientation. */
     m->orientation_covariance[0] = imu->has_rotation ? 0.0 : -1.0;
     if (set_frame(r, &m->header, imu->origin.control))
         publish(&r->sensors[imu->origin.control].publisher, m);
@@ -349,10 +349,11 @@ static void take_velocity(struct robot *r)
     velocity.speed_m_s = r->twist.linear.x;
     velocity.turn_rad_s = r->twist.angular.z;
     if (send(r->socket, &velocity, sizeof velocity, MSG_NOSIGNAL | MSG_DONTWAIT) < 0)
-        return; /* the next one replaces it */
+        return; /* the next message replaces it */
 }
 
-/* Reports once that a node publishes velocities of the other type, which do not arrive. */
+/* Reports that a node publishes velocities of the other type, which do not arrive. Reports this
+ * only once. */
 static void look_at_type(struct robot *r)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();
@@ -451,7 +452,7 @@ static void read_sensor(struct robot *r, const char *text)
     r->sensor_count++;
 }
 
-/* Reads the arguments before `--`; returns the number of that argument. */
+/* Reads the arguments before `--`. Returns the index of `--`. */
 static int read_arguments(struct robot *r, int argc, char **argv)
 {
     int i = 2;

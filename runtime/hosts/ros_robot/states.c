@@ -25,7 +25,8 @@ const char *states_start(struct states *s, const rcl_node_t *node)
         !advertise(&s->battery, node, ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, BatteryState),
                    "battery_state"))
         return "battery_state";
-    /* By the message's definition, NaN means that the value is not measured. */
+    /* According to the message's definition, NaN means that the value is not
+     * measured. */
     s->message.current = s->message.charge = s->message.capacity = s->message.design_capacity =
         s->message.percentage = s->message.temperature = NAN;
     s->message.present = true;

@@ -16,7 +16,7 @@ struct states {
     sensor_msgs__msg__BatteryState message;
 };
 
-/* Returns NULL, or the name of a topic that rcl refuses. */
+/* Returns NULL, or the name of a topic that rcl rejects. */
 const char *states_start(struct states *s, const rcl_node_t *node);
 
 void states_publish(struct states *s, const struct ros_states *states);

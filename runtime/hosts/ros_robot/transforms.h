@@ -1,9 +1,9 @@
 /* transforms.h -- the robot's frames: `odom` to `base_link` on /tf, and `base_link` to the frames
  * of its sensors on /tf_static.
  *
- * A minimal installation of ROS 2 does not contain the package tf2_msgs, so the node does not need
- * its headers: it opens the library of the message's type support, if there is one, when it
- * starts. */
+ * A minimal installation of ROS 2 does not contain the package tf2_msgs. Therefore the node does
+ * not use its headers. When it starts, it opens the library of the message's type support if the
+ * library exists. */
 #ifndef FROB_HOST_ROS_ROBOT_TRANSFORMS_H
 #define FROB_HOST_ROS_ROBOT_TRANSFORMS_H
 
@@ -17,7 +17,7 @@
 /* A sensor's frame has the directions of `base_link`. */
 struct seat {
     char frame[256 + 8];
-    double x_m, y_m; /* position ahead of the robot's centre, and to the left */
+    double x_m, y_m; /* position relative to the robot's centre: ahead, and to the left */
 };
 
 /* A tf2_msgs/msg/TFMessage. */
