@@ -2,15 +2,15 @@
 // people go to Serial. `frobc export --platformio` copies this file.
 //
 // Nothing here supervises the loop. A step of a Frob program always ends, but C code that it calls
-// may not. If your board has a timer, let its interrupt call loop_watch(now_ns(nullptr)) ten times
-// a second, or use the board's watchdog.
+// may not. If your board has a timer, call loop_watch(now_ns(nullptr)) from its interrupt ten
+// times a second, or use the board's watchdog.
 #include <Arduino.h>
 
 #include "hosts/board/loop.h"
 
 static_assert(sizeof(double) == 8, "Frob needs 64-bit doubles, which this board does not have");
 
-// micros() wraps around after 71 minutes; it is read much more often.
+// micros() wraps around after 71 minutes, but it is read much more often.
 static int64_t now_ns(void *)
 {
     static uint32_t before = 0;

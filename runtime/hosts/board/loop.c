@@ -69,9 +69,9 @@ static struct frob_serial line;
 static struct frob_clock time_;
 static double settings[SETTINGS_MOST];
 static struct frob_robot robot;
-static int64_t due_ns;            /* next instant; 0: as soon as the robot is ready */
-static int64_t before_ns;         /* last instant; 0: none yet */
-static volatile int64_t alive_ns; /* start of the last round of the loop; 0: not running */
+static int64_t due_ns;            /* time of the next instant; 0: as soon as the robot is ready */
+static int64_t before_ns;         /* time of the last instant; 0: none yet */
+static volatile int64_t alive_ns; /* start time of the last round of the loop; 0: not running */
 static int64_t stopped_ns;
 static struct loop_counts counts;
 
@@ -123,7 +123,7 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     if (!fits(found))
         return "not enough memory for the robot's driver: compile this with a larger "
                "FROB_DEVICE_MOST or FROB_INPUT_MOST";
-    /* Check both the program and the code that limits its commands. */
+    /* Checks both the program and the code that limits its commands. */
     if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)
         return "this program must not drive a robot, because its arithmetic is not IEEE 754: "
                "compile it with -ffp-contract=off and without -ffast-math";
@@ -156,7 +156,7 @@ void loop_stop(void)
         frob_robot_halt(&robot);
 }
 
-/* Runs a step and sends its command, unless the step took too long and the command is outdated. */
+/* Runs a step and sends its command, unless the step took so long that the command is outdated. */
 static void instant(int64_t now)
 {
     const int64_t dt_ns = before_ns == 0 ? 0 : now - before_ns;

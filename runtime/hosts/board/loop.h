@@ -6,9 +6,9 @@
  *   for (;;)
  *       wait until bytes arrive or loop_round();
  *
- * There is no second process. Instead of a supervisor there is loop_watch, which a timer interrupt
- * calls. If a step does not end within the patience, or the loop is stuck elsewhere, loop_watch
- * sends a stop command, ten times a second, until the loop runs again. */
+ * There is no second process. A timer interrupt must call loop_watch, which replaces a supervisor.
+ * If a step does not end within the patience, or the loop is stuck elsewhere, loop_watch sends a
+ * stop command, ten times a second, until the loop runs again. */
 #ifndef FROB_HOST_BOARD_LOOP_H
 #define FROB_HOST_BOARD_LOOP_H
 
@@ -30,25 +30,25 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
 /* Returns the initial bit rate of the robot's line; 0 if there is no driver. */
 uint32_t loop_line_rate(void);
 
-/* Runs one round: handles received bytes, sends what is due, and may run a step. Returns the time
- * at which to call it again if no byte arrives before then. */
+/* Runs one round: handles received bytes, sends commands that are due, and may run a step. Returns
+ * the time at which to call it again if no byte arrives before then. */
 int64_t loop_round(void);
 
 /* Call this from a timer interrupt, at least ten times a second. */
 void loop_watch(int64_t now_ns);
 
-/* Tells the robot to stop, whatever the loop is doing. For fault handlers. */
+/* Sends a stop command to the robot, whatever the loop is doing. For fault handlers. */
 void loop_stop(void);
 
-/* Returns the program's input, for <frob/console.h>: use it to let the board's buttons and dials
- * operate the console. Changes take effect at the next step. Change the input only between rounds,
+/* Returns the program's input, for <frob/console.h>. Use it to operate the console with the board's
+ * buttons and dials. Changes take effect at the next step. Change the input only between rounds,
  * not in an interrupt. */
 void *loop_input(void);
 
 struct loop_counts {
     uint32_t steps, overruns, late, stale, connections;
-    uint32_t damaged; /* instants without a step, because the program's state was not valid; the
-                       * robot stays at rest until the board restarts */
+    uint32_t damaged; /* number of instants without a step, because the program's state was not
+                       * valid; the robot stays at rest until the board restarts */
 };
 
 struct loop_counts loop_count(void);

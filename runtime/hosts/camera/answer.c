@@ -38,7 +38,8 @@ bool address_read(struct address *address, const char *text)
            strpbrk(text, " \r\n") == NULL;
 }
 
-/* If the header on this line has this name, returns its value, otherwise NULL. */
+/* Returns the value of the header on this line if it has this name, otherwise
+ * NULL. */
 static const char *value_of(const char *line, size_t length, const char *name, size_t *rest)
 {
     const size_t named = strlen(name);

@@ -13,7 +13,7 @@ struct address {
 /* Parses http://HOST[:PORT][/PATH]; HOST may be an IPv6 address in brackets. */
 bool address_read(struct address *address, const char *text);
 
-enum { ANSWER_ROOM = 16384 }; /* a longer head is rejected */
+enum { ANSWER_ROOM = 16384 }; /* a response with a longer head is rejected */
 
 struct answer {
     int status;

@@ -18,12 +18,12 @@ struct buffers {
     struct captured frames[COUNT];
 };
 
-/* The unpacked state. It is replaced as a whole, and `changes` is incremented, so that no old state
- * is mistaken for the current one (the ABA problem). */
+/* The unpacked state. It is replaced as a whole, and `changes` is incremented each time, so that an
+ * old state is never mistaken for the current one (the ABA problem). */
 struct order {
     uint32_t at[COUNT]; /* index of the frame at each position, 3 bits each */
-    uint32_t fresh;     /* how many of the newest middle frames have not been taken: 2 bits */
-    bool has_any;       /* a frame has been published */
+    uint32_t fresh;     /* number of the newest middle frames that have not been taken: 2 bits */
+    bool has_any;       /* whether a frame has been published */
     uint32_t changes;   /* 14 bits */
 };
 
@@ -109,8 +109,8 @@ const struct captured *buffers_published(const struct buffers *b)
     return order_of(read_state(b)).has_any ? &b->frames[b->published] : NULL;
 }
 
-/* The data read here may change meanwhile. The state then changes too, so the frame cannot be
- * taken. */
+/* The data that is read here may change in the meantime. If so, the state also changes, so the
+ * frame cannot be taken. */
 struct fresh buffers_look(const struct buffers *b)
 {
     struct fresh fresh;

@@ -2,8 +2,8 @@
  *
  * Five frames are in memory shared by both processes: one that the writer fills, one that the
  * reader uses, and the newest three between them. Each side exchanges its frame for one of the
- * middle ones with an atomic operation: nobody waits, the writer never touches the reader's frame,
- * and a writer that dies while it fills a frame leaves the others intact.
+ * middle ones in an atomic operation. Neither side waits, the writer never changes the reader's
+ * frame, and if the writer dies while it fills a frame, the others remain intact.
  *
  * The memory has the same address in both processes, because it is mapped before the fork. */
 #ifndef FROB_HOST_CAMERA_BUFFERS_H
@@ -19,15 +19,15 @@
 /* Maximum size of a frame in bytes: 1920 x 1200 in colour. */
 #define BUFFERS_ROOM ((size_t)1920 * 1200 * 3)
 
-/* A frame, without gaps between its rows. */
+/* A frame, stored without gaps between its rows. */
 struct captured {
     int32_t width, height;
-    enum frob_image_format format; /* a format with bytes, not depths */
+    enum frob_image_format format; /* a format whose pixels are bytes rather than depths */
     int64_t captured_ns;           /* on the monotonic clock */
     uint32_t number;
-    bool has_camera; /* the frame contains its camera's projection and pose */
+    bool has_camera; /* whether the frame contains its camera's projection and pose */
     struct frob_camera camera;
-    struct frob_tags tags; /* tags in the frame, if they are looked for */
+    struct frob_tags tags; /* the tags in the frame, if a finder looks for them */
     uint8_t *pixels;
 };
 
@@ -45,7 +45,7 @@ void buffers_publish(struct buffers *b);
 /* For the writer: returns the last published frame, read-only; NULL before the first. */
 const struct captured *buffers_published(const struct buffers *b);
 
-/* For the reader: returns the newest frame, once; NULL if all published frames were taken. It stays
+/* For the reader: returns the newest frame, or NULL if it has been taken already. The frame stays
  * unchanged until the next call that returns a frame. */
 const struct captured *buffers_take(struct buffers *b);
 
@@ -75,7 +75,7 @@ void buffers_wait(struct buffers *b, int wait_ms);
 /* Memory for the reader's image, at an address that is valid in the other process too. */
 struct frob_image *buffers_image(struct buffers *b);
 
-/* buffers_begin reports that the reader has looked for a frame for the first time;
+/* buffers_begin reports that the reader has asked for a frame for the first time;
  * buffers_have_begun returns whether it has. */
 void buffers_begin(struct buffers *b);
 bool buffers_have_begun(const struct buffers *b);

@@ -1,5 +1,5 @@
 /* cameras.h -- the cameras of a program, for the host that runs it. Each camera has its own
- * process, which may take as long as it needs: no function here waits. */
+ * process, which may take as long as it needs, because no function here waits for it. */
 #ifndef FROB_HOST_CAMERA_CAMERAS_H
 #define FROB_HOST_CAMERA_CAMERAS_H
 
@@ -30,7 +30,8 @@ struct camera {
 struct stereo_pair {
     struct camera *left, *right; /* NULL: none */
     struct pair pair;
-    int64_t paired_ns; /* last time at which there was a pair, or at which none was possible */
+    int64_t paired_ns; /* last time at which there was a pair, or at which there could not be
+                        * one */
     bool has_failed;
     uint32_t failures;
 };
@@ -42,7 +43,7 @@ struct cameras {
     struct stereo_pair stereo;
     /* The tag finder, if the program uses tags; each process that looks for tags has a copy. */
     struct tag_finder finder;
-    bool tells; /* also report cameras that work */
+    bool tells; /* whether to report also cameras that work */
 };
 
 /* Counts the cameras that the program uses, for frames or for tags, and initializes the options of

@@ -16,7 +16,7 @@
 
 #define RETRY_NS INT64_C(500000000)
 #define SILENT_NS INT64_C(1000000000) /* shortest gap between frames that is reported */
-#define BEGIN_NS INT64_C(5000000)     /* how soon recorded frames start after the program */
+#define BEGIN_NS INT64_C(5000000)     /* delay before the first recorded frame */
 enum { WAIT_MS = 100, HANGS_MS = 4000 };
 
 struct capture {
@@ -26,10 +26,10 @@ struct capture {
     int socket;
     struct source source;
     bool is_open;
-    int64_t opened_ns, frame_ns; /* time of opening; time of the last good frame, 0: none */
-    int64_t period_ns;           /* between frames if none is missing; 0: unknown */
+    int64_t opened_ns, frame_ns; /* time of opening, and time of the last good frame (0: none) */
+    int64_t period_ns;           /* time between frames if none is missing; 0: unknown */
     int64_t same_ns;             /* time since which all frames have been identical */
-    int32_t width, height;       /* size of all frames; 0: set by the first frame */
+    int32_t width, height;       /* size of all frames; 0 until the first frame sets it */
     enum frob_image_format format;
     uint32_t number; /* number of the next good frame */
     struct capture_report told;
@@ -63,8 +63,9 @@ static void complain(struct capture *c, const char *text)
         report(c, CAPTURE_FAILS, text);
 }
 
-/* Updates the period between frames. It decreases immediately and increases slowly: a few missing
- * frames do not make the camera slow, and must not increase the patience for the next frame. */
+/* Updates the period between frames. The period decreases immediately but increases slowly: a few
+ * missing frames do not mean that the camera is slow, and they must not increase the patience for
+ * the next frame. */
 static void take_period(struct capture *c, int64_t since_ns)
 {
     if (c->period_ns == 0 || since_ns < c->period_ns)
@@ -86,7 +87,8 @@ static void leave(struct capture *c)
     c->is_open = false;
 }
 
-/* Opens the source. Its kind may have changed: a name that did not exist may be a pipe now. */
+/* Opens the source. Its kind may have changed since the last time; for example, a file that did not
+ * exist may now be a pipe. */
 static bool enter(struct capture *c)
 {
     c->source.kind = source_kind_of(c->options->source);
@@ -108,7 +110,7 @@ static bool is_same(const struct captured *a, const struct captured *b)
 }
 
 /* Returns whether a camera's frames have been identical to the last bit for too long. Such a camera
- * is frozen, because a real one has noise. */
+ * is frozen, because the images of a working camera contain noise. */
 static bool is_frozen(struct capture *c, const struct captured *frame)
 {
     const double limit_s = c->options->settings[CAMERA_FROZEN];
@@ -153,7 +155,7 @@ static void describe(const struct capture *c, const struct captured *frame, char
              seen.x_m, seen.y_m, seen.z_m, seen.pitch_rad * 57.295779513082323);
 }
 
-/* Rejects a frame. The reason is stored until a frame is good. */
+/* Rejects a frame, and stores the reason until a frame is good. */
 static void refuse(struct capture *c)
 {
     c->source.lost++;
@@ -243,8 +245,8 @@ static void step(struct capture *c)
 
 /* ---- Processes */
 
-/* Leaves signals from the terminal to the supervisor, and makes this process end when its parent
- * does. */
+/* Ignores signals from the terminal, which the supervisor handles, and makes this process end when
+ * its parent does. */
 static void belong_to(pid_t parent)
 {
     sigset_t none;
@@ -276,7 +278,7 @@ static void work(struct capture *c, pid_t keeper)
         step(c);
 }
 
-/* A process that is watched. */
+/* A child process that is watched. */
 struct watched {
     pid_t process;
     const struct buffers *beats_for;

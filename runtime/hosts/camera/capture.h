@@ -11,7 +11,7 @@
 /* State of the process. It sends a message on its socket whenever this changes. */
 enum capture_state {
     CAPTURE_WORKS,
-    CAPTURE_FAILS, /* no frames arrive; it keeps trying */
+    CAPTURE_FAILS, /* no frames arrive; the process keeps trying */
     CAPTURE_ENDED  /* no more frames will arrive */
 };
 
@@ -23,8 +23,9 @@ struct capture_report {
 /* The path of a camera's frames to the program. */
 struct capture_way {
     struct buffers *seen;      /* frames as captured */
-    struct buffers *given;     /* frames for the program; equal to `seen` without a finder */
-    struct tag_finder *finder; /* looks for tags and passes the frames on; NULL: none */
+    struct buffers *given;     /* the frames for the program; the same as `seen` without a tag
+                                * finder */
+    struct tag_finder *finder; /* looks for tags and passes the frames on; NULL if there is none */
 };
 
 /* Runs the camera process, a child of `supervisor`, which delivers frames until `supervisor` ends.

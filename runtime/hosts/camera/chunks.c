@@ -10,7 +10,8 @@ static int digit(uint8_t c)
     return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/* Handles a byte of the line with the length; returns false if the byte is invalid there. */
+/* Handles a byte of the line that contains the chunk's length. Returns false if the byte is
+ * invalid there. */
 static bool length(struct chunks *c, uint8_t byte)
 {
     const int d = digit(byte);

@@ -8,12 +8,13 @@
 
 struct chunks {
     enum { CHUNKS_LENGTH, CHUNKS_REST_OF_LINE, CHUNKS_DATA, CHUNKS_END_OF_DATA, CHUNKS_OVER } state;
-    uint64_t left; /* bytes left in this chunk; in state CHUNKS_LENGTH, the length read so far */
+    uint64_t left; /* number of bytes left in this chunk or, in state CHUNKS_LENGTH, the length
+                    * read so far */
     bool digits;
 };
 
-/* Moves the data among these bytes to their beginning, and returns its length; -1 if the bytes are
- * not chunks. */
+/* Removes everything except the data from these bytes, and returns the length of the data; -1 if
+ * the bytes are not chunks. */
 ptrdiff_t chunks_take(struct chunks *c, uint8_t *bytes, size_t size);
 
 #endif

@@ -8,8 +8,8 @@
 size_t decode_raw_size(const struct camera_options *o);
 
 /* Decodes an image in a self-describing format: 8-bit PGM or PPM, or JPEG. Returns NULL on success.
- * On failure, returns a message, stored in `message`, whose subject is "a frame", with the cause
- * and the fix. If `is_grey`, decodes brightness only. */
+ * On failure, returns `message`, which explains the cause and the fix in a sentence about "a
+ * frame". If `is_grey`, decodes brightness only. */
 const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                            char message[256]);
 

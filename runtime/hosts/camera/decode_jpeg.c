@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Returns whether libjpeg's warning is about an image that is complete nevertheless: many cameras
- * leave some bytes between the compressed data and the end marker. */
+/* Returns whether the image is complete despite libjpeg's warning: many cameras leave some bytes
+ * between the compressed data and the end marker. */
 static bool is_harmless(const char *warning)
 {
     return strstr(warning, "extraneous bytes before marker") != NULL;
@@ -35,8 +35,8 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
     return NULL;
 }
 
-/* Decodes a JPEG image. A damaged header would leave the decompressor in a wrong state for the
- * next frame, so this function then replaces the decompressor. */
+/* Decodes a JPEG image. If the header is damaged, replaces the decompressor, because it would be
+ * in a wrong state for the next frame. */
 const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                         char message[256])
 {

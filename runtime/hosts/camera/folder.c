@@ -1,4 +1,4 @@
-/* A folder of images, which are read in the order of their names, at a fixed rate. */
+/* Reads a folder of images in the order of their names, at a fixed rate. */
 #include "decode.h"
 #include "source.h"
 

@@ -1,4 +1,4 @@
-/* MJPEG over HTTP, as network cameras send it: a sequence of JPEGs in the response to one
+/* Reads MJPEG over HTTP, as network cameras send it: a sequence of JPEGs in the response to one
  * request. */
 #include "answer.h"
 #include "chunks.h"

@@ -50,7 +50,7 @@ enum jpeg_result jpeg_scan(struct jpeg_scan *scan, const uint8_t *bytes, size_t 
         length = (size_t)bytes[scan->at + 2] << 8 | bytes[scan->at + 3];
         if (length < 2)
             return JPEG_TORN;
-        /* An incomplete segment is examined again when more bytes have arrived. */
+        /* Examines an incomplete segment again when more bytes have arrived. */
         if (size - scan->at - 2 < length)
             return JPEG_MORE;
         scan->at += 2 + length;

@@ -6,16 +6,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Progress of scanning an image, which starts with FF D8 at offset 0. */
+/* The progress of scanning an image that starts with FF D8 at offset 0. */
 struct jpeg_scan {
     size_t at;
-    bool in_data; /* in compressed data, not in a segment */
+    bool in_data; /* whether the scan is in compressed data rather than in a segment */
 };
 
 enum jpeg_result {
     JPEG_MORE,
     JPEG_WHOLE, /* the image ends at `at` */
-    JPEG_TORN   /* it is truncated at `at`, where another one may start */
+    JPEG_TORN   /* the image is truncated at `at`, where another one may start */
 };
 
 /* Continues scanning with the new bytes; the bytes before them must be unchanged. The time is

@@ -1,8 +1,8 @@
 /* pair.h -- combines the frames of two cameras, `left` and `right`, into pairs.
  *
- * The cameras are not synchronized. Two frames are a pair if each is the closest in time to the
- * other; this is the case if they are at most half a period of the faster camera apart. A tenth of
- * a period more is allowed, for cameras that are slightly irregular. No I/O. */
+ * The cameras are not synchronized. Two frames form a pair if each of them is the closest in time
+ * to the other, which is the case if they are at most half a period of the faster camera apart.
+ * Another tenth of a period is allowed, because a camera may be slightly irregular. No I/O. */
 #ifndef FROB_HOST_CAMERA_PAIR_H
 #define FROB_HOST_CAMERA_PAIR_H
 
@@ -11,15 +11,15 @@
 /* The period between a camera's frames, estimated from their times and numbers. */
 struct rhythm {
     double period_ns;
-    int64_t captured_ns; /* time of the newest frame seen; `number` is its number */
+    int64_t captured_ns; /* time of the newest frame that has arrived; `number` is its number */
     uint32_t number;
     bool has_any;
 };
 
 struct pair {
     struct rhythm rhythms[2];
-    int64_t within_ns; /* limit set by the user; -1: none */
-    uint32_t count;    /* number of pairs taken */
+    int64_t within_ns; /* limit that the user has set; -1 if there is none */
+    uint32_t count;    /* number of pairs that were taken */
     double apart_ns;   /* sum of the time differences within these pairs */
     int64_t most_ns;   /* maximum of these differences */
     /* The smallest time difference, since the last pair, of two frames that were too far apart;
@@ -34,7 +34,7 @@ void pair_init(struct pair *p, double period_s, double within_s);
 int64_t pair_most_ns(const struct pair *p);
 
 /* Takes the newest frames that form a pair, each as buffers_take does. Returns false if there is no
- * pair; frames that may still become part of a pair are not taken. */
+ * pair. Does not take frames that may still become part of a pair. */
 bool pair_take(struct pair *p, struct buffers *const buffers[2], const struct captured *frames[2]);
 
 #endif

@@ -46,7 +46,7 @@ enum { CAMERA_LABEL_ROOM = 64 };
 
 struct camera_options {
     char label[CAMERA_LABEL_ROOM]; /* the label in the program */
-    bool has_tags;                 /* look for tags in its frames */
+    bool has_tags;                 /* whether to look for tags in its frames */
     /* A device, an address, a folder, a pipe or a file; NULL: not set. */
     const char *source;
     double settings[CAMERA_SETTING_COUNT];

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for the largest frame and its header. A JPEG is never larger than its uncompressed image. */
+/* The space for the largest frame and its header. A JPEG is never larger than its uncompressed
+ * image. */
 #define ROOM (BUFFERS_ROOM + (64u << 10))
 
 bool splitter_open(struct splitter *s, size_t raw_size)
@@ -44,7 +45,7 @@ uint8_t *splitter_space(struct splitter *s, size_t *room)
         s->to -= s->from;
         s->from = 0;
     }
-    if (s->to == ROOM) { /* too long to be a frame */
+    if (s->to == ROOM) { /* the data is too long to be a frame */
         s->torn++;
         s->to = 0;
         use_up(s, 0);
@@ -61,8 +62,8 @@ void splitter_feed(struct splitter *s, size_t count, int64_t now_ns)
     s->to += count;
 }
 
-/* Returns whether the bytes may start a JPEG: FF D8, and the FF of the next segment, as far as
- * there are bytes. */
+/* Returns whether the bytes, which may be incomplete, can start a JPEG: FF D8, and the FF of the
+ * next segment. */
 static bool may_be_jpeg(const uint8_t *bytes, size_t size)
 {
     static const uint8_t begin[] = { 0xFF, 0xD8, 0xFF };

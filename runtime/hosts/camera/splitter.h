@@ -13,11 +13,11 @@
 #include <stdint.h>
 
 struct splitter {
-    size_t raw_size; /* bytes of a raw frame; 0: images */
+    size_t raw_size; /* number of bytes of a raw frame; 0 for images */
     uint8_t *bytes;
-    size_t from, to; /* range of bytes received and not yet used */
+    size_t from, to; /* range of the bytes that were received but not used yet */
     struct jpeg_scan scan;
-    int64_t begun_ns; /* when the first byte at `from` arrived */
+    int64_t begun_ns; /* time at which the first byte at `from` arrived */
     int64_t fed_ns;
     uint32_t torn; /* number of truncated frames */
 };
@@ -29,8 +29,9 @@ void splitter_close(struct splitter *s);
 /* Discards all received bytes, for example before a new connection. */
 void splitter_forget(struct splitter *s);
 
-/* splitter_space returns where to store the next bytes, and the room for them, which is never 0
- * after all frames have been taken. splitter_feed reports how many were stored and when. */
+/* splitter_space returns where to store the next bytes, and how many bytes fit there. This number
+ * is never 0 after all frames have been taken. splitter_feed reports how many bytes were stored,
+ * and when. */
 uint8_t *splitter_space(struct splitter *s, size_t *room);
 void splitter_feed(struct splitter *s, size_t count, int64_t now_ns);
 

@@ -1,4 +1,4 @@
-/* Frames from a pipe as they arrive, or from a file at a fixed rate. */
+/* Reads frames from a pipe as they arrive, or from a file at a fixed rate. */
 #include "decode.h"
 #include "source.h"
 #include "splitter.h"
@@ -16,7 +16,7 @@ enum { READ_MOST = 1 << 16 };
 
 struct stream {
     int file;
-    bool is_file; /* a file, so its frames are paced at the set rate */
+    bool is_file; /* whether it is a file, whose frames are paced at the set rate */
     int64_t due_ns;
     struct splitter splitter;
 };
@@ -61,7 +61,8 @@ static bool open_stream(struct source *s)
     return true;
 }
 
-/* Reads available bytes. A pipe stays open when its writer closes it, for the next writer. */
+/* Reads the available bytes. When the writer of a pipe closes it, the pipe stays open for the next
+ * writer. */
 static enum source_result take_in(struct source *s, struct stream *t)
 {
     size_t room;

@@ -16,7 +16,7 @@ static void to_rgb(uint8_t *rgb, int y, int u, int v)
     rgb[2] = within((c + 516 * d) / 256);
 }
 
-/* Converts a row. Y0 U Y1 V are two pixels; a row of odd width ends with a complete pair. */
+/* Converts a row. Y0 U Y1 V encode two pixels; a row of odd width ends with a complete pair. */
 static void yuyv_row(const uint8_t *in, struct captured *frame, uint8_t *out)
 {
     for (int32_t x = 0; x < frame->width; x++) {

@@ -28,7 +28,7 @@ struct apriltag_array {
 /* The first members of apriltag_detector_t, which the library allocates. */
 struct apriltag_settings {
     int threads;
-    float decimate; /* searches an image reduced by this factor first */
+    float decimate; /* first searches an image that is reduced by this factor */
     float blur;
     bool refines_edges;
     double sharpening;

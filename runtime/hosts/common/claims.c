@@ -55,7 +55,7 @@ bool claims_has_nan(const struct frob_value *value, const void *base)
     return false;
 }
 
-/* If there is no memory for a column, it is not checked. */
+/* If there is no memory for a column, the column is not checked. */
 static void add_column(void *context, const char *name, const struct frob_value *value)
 {
     struct claims *claims = (struct claims *)context;
@@ -89,7 +89,7 @@ static void look_for_nans(struct claims *claims, int64_t time_ns, const void *ou
     }
 }
 
-/* Prints at most four columns, and the number of the others. */
+/* Prints at most four columns, and the number of the remaining ones. */
 static void print_nans(const struct claims *claims, FILE *file, const char *who)
 {
     enum { MOST = 4 };
@@ -118,7 +118,7 @@ bool claims_open(struct claims *claims, const struct frob_program *program)
     }
     for (size_t i = 0; i < program->claim_count; i++)
         claims->each[i].last = VERDICT_NONE;
-    if (program->output != NULL) /* a table written by hand may not describe the output */
+    if (program->output != NULL) /* a handwritten table may not describe the output */
         frob_trace_columns(program->output, "out", add_column, claims);
     return true;
 }
@@ -161,8 +161,8 @@ void claims_see(struct claims *claims, int64_t time_ns, const void *output)
             see(claims, i, time_ns, output);
 }
 
-/* Returns whether no other assertion has the same label. If several have it, each is named by its
- * column. */
+/* Returns whether no other assertion has the same label. Assertions that share a label are named
+ * by their columns. */
 static bool is_alone(const struct frob_program *program, const struct frob_claim *claim)
 {
     for (size_t i = 0; i < program->claim_count; i++)

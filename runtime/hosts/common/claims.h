@@ -1,7 +1,7 @@
-/* claims.h -- the verdicts on a program's assertions in a run, and the first NaN in each output
- * column.
+/* claims.h -- collects the verdicts on a program's assertions in a run, and finds the first NaN in
+ * each output column.
  *
- * A host whose program was compiled with its assertions (frob/program.h) passes each output to
+ * If a program was compiled with its assertions (frob/program.h), its host passes each output to
  * claims_see, and reports at the end whether each assertion held. Once an assumption has failed,
  * verdicts on assertions no longer count. */
 #ifndef FROB_HOST_CLAIMS_H
@@ -21,31 +21,32 @@ enum verdict { VERDICT_NONE = -1, VERDICT_NOT_ASKED, VERDICT_HOLDS, VERDICT_OPEN
 enum verdict verdict_of(const struct frob_value *value, const void *output);
 
 struct claim_state {
-    uint64_t asked;    /* number of instants at which it had to hold */
-    uint64_t failed;   /* number of instants at which it failed */
-    int64_t first_ns;  /* first instant at which it failed */
+    uint64_t asked;    /* number of instants at which the assertion had to hold */
+    uint64_t failed;   /* number of instants at which the assertion failed */
+    int64_t first_ns;  /* first instant at which the assertion failed */
     enum verdict last; /* the last verdict other than VERDICT_NONE */
-    bool fails;        /* whether it failed at the last instant */
+    bool fails;        /* whether the assertion failed at the last instant */
 };
 
 /* A column of the output, and the time of its first NaN. */
 struct nan_column {
     const struct frob_value *value;
     char *name;
-    bool seen;        /* a NaN has occurred */
+    bool seen;        /* whether a NaN has occurred */
     int64_t first_ns; /* time of the first NaN */
 };
 
 struct claims {
     const struct frob_program *program;
     struct claim_state *each;
-    bool is_void;                      /* an assumption has failed */
-    int64_t void_ns;                   /* when the first assumption failed */
-    const struct frob_claim *violated; /* the first violated assertion, or NULL */
+    bool is_void;                      /* whether an assumption has failed */
+    int64_t void_ns;                   /* time at which the first assumption failed */
+    const struct frob_claim *violated; /* the first violated assertion; NULL if there is none */
     int64_t violated_ns;
     struct nan_column *nans; /* every column of the output */
     size_t nan_count, nan_room;
-    bool nan_is_given; /* NaN was in the input, so NaN in the output is no longer reported */
+    bool nan_is_given; /* whether NaN was in the input, in which case NaN in the output is no longer
+                        * reported */
 };
 
 /* Returns whether a value contains a NaN. */

@@ -63,8 +63,8 @@ static bool grow_cells(struct csv *csv)
     return true;
 }
 
-/* Reads the next line of the file, up to the maximum length or a NUL, which no recording contains;
- * returns false at the end of the file, or if memory runs out. */
+/* Reads the next line of the file, up to the maximum length or up to a NUL, which recordings do not
+ * contain. Returns false at the end of the file, or if memory runs out. */
 static bool read_line(struct csv *csv)
 {
     size_t length = 0;
@@ -131,8 +131,8 @@ const char *csv_cell(const struct csv *csv, size_t index)
     return csv->text + csv->starts[index];
 }
 
-/* Returns whether the line can be split at its separators alone, as most lines can: it has no
- * quotes, carriage returns or NULs. */
+/* Returns whether the line can simply be split at its separators. This is true for most lines:
+ * those without quotes, carriage returns or NULs. */
 static bool is_plain(const struct csv *csv)
 {
     const char *line = csv->read;
@@ -200,7 +200,7 @@ static enum csv_status next_row(struct csv *csv)
                 return CSV_UNCLOSED_QUOTE;
             if (csv->count == 0)
                 return CSV_END;
-            if (cell_starts) { /* an empty last cell */
+            if (cell_starts) { /* the last cell is empty */
                 csv->columns[csv->count] = column;
                 csv->starts[csv->count++] = length;
             }

@@ -7,11 +7,11 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* How a recording from another program differs from ours. */
+/* How a recording from another program differs from one of Frob's. */
 struct csv_dialect {
-    char separator;          /* between cells; 0: a comma */
+    char separator;          /* separator between cells; 0 for a comma */
     bool decimal_comma;      /* numbers as 0,5 */
-    const char *time_column; /* NULL: the first column, `time` */
+    const char *time_column; /* name of the time column; NULL for the first column, `time` */
     const char **columns;    /* NAME=COLUMN, for a column with a different name */
     size_t column_count;
 };
@@ -30,8 +30,8 @@ struct csv {
     unsigned long line; /* line on which the current row starts, from 1 */
     /* the current row */
     size_t count;
-    size_t *columns;  /* byte column of each cell's first character, from 1 */
-    char reason[600]; /* the message of CSV_NO_COLUMN */
+    size_t *columns;  /* column of each cell's first character, in bytes from 1 */
+    char reason[600]; /* the message for CSV_NO_COLUMN */
     /* private */
     bool has_header;
     size_t time_cell; /* index of the time in the file's rows */
@@ -51,17 +51,17 @@ enum csv_status {
     CSV_LATE_QUOTE, /* the last cell has spaces before its quote */
     CSV_NUL,
     CSV_RETURN,    /* the header has a carriage return that no line feed follows */
-    CSV_NO_COLUMN, /* the dialect names a missing column: see `reason` */
-    CSV_TOO_LONG,  /* a row of more than CSV_LONGEST bytes or CSV_MOST_CELLS cells */
+    CSV_NO_COLUMN, /* the dialect names a column that is missing; see `reason` */
+    CSV_TOO_LONG,  /* a row has more than CSV_LONGEST bytes or CSV_MOST_CELLS cells */
     CSV_NO_MEMORY
 };
 
 /* `dialect`: NULL for recordings in our own format. */
 void csv_start(struct csv *csv, FILE *file, const struct csv_dialect *dialect);
 
-/* Reads the next non-empty row and translates it from the dialect: the time comes first, as the
- * column `time`, and the others have the program's names. Lines before the header that begin with
- * `#` are returned unchanged. */
+/* Reads the next non-empty row, and translates it from the dialect: the time becomes the first
+ * column, called `time`, and the other columns get the program's names. Lines before the header
+ * that begin with `#` are returned unchanged. */
 enum csv_status csv_next(struct csv *csv);
 
 /* Replaces the text of a cell of the current row. Returns false if memory runs out. */

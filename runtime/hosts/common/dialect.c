@@ -181,7 +181,7 @@ static const char *word_with_escapes(const char *text, char *word, size_t room)
     return word;
 }
 
-/* Quotes an argument for a shell, as far as there is room. Returns `word`. */
+/* Quotes an argument for a shell, as far as there is space for it. Returns `word`. */
 static const char *shell_word(const char *text, char *word, size_t room)
 {
     const char *const quote = is_plain_word(text) && *text != '\0' ? "" : "'";
@@ -212,7 +212,8 @@ static bool is_word(const char *name, const char *word)
     return strlen(name) == strlen(word) && has_word(name, word);
 }
 
-/* Index of the column that probably contains the times; the number of columns if there is none. */
+/* The index of the column that probably contains the times. If there is none, the number of
+ * columns. */
 static size_t looks_like_time(const struct csv *csv)
 {
     size_t i;

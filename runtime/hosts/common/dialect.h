@@ -5,8 +5,8 @@
 
 #include "csv.h"
 
-/* If argv[*i] is an option of the dialect, reads it with its value, sets *i to its last argument,
- * and returns true. `dialect->columns` must have room for `argc` entries. */
+/* If argv[*i] is an option of the dialect, reads the option with its value, sets *i to the index of
+ * its last argument, and returns true. `dialect->columns` must have room for `argc` entries. */
 bool dialect_option(struct csv_dialect *dialect, int argc, char **argv, int *i);
 
 /* Returns whether the dialect names columns. If so, additional columns of a recording are
@@ -24,7 +24,7 @@ enum csv_status dialect_translate(struct csv *csv);
 const char *dialect_time_hint(struct csv *csv);
 
 /* The part of dialect_time_hint about a different separator; NULL if the separator seems right. If
- * it is not NULL, the names are not the columns of the file, so do not report the other columns. */
+ * it is not NULL, the header was split at the wrong places, so do not report other columns. */
 const char *dialect_separator_hint(const struct csv *csv);
 
 /* For the error that a column is missing; the recording has `unknown` unknown columns, one of

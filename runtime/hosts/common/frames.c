@@ -163,7 +163,7 @@ void frame_writer_close(struct frame_writer *writer)
 
 struct frame {
     uint64_t key;
-    struct frob_image image; /* its pixels point into the file's contents */
+    struct frob_image image; /* the image's pixels point into the file's contents */
     void *file;
     size_t size;
     bool is_checked, is_unchanged;
@@ -181,7 +181,7 @@ bool frame_reader_is_unchanged(const struct frob_image *image)
     return frame->is_unchanged;
 }
 
-/* Returns the slot of a key, or the empty slot where it belongs. */
+/* Returns the slot that contains a key, or the empty slot where to insert it. */
 static size_t slot_of(const struct frame_reader *reader, uint64_t key)
 {
     size_t slot = (size_t)(key * UINT64_C(0x9e3779b97f4a7c15) >> 20) & (reader->capacity - 1);
@@ -190,7 +190,7 @@ static size_t slot_of(const struct frame_reader *reader, uint64_t key)
     return slot;
 }
 
-/* Grows the table so that at least half of the slots stay empty. */
+/* Grows the table so that at least half of the slots remain empty. */
 static bool grow(struct frame_reader *reader)
 {
     struct frame **before = reader->each;
@@ -218,7 +218,8 @@ static const struct frob_image *wrong(struct frame_reader *reader, const char *p
     return NULL;
 }
 
-/* Adds a frame. On failure returns NULL and stores a message about what was expected. */
+/* Adds a frame. On failure, returns NULL and stores a message that says what was
+ * expected. */
 static const struct frob_image *add(struct frame_reader *reader, uint64_t key, const char *path,
                                     int file)
 {

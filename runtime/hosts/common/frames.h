@@ -34,9 +34,9 @@ void frame_writer_close(struct frame_writer *writer);
 /* ---- Reading */
 
 struct frame_reader {
-    struct frob_frames finder; /* to pass to frob_cell_read */
+    struct frob_frames finder; /* the image finder to pass to frob_cell_read */
     char *folder;
-    bool verifies;       /* also verify each file's hash */
+    bool verifies;       /* whether to also verify each file's hash */
     struct frame **each; /* hash table by key, with empty slots */
     size_t count, capacity;
     char expected[512];
@@ -49,8 +49,8 @@ bool frame_reader_open(struct frame_reader *reader, const char *record, bool ver
 /* Returns the image with this key, or NULL if there is none. */
 const struct frob_image *frame_reader_by_key(struct frame_reader *reader, uint64_t key);
 
-/* Returns whether the contents of a found image's file match the hash in its name. The hash is
- * computed only once. */
+/* Returns whether the contents of an image's file match the hash in its name. The image must have
+ * been found by this reader. The hash is computed only once. */
 bool frame_reader_is_unchanged(const struct frob_image *image);
 
 void frame_reader_forget(struct frame_reader *reader);

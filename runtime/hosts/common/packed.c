@@ -16,13 +16,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Errors that the system does not have, represented by unused errno values. */
+/* Errors that the system does not define, represented by unused errno values. */
 enum { NOT_INSTALLED = ENOPKG, CUT_OFF = EBADMSG, OTHER_FORMAT = EILSEQ, IS_MCAP = EPROTO };
 
 static const struct format {
     const char *tool, *ending;
-    const char *magic;   /* first bytes of a file in this format */
-    const char *packing; /* options; without -n gzip would store the time */
+    const char *magic;   /* the first bytes of a file in this format */
+    const char *packing; /* options of the tool; without -n, gzip would store the time */
 } formats[] = {
     { "gzip", ".gz", "\x1f\x8b", "-cqn" },
     { "zstd", ".zst", "\x28\xb5\x2f\xfd", "-cq" },
@@ -97,8 +97,8 @@ static bool wait_for(pid_t process)
 }
 
 /* Starts the tool with these files as its input and output. Returns its process id, or 0 with errno
- * set. A process that packs ignores signals from the terminal, and outlives the host until it has
- * written all data. */
+ * set. A process that compresses ignores signals from the terminal, and continues after the host
+ * has ended, until it has written all data. */
 static pid_t start(const struct format *format, bool packs, int from, int to)
 {
     const pid_t host = getpid();
@@ -149,9 +149,8 @@ static void close_quietly(int file)
 
 /* ---- Writing */
 
-/* Uses a pair of sockets instead of a pipe: writing to a socket without a reader fails without
- * raising a signal, and a socket can be shut down even if a process forked meanwhile has inherited
- * it. */
+/* Uses a pair of sockets instead of a pipe. Writing to a socket without a reader fails without
+ * raising a signal, and a socket can be shut down even if another process has inherited it. */
 static bool put_tool(struct packer *packer, const struct format *format, int file)
 {
     int ends[2];
@@ -283,7 +282,7 @@ static ssize_t stream_get(void *cookie, char *bytes, size_t size)
     return got;
 }
 
-/* Closes the pipe first, so that a process that still has output ends. */
+/* Closes the pipe first, so that the process ends even if it still has output. */
 static int stream_close_unpacker(void *cookie)
 {
     struct unpacker *unpacker = (struct unpacker *)cookie;

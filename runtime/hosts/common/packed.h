@@ -1,9 +1,9 @@
 /* packed.h -- compressed recordings: files named .gz or .zst are piped through a `gzip` or `zstd`
  * process.
  *
- * When packing, that process ignores the signals that end a run (Ctrl-C, SIGTERM, SIGHUP). If the
- * host is killed, it still writes all data that it received. So a recording is always a complete
- * archive. */
+ * When compressing, that process ignores the signals that end a run (Ctrl-C, SIGTERM, SIGHUP). If
+ * the host is killed, the process still writes all data that it has received, so a recording is
+ * always a complete archive. */
 #ifndef FROB_HOST_PACKED_H
 #define FROB_HOST_PACKED_H
 
@@ -26,13 +26,13 @@ static inline size_t packed_stem(const char *name)
     return length > 4 && strcmp(name + length - 4, ".zst") == 0 ? length - 4 : length;
 }
 
-/* Use it instead of strerror for files opened by this module. */
+/* Replaces strerror for files that this module has opened. */
 const char *packed_reason(const char *name, int error);
 
 /* ---- Streams, which are closed with fclose */
 
 /* Opens a file for reading. Returns NULL with errno set on failure. If an archive is truncated or
- * damaged, reading fails after all data that can be decompressed. */
+ * damaged, reading fails after all data that can be decompressed has been read. */
 FILE *packed_read(const char *name);
 
 /* Creates or overwrites a file. Returns NULL with errno set on failure. */

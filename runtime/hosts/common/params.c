@@ -122,7 +122,7 @@ static size_t find(const struct frob_program *program, const char *setting)
     return i;
 }
 
-/* Handles a parameter that an option has set, when the recording contains a value for it too. */
+/* Handles a parameter that an option has set if the recording also contains a value for it. */
 static enum params_result keep(const struct params *params, size_t i, const char *text, char *why)
 {
     struct frob_text now;
@@ -201,7 +201,7 @@ bool params_recorded(struct params *params, const char *name, const char *line)
     return false;
 }
 
-/* Writes the fewest digits that read back as the same number. */
+/* Writes the fewest digits from which the same number is read back. */
 static void write_number(struct frob_text *text, const struct frob_param *param, const void *values)
 {
     const bool is_double = param->value->kind == FROB_FLOAT;

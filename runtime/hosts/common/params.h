@@ -16,7 +16,7 @@ struct params {
 
 /* Starts with the defaults and applies the options, each NAME=NUMBER, or NAME=NUMBER[UNIT] with the
  * parameter's own unit. If memory runs out or an option is wrong, prints a line on standard error
- * and returns false; call params_close in this case too. */
+ * and returns false. The caller must call params_close in this case, too. */
 bool params_open(struct params *params, const struct frob_program *program,
                  const char *const *options, size_t count);
 void params_close(struct params *params);
@@ -31,7 +31,8 @@ enum params_result {
     PARAMS_WRONG    /* the text is not a value of the parameter, or has a different unit */
 };
 
-/* Reads a recorded value, in the form of an option; `why` has room for PARAMS_WHY. */
+/* Reads a recorded value, which has the form of an option. `why` must have room for PARAMS_WHY
+ * bytes. */
 enum params_result params_read(struct params *params, const char *setting, char *why);
 
 /* Reads a line before the header of the recording `name`, if the line is about a parameter. Prints

@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#define PATIENCE_NS INT64_C(2000000000) /* how long to wait for a silent viewer */
+#define PATIENCE_NS INT64_C(2000000000) /* maximum time to wait for a silent viewer */
 
 static void warn(const char *what)
 {
@@ -23,8 +23,8 @@ static void warn(const char *what)
             what, strerror(errno));
 }
 
-/* In the child: executes the viewer with the signal mask and descriptors that a shell would give
- * it. */
+/* Executes the viewer, in the child process, with the signal mask and descriptors that a shell
+ * would give it. */
 static void become(char **command, int file, pid_t host)
 {
     sigset_t none;
@@ -147,7 +147,8 @@ static bool has_ended(struct publisher *p)
     return p->viewer == 0;
 }
 
-/* Closes the output streams, so that their readers need not wait until the page is closed. */
+/* Closes the output streams, so that their readers do not have to wait until the page is
+ * closed. */
 static void tell_that_it_stays(void)
 {
     const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);

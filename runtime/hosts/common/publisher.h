@@ -1,7 +1,7 @@
 /* publisher.h -- publishes a run so that it can be viewed: the shared memory, and the viewer, which
  * is a separate process.
  *
- * The run does not depend on whether the viewer reads, is slow, was stopped or has ended. */
+ * The run does not depend on the viewer, which may be slow, stop reading, or end at any time. */
 #ifndef FROB_HOST_PUBLISHER_H
 #define FROB_HOST_PUBLISHER_H
 
@@ -13,12 +13,12 @@
 
 struct publisher {
     pid_t viewer;     /* 0: none */
-    struct ring ring; /* has no memory if there is no viewer */
+    struct ring ring; /* a ring without memory if there is no viewer */
     const struct frob_program *program;
     unsigned char *input; /* if the program has images, a copy of the input that another process
                            * can read; else NULL */
-    uint32_t beats;       /* last heartbeat of the viewer */
-    int64_t heard_ns;     /* when it was last heard */
+    uint32_t beats;       /* the viewer's heartbeat when it was last read */
+    int64_t heard_ns;     /* time at which the viewer was last heard */
 };
 
 /* Starts the viewer: a NULL-terminated command, to which `--ring NUMBER` is added before its other
@@ -27,16 +27,16 @@ struct publisher {
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer);
 
-/* Publishes the next instant. The address of an image is replaced by the key of its frame
- * (frames.h), which must already be in a file next to the recording. */
+/* Publishes the next instant. In the published data, the key of the frame (frames.h) replaces the
+ * address of an image. The frame must already be in a file next to the recording. */
 void publisher_put(struct publisher *p, int64_t time_ns, const void *input, const void *output,
                    const void *truth);
 
-/* Returns whether the viewer was heard within the last two seconds, so that its settings still
- * apply. */
+/* Returns whether the viewer sent a heartbeat within the last two seconds, so that its settings
+ * still apply. */
 bool publisher_is_heard(struct publisher *p, int64_t now_ns);
 
-/* Reports that the run is over, and what is known about the robot. */
+/* Reports that the run is over, and whether the robot is known to be at rest. */
 void publisher_end(struct publisher *p, enum ring_fate fate);
 
 /* Ends the viewer, after publisher_end, so that no process keeps running. If `is_wanted`, first

@@ -53,8 +53,8 @@ static void put_frame(void *context, const struct frob_image **image)
         frame_writer_close(frames);
 }
 
-/* Writes the frames of an input. Returns false if one cannot be written; then no more are
- * written. */
+/* Writes the frames of an input. If one cannot be written, returns false, and writes no more
+ * frames. */
 static bool put_frames(struct record *r, void *in)
 {
     if (r->frames.folder == NULL)

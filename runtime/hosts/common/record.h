@@ -1,7 +1,7 @@
 /* record.h -- records a run as a CSV trace, with inputs and outputs.
  *
- * Each row is written to the file immediately and as a whole, so a host that is killed loses no
- * complete row, even if the recording is compressed (packed.h). Camera frames are written before
+ * Each row is written to the file immediately and as a whole, so no complete row is lost if the
+ * host is killed, even if the recording is compressed (packed.h). Camera frames are written before
  * the row that names them (frames.h). */
 #ifndef FROB_HOST_RECORD_H
 #define FROB_HOST_RECORD_H
@@ -17,7 +17,7 @@
 struct record {
     const struct frob_program *program;
     const char *name;
-    struct packer file; /* none if nothing is recorded */
+    struct packer file; /* empty if nothing is recorded */
     char *buffer;
     struct frob_text text;
     struct frame_writer frames;

@@ -28,7 +28,8 @@ struct ring_shared {
     uint32_t ended;
     uint32_t taken;
     uint32_t fate, late;
-    int64_t alive_ns; /* last heartbeat of the host (CLOCK_MONOTONIC); 0: none yet */
+    int64_t alive_ns; /* last heartbeat of the host (CLOCK_MONOTONIC); 0 if there was none
+                       * yet */
     unsigned char gap_after_host[LINE];
 
     uint32_t beats; /* written by the reader */
@@ -247,7 +248,8 @@ void ring_end(struct ring *ring, enum ring_fate fate)
 {
     if (ring->shared == NULL)
         return;
-    store(&ring->shared->fate, (uint32_t)fate); /* before `ended`, so that readers see both */
+    store(&ring->shared->fate, (uint32_t)fate); /* stored before `ended`, so that readers see
+                                                 * both */
     store(&ring->shared->ended, 1);
 }
 

@@ -2,13 +2,13 @@
  *
  * There is one writer, the host, which publishes each instant in a slot and overwrites the oldest
  * one. A sequence number in front of each slot identifies its contents, and is odd while they are
- * being written (a sequence lock). So a reader detects an inconsistent read, and the writer does
- * not depend on readers: it makes no system call, takes no lock, allocates nothing and never waits.
+ * being written (a sequence lock). Therefore a reader detects an inconsistent read, and the writer
+ * does not depend on readers: it does not make system calls, take locks, allocate memory or wait.
  * In the other direction there are a few words (stop, pause, speed) and a bounded queue of events,
  * also with a single writer.
  *
- * All data from a reader is validated where it is read. The worst that such data can do is to end
- * or pause the run, or to send unintended events.
+ * The host validates all data from a reader when it reads them. In the worst case, such data can
+ * end or pause the run, or send unintended events.
  *
  * The duration of an instant is the difference of two times, as in a recording. */
 #ifndef FROB_HOST_RING_H
@@ -21,13 +21,13 @@
 /* Sizes of the data of an instant, in bytes. */
 struct ring_sizes {
     uint32_t input, output; /* sizes of the program's structs */
-    uint32_t truth;         /* size of the simulator's ground truth; 0: none */
+    uint32_t truth;         /* size of the simulator's ground truth; 0 if there is none */
 };
 
 /* Operator input. */
 enum ring_event_kind {
     RING_KEY = 1,   /* `id` is its character code */
-    RING_TOUCH = 2, /* `id` is an index in the program's console: see frob_console_touch */
+    RING_TOUCH = 2, /* `id` is an index in the program's console; see frob_console_touch */
     RING_HOLD = 3   /* the same for a held button; `y` is the time in seconds of CLOCK_MONOTONIC */
 };
 
@@ -51,7 +51,7 @@ struct ring {
     int file;
     size_t size;
     struct ring_sizes sizes;
-    uint64_t published; /* number of instants published by this process */
+    uint64_t published; /* number of instants that this process has published */
     uint32_t freezes;   /* number of times that this process, as the host, was frozen */
 };
 
@@ -64,27 +64,28 @@ bool ring_make(struct ring *ring, const struct ring_sizes *sizes, unsigned permi
 void ring_publish(struct ring *ring, int64_t time_ns, const void *input, const void *output,
                   const void *truth);
 
-/* State of the run, as reported by its host. A page says that a robot has stopped only if the
- * host has reported it here. */
+/* State of the run, as reported by its host. A page states that a robot has stopped only if the
+ * host has reported this. */
 enum ring_fate {
     RING_GOES_ON,
     RING_STOPPING,   /* the host is ending the run and sends the stop command */
     RING_AT_REST,    /* the run is over, and the robot was seen to stand still */
-    RING_TOLD,       /* over; the stop was sent, but the robot was not seen to stand still */
-    RING_NOT_REACHED /* over; the stop could not be sent */
+    RING_TOLD,       /* the run is over; the stop was sent, but the robot was not seen to stand
+                      * still */
+    RING_NOT_REACHED /* the run is over; the stop could not be sent */
 };
 
 /* Reports that the host is ending the run. */
 void ring_stopping(struct ring *ring);
 
-/* Reports that no more instants will come, and what is known about the robot. */
+/* Reports that no more instants will come, and whether the robot is known to be at rest. */
 void ring_end(struct ring *ring, enum ring_fate fate);
 
 /* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host
- * calls this at least ten times a second, whether or not it publishes instants. If the host has not
- * called it for RING_PATIENCE_NS, the host was frozen, and pending events are stale: this function
- * drops them and counts them as late. It also counts the freeze, so that callers can discard events
- * that they took earlier. */
+ * must call this at least ten times a second, whether or not it publishes instants. If the previous
+ * call was longer than RING_PATIENCE_NS ago, the host was frozen and pending events are stale, so
+ * this function drops them and counts them as late. It also counts the freeze, so that callers can
+ * discard events that they took earlier. */
 #define RING_PATIENCE_NS INT64_C(500000000)
 void ring_show_alive(struct ring *ring);
 
@@ -99,7 +100,7 @@ bool ring_is_stopped(const struct ring *ring);
 struct ring_pace {
     uint32_t beats; /* changes as long as the reader is alive */
     bool paused;
-    uint32_t steps; /* total number of instants to take while paused */
+    uint32_t steps; /* total number of instants to run while paused */
     double speed;   /* relative to real time, 0.1 to RING_MOST_SPEED */
 };
 struct ring_pace ring_pace(const struct ring *ring);
@@ -120,15 +121,15 @@ uint64_t ring_count(const struct ring *ring);
 
 enum ring_status { RING_READ, RING_NOT_YET, RING_OVERWRITTEN };
 
-/* Copies instant `k` to the buffers, which have the sizes in ring_sizes. Their contents are valid
- * only if it returns RING_READ. */
+/* Copies instant `k` to the buffers, which have the sizes in ring_sizes. The contents of the
+ * buffers are valid only if the result is RING_READ. */
 enum ring_status ring_read(const struct ring *ring, uint64_t k, int64_t *time_ns, void *input,
                            void *output, void *truth);
 
 bool ring_has_ended(const struct ring *ring);
 enum ring_fate ring_fate(const struct ring *ring);
 
-/* Seconds since the host's last heartbeat; infinite before the first one. */
+/* Returns the seconds since the host's last heartbeat; infinite before the first one. */
 double ring_silence_s(const struct ring *ring);
 
 bool ring_permits(const struct ring *ring, enum ring_permission permission);

@@ -20,8 +20,8 @@ static long digits(const char *text, const char **end)
     return whole + decimals == 0 ? -1 : whole;
 }
 
-/* Reads an optional exponent, as in 1e-05, and clamps it, since any larger one is out of range.
- * Returns false if the text contains anything else. */
+/* Reads an optional exponent, as in 1e-05, and clamps it, because any larger exponent is out of
+ * range. Returns false if the text contains anything else. */
 static bool exponent(const char *text, long *result)
 {
     char *end;

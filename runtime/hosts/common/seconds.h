@@ -8,13 +8,13 @@
 /* Maximum time; times since 1970 reach it in the year 2096. */
 #define MOST_SECONDS INT64_C(4000000000)
 
-/* Converts seconds to whole nanoseconds, exactly, rounding half away from zero. It uses decimal
- * arithmetic, because a double has too few digits for a year of nanoseconds. Returns false if the
- * text is not a number of seconds, or exceeds MOST_SECONDS. */
+/* Converts seconds to whole nanoseconds. The conversion is exact, and rounds half away from zero.
+ * It uses decimal arithmetic, because a double has too few digits for a year of nanoseconds.
+ * Returns false if the text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
 
-/* Returns a hint for the error message about a rejected text: that the time exceeds the limit,
-   or an empty string. */
+/* Returns a hint for the error message about a rejected text. The hint says that the time exceeds
+ * the limit, or is an empty string. */
 const char *seconds_too_far(const char *text);
 
 #endif

@@ -4,11 +4,11 @@
 
 #include <stdbool.h>
 
-/* Call this before opening anything. It makes sure that the descriptors 0 to 2 are in use. If the
- * parent process closed one of them, the next opened file would get its number, and messages could
- * go to a robot. Reading or writing a stream that was closed fails as before. In addition,
- * exceeding the maximum file size makes writing fail, like a full disk, instead of ending the
- * process. */
+/* Makes sure that the descriptors 0 to 2 are in use. Must be called before anything is opened. If
+ * the parent process has closed one of these descriptors, the next file that is opened would get
+ * its number, and messages could be sent to a robot. Reading or writing the closed stream still
+ * fails. In addition, if a file exceeds the maximum size, writing fails, as for a full disk,
+ * instead of ending the process. */
 void streams_open(void);
 
 /* Replaces control characters on standard error with decimal codes (an escape becomes \027), so

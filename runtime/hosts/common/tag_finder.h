@@ -1,8 +1,8 @@
 /* tag_finder.h -- finds AprilTags in an image with the AprilTag library.
  *
  * The library is loaded only if a program uses tags, so it need not be installed otherwise. It
- * allocates memory and takes milliseconds, so it is called by hosts, not by programs. With the
- * same library, the same image always yields the same tags. */
+ * allocates memory and takes milliseconds, so hosts call it rather than programs. With the same
+ * version of the library, the same image always yields the same tags. */
 #ifndef FROB_HOST_TAG_FINDER_H
 #define FROB_HOST_TAG_FINDER_H
 
@@ -25,7 +25,7 @@ bool tag_finder_open(struct tag_finder *finder);
 bool tag_finder_find(struct tag_finder *finder, const struct frob_image *image,
                      struct frob_tags *tags);
 
-/* May also be called if the struct is all zero. */
+/* This may also be called if the struct is all zero. */
 void tag_finder_close(struct tag_finder *finder);
 
 #endif

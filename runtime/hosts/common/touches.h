@@ -3,10 +3,10 @@
  *
  * A button and the map have at most one event in an instant; a second one waits for the next
  * instant, and so do all events after it. A held button must be reported repeatedly: it is released
- * 0.3 s after its page, the connection or the viewer has fallen silent.
+ * if its page, the connection or the viewer is silent for 0.3 s.
  *
- * An event that waits while the host is frozen is stale afterwards: it is dropped and counted as
- * late, like those in the ring. */
+ * If the host freezes while an event waits, the event becomes stale. It is dropped and counted as
+ * late, like such events in the ring. */
 #ifndef FROB_HOST_TOUCHES_H
 #define FROB_HOST_TOUCHES_H
 
@@ -28,9 +28,9 @@ struct touches {
     size_t count;
     struct touch list[RING_EVENTS + 1];
     int64_t *held_until_ns;    /* for each control, on CLOCK_MONOTONIC; 0: not held */
-    struct ring_event waiting; /* event for the next instant */
+    struct ring_event waiting; /* an event that waits for the next instant */
     bool has_waiting;          /* `waiting` is valid */
-    uint32_t freezes;          /* the ring's freezes when it was taken */
+    uint32_t freezes;          /* the number of freezes in the ring when the event was taken */
 };
 
 /* Returns false and prints a line on standard error if memory runs out. */

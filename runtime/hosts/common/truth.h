@@ -4,8 +4,8 @@
 #define FROB_HOST_TRUTH_H
 
 struct truth {
-    double x_m, y_m, heading_rad; /* pose in the world */
-    /* For a robot, 1: touched an object since the previous instant; else 0. */
+    double x_m, y_m, heading_rad; /* the pose in the world */
+    /* For a robot, 1 if it has touched an object since the previous instant, otherwise 0. */
     double touches;
 };
 

@@ -61,7 +61,7 @@ static void serve(const struct controller *c, int socket, const struct params *p
     }
 }
 
-/* Leaves signals from the terminal to the supervisor. */
+/* Ignores signals from the terminal, which the supervisor handles. */
 static void leave_signals_to_supervisor(pid_t supervisor)
 {
     sigset_t none;
@@ -142,7 +142,8 @@ const char *controller_end(struct controller *c, int patience_ms)
     pid_t gone = 0;
     if (c->pid == 0)
         return NULL;
-    /* A process that ends closes its socket some time before waitpid can report it. */
+    /* A process that ends closes its socket slightly before waitpid can report its
+     * end. */
     for (int ms = 0; gone == 0 && ms <= patience_ms; ms++) {
         static const struct timespec pause = { 0, 1000000 };
         gone = waitpid(c->pid, &status, WNOHANG);

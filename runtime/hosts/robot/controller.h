@@ -37,9 +37,9 @@ enum controller_answer { CONTROLLER_BUSY, CONTROLLER_ANSWERED, CONTROLLER_GONE }
 /* Takes the answer if it has arrived. Never waits. */
 enum controller_answer controller_take(struct controller *c, void *output);
 
-/* Ends the process, whatever it is doing, and returns how it ended: "was killed by signal 9",
- * "ended with status 1"; NULL if there is no process. First waits up to `patience_ms` for it to
- * end. */
+/* Ends the process, whatever it is doing. First waits for up to `patience_ms` until it ends by
+ * itself. Returns how it ended, such as "was killed by signal 9" or "ended with status 1"; NULL if
+ * there is no process. */
 const char *controller_end(struct controller *c, int patience_ms);
 
 #endif

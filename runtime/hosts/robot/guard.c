@@ -34,8 +34,8 @@ static void pause_ms(long ms)
 
 /* ---- The process */
 
-/* Runs the guard. Its copy of the robot's state dates from the start of the guard, but a driver's
- * stop works in any state. */
+/* Runs the guard. The guard's copy of the robot's state was made when it started, but a driver's
+ * stop function works in any state. */
 static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after_ms)
 {
     for (;;) {
@@ -62,11 +62,11 @@ static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after
     _exit(0);
 }
 
-/* A pipe reports its end only if no process has the other end open, so this process must close its
- * copies. */
+/* A pipe reports its end only when no process has the other end open, so this process must close
+ * its copies. */
 static void become_guard(const struct guards *g, size_t i, const int ends[2])
 {
-    /* Leave the terminal's session, so that signals from the terminal do not end the guard. */
+    /* Leaves the terminal's session, so that signals from the terminal do not end the guard. */
     setsid();
     for (int number = 1; number < 32; number++)
         if (number != SIGKILL && number != SIGSTOP && number != SIGCHLD)
@@ -170,7 +170,7 @@ void guards_hear(struct guards *g)
         return;
     for (size_t i = 0; i < GUARDS; i++) {
         struct guard *guard = &g->each[i];
-        /* If the pipe is full, the guard has enough beats to read. */
+        /* If the pipe is full, the guard already has enough beats to read. */
         if (guard->pid == 0 || is_gone(guard) || write(guard->pipe, "", 1) < 0)
             lacks = lacks || guard->pid == 0;
     }

@@ -20,14 +20,14 @@ enum { GUARDS = 2 };
 struct guard {
     pid_t pid; /* 0: none */
     int pipe;
-    int64_t awake_ns; /* when its pipe was last empty */
+    int64_t awake_ns; /* time at which its pipe was last empty */
 };
 
 struct guards {
     struct guard each[GUARDS];
     struct frob_robot *robot; /* NULL: there is no session to guard */
     int64_t patience_ns;
-    int64_t retry_ns; /* when to try again after a failed start */
+    int64_t retry_ns; /* time of the next attempt after a failed start */
     int closes;
 };
 

@@ -7,9 +7,9 @@
 #include "drivers/driver.h"
 #include "line.h"
 
-/* Runs the program on a robot, as the command line says, and returns the exit status: 0; 2 for
- * wrong usage, arithmetic that the program was not compiled for (<frob/arithmetic.h>), or a line
- * that cannot be opened; 4 if the run was ended by a signal or a fault, after the robot was
+/* Runs the program on a robot as the command line specifies. Returns the exit status: 0; 2 for a
+ * usage error, for arithmetic that the program was not compiled for (<frob/arithmetic.h>), or
+ * for a line that cannot be opened; 4 if a signal or a fault ended the run, after the robot was
  * stopped. `opening`: NULL for a serial line. */
 int host_run(int argc, char **argv, const struct frob_program *program,
              const struct frob_driver *driver, const struct line_opening *opening);

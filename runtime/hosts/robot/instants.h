@@ -13,20 +13,20 @@
 
 struct instants {
     const struct params *params;
-    char *buffer; /* NULL: nothing is published */
+    char *buffer; /* the line; NULL if nothing is published */
     struct frob_text text;
-    int64_t number; /* of the next instant */
-    bool announced; /* the line has the columns */
+    int64_t number; /* number of the next instant */
+    bool announced; /* whether the columns have been published on the line */
 };
 
-/* If the line publishes instants, prepares for it. Prints a warning if the instants of the program
- * cannot be published: if they are too long, or contain images. */
+/* Prepares to publish instants, if the line does so. Prints a warning if the program's instants
+ * cannot be published because they are too long or contain images. */
 void instants_open(struct instants *instants, const struct params *params, const struct line *line);
 
-/* Call this when a new line was opened, so that the columns are published again. */
+/* Must be called when a new line was opened, so that the columns are published again. */
 void instants_restart(struct instants *instants);
 
-/* Call this when the program was reset: the next instant has the number 0. */
+/* Must be called when the program was reset: the next instant gets the number 0. */
 void instants_reset(struct instants *instants);
 
 /* Publishes an instant. Never waits. */

@@ -47,7 +47,8 @@ bool line_reopen(struct line *line, int64_t now_ns)
         char message[512];
         return line->opening->open(line, line->settings, message, sizeof message) == FROB_OK;
     }
-    /* Prefer the lasting name, because the old path may now belong to another device. */
+    /* Prefers the persistent name, because the old path may now belong to another
+     * device. */
     return frob_posix_reopen(&line->port, device, line->rate) == FROB_OK;
 }
 

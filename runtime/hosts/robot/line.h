@@ -15,49 +15,50 @@
 struct line;
 struct params;
 
-/* What other programs order over the line. */
+/* What other programs request over the line. */
 struct line_orders {
-    bool pauses;     /* the program does not step, and its time stands still */
+    bool pauses;     /* the program does not run, and its time stands still */
     bool ends;       /* the run ends */
-    uint32_t resets; /* how often the program was told to begin again */
+    uint32_t resets; /* how often the program was reset */
 };
 
 /* How to open a line that is not a serial line. It has its own arguments on the command line. */
 struct line_opening {
-    const char *option; /* its arguments follow this option, up to `--` or the end */
-    const char *usage;  /* describes them, for --help */
+    const char *option; /* its arguments follow this option, up to `--` or to the end */
+    const char *usage;  /* a description of the arguments, for --help */
     const char *lost;   /* tells the user that the line was lost */
 
-    /* Opens line->port. `settings` are those of the driver. On failure nothing is open, and
-     * `message`, of size `room`, explains the problem in one line. */
+    /* Opens line->port. `settings` are those of the driver. On failure, nothing is open, and
+     * `message`, whose size is `room`, contains a line that explains the problem. */
     enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
 
-    /* Sets the events of the program's controls that come over this line, for this instant;
-     * `now_ns` is the monotonic clock. NULL: there are none. */
+    /* Sets the events of the program's controls that arrive over this line, for this instant.
+     * `now_ns` is the time of the monotonic clock. NULL if there are none. */
     void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
-    /* Returns the time that the program's instants follow; `now_ns` is the monotonic clock. It
-     * never goes back. INT64_MIN: not known yet. NULL: the monotonic clock. */
+    /* Returns the time on which the program's instants are based; `now_ns` is the time of the
+     * monotonic clock. The result never decreases. INT64_MIN: not known yet. If the function is
+     * NULL, instants are based on the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
 
-    /* NULL: there are no orders. */
+    /* NULL if other programs cannot request anything. */
     struct line_orders (*orders)(const void *device);
 
     /* Publishes a text: the instant with this number, or the columns of the instants for -1. Drops
-     * it if the line is busy; never waits. NULL: the line does not publish instants. */
+     * the text if the line is busy; never waits. NULL if the line does not publish instants. */
     void (*publish)(const struct line *line, int64_t number, const char *text, size_t length);
 
-    /* Maximum length of these texts, or 0 if the settings turn them off. */
+    /* Maximum length of these texts; 0 if the settings disable them. */
     size_t (*publish_room)(const struct line *line);
 
-    /* Publishes the verdict on an assertion of the program: whether it fails now, whether
-     * verdicts no longer count because an assumption has failed, and what happened to it. NULL: the
-     * line does not publish verdicts. */
+    /* Publishes the verdict on an assertion of the program: whether it fails now, whether verdicts
+     * no longer count because an assumption has failed, and a description. NULL if the line does
+     * not publish verdicts. */
     void (*judge)(const struct line *line, size_t claim, bool fails, bool is_void,
                   const char *fate);
 
-    /* Shows the output of an instant to viewers. Drops it if the line is busy; never waits. NULL: the
-     * line has no viewers. */
+    /* Sends the output of an instant to viewers. Drops it if the line is busy; never waits. NULL if
+     * the line has no viewers. */
     void (*show)(const struct line *line, const void *output);
 
     /* Waits until the process at the other end has ended. The port is closed. */
@@ -65,15 +66,15 @@ struct line_opening {
 };
 
 struct line {
-    const struct line_opening *opening; /* NULL: a serial line */
+    const struct line_opening *opening; /* NULL for a serial line */
     const char *const *arguments;
     size_t argument_count;
     const double *settings;
     const struct params *params; /* of the program */
-    pid_t process;               /* at the other end; 0: none */
+    pid_t process;               /* process at the other end; 0 if there is none */
 
-    const char *device; /* as the user named it */
-    char lasting[512];  /* the adapter's persistent name; "" if none */
+    const char *device; /* the device name that the user gave */
+    char lasting[512];  /* the adapter's persistent name; "" if it has none */
     uint32_t rate;
     struct frob_posix_line port; /* fd is -1 while it is closed */
     int64_t retry_ns;
@@ -91,8 +92,8 @@ void line_init_opening(struct line *line, const struct line_opening *opening,
 /* Opens the line. The message uses the device name that the user gave. */
 enum frob_status line_open(struct line *line, char *message, size_t room);
 
-/* Tries to reopen the line if a retry is due, also under the adapter's current name. Returns true
- * if it is open. */
+/* Tries to reopen the line if a retry is due. Also tries the adapter's current name. Returns true
+ * if the line is open. */
 bool line_reopen(struct line *line, int64_t now_ns);
 
 void line_close(struct line *line);

@@ -262,8 +262,8 @@ static bool valued(const struct frob_driver *driver, const struct frob_program *
     return true;
 }
 
-/* Takes the arguments for the opening, from number `first` on. Returns the number of the last one,
- * which may be a `--`. */
+/* Takes the arguments for the opening, starting with argument `first`. Returns the index of the
+ * last one, which may be a `--`. */
 static int pass_on(struct options *o, int argc, char **argv, int first)
 {
     int end = first;

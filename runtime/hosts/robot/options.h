@@ -16,22 +16,23 @@ enum { SETTINGS_MOST = 64 };
 
 struct options {
     const char *device;                 /* serial line; NULL if `opening` is used */
-    const struct line_opening *opening; /* another kind of line; NULL: a serial line */
+    const struct line_opening *opening; /* another kind of line; NULL for a serial line */
     const char *const *arguments;       /* arguments for `opening` */
     size_t argument_count;
     double duration_s;  /* 0: until it is ended */
     double rate_hz;     /* rate of the controller */
     double patience_s;  /* maximum age of a reading, and maximum duration of a step */
-    double reconnect_s; /* how long to wait for a lost robot */
+    double reconnect_s; /* maximum time to wait for a lost robot */
     const char *record; /* CSV; NULL: none */
-    int priority;       /* real-time priority, 1 to 99; 0: none */
+    int priority;       /* real-time priority, 1 to 99; 0 for none */
     bool lock_memory;
-    bool console;            /* pass keys typed on standard input to the program */
-    bool exit_when_done;     /* end the run when the program's task has ended */
-    bool stop_when_violated; /* end the run when an assertion is violated */
-    char *const *viewer;     /* NULL-terminated command; NULL: none */
-    bool control;            /* viewers may send events */
-    bool progress;           /* report progress even if standard error is not a terminal */
+    bool console;            /* whether to pass keys typed on standard input to the program */
+    bool exit_when_done;     /* whether to end the run when the program's task has ended */
+    bool stop_when_violated; /* whether to end the run when an assertion is violated */
+    char *const *viewer;     /* NULL-terminated command; NULL if there is none */
+    bool control;            /* whether viewers may send events */
+    bool progress;           /* whether to report progress even if standard error is not a
+                              * terminal */
     const char **params;     /* NAME=VALUE for each parameter that is set */
     size_t param_count;
     double settings[SETTINGS_MOST];              /* the driver's settings, in the order of its
@@ -42,10 +43,9 @@ struct options {
 
 enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };
 
-/* Reads the command line of a program for the driver's robot; the caller frees `params`. `opening`:
- * how to open its line; NULL: a serial line.
- * OPTIONS_SHOWN: the help was requested and printed. OPTIONS_WRONG: a line on standard error
- * describes the mistake. */
+/* Reads the command line of a program for the driver's robot; the caller frees `params`. `opening`
+ * says how to open its line; NULL for a serial line. OPTIONS_SHOWN: the help was requested and
+ * printed. OPTIONS_WRONG: a line on standard error describes the mistake. */
 enum options_result read_options(int argc, char **argv, const struct frob_program *program,
                                  const struct frob_driver *driver,
                                  const struct line_opening *opening, struct options *options);

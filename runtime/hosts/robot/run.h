@@ -40,36 +40,39 @@ struct run {
     struct record record;
     struct instants instants;
     struct claims claims;
-    size_t failing;    /* assertions that failed when verdicts were published last */
+    size_t failing;    /* assertions that failed when verdicts were last published */
     int64_t judged_ns; /* time of those verdicts */
     struct console console;
     struct touches touches;
     struct publisher publisher;
     struct cameras cameras;
-    sigset_t waiting_mask; /* unblocks signals, only while waiting */
+    sigset_t waiting_mask; /* the signal mask that unblocks signals, used only while
+                            * waiting */
     bool tells;
 
     void *input, *output;
-    /* The program's time follows the monotonic clock, or a simulator (line.h). */
-    bool started;       /* the first instant has begun */
+    /* The program's time, which is based on the monotonic clock or on a simulator's
+     * (line.h). */
+    bool started;       /* whether the first instant has begun */
     int64_t first_ns;   /* the program's time in the first instant */
-    int64_t instant_ns; /* last instant, from the first one on */
-    int64_t due_ns;     /* the program's time in the next instant, if `scheduled` */
-    bool scheduled;     /* false: the next instant begins as soon as the robot is ready */
-    int64_t asked_ns;   /* when the last step was requested */
-    bool stepping;      /* a step was requested and has not been answered */
-    bool late;          /* this step has exceeded the patience */
-    bool paused;        /* others have ordered that the program does not step */
-    bool was_paused;    /* the next instant is the first one after a pause */
+    int64_t instant_ns; /* time of the last instant, counted from the first one */
+    int64_t due_ns;     /* the program's time at the next instant, if `scheduled` */
+    bool scheduled;     /* if false, the next instant begins as soon as the robot is
+                         * ready */
+    int64_t asked_ns;   /* time at which the last step was requested */
+    bool stepping;      /* whether a step was requested and has not been answered yet */
+    bool late;          /* whether this step has exceeded the patience */
+    bool paused;        /* whether others have requested that the program does not run */
+    bool was_paused;    /* whether the next instant is the first one after a pause */
     uint32_t resets;    /* how often the program was reset */
-    int64_t lost_ns;    /* when the robot was lost; 0: it is not lost */
-    int64_t looped_ns;  /* start of the last loop iteration; 0: none yet */
-    int64_t awake_ns;   /* when this process last resumed after a pause */
+    int64_t lost_ns;    /* time at which the robot was lost; 0 if it is not lost */
+    int64_t looped_ns;  /* start time of the last loop iteration; 0 before the first */
+    int64_t awake_ns;   /* time at which this process last resumed after a pause */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;
     bool record_ended; /* the recording contains no more instants */
-    bool ended;        /* the program's task has ended */
+    bool ended;        /* whether the program's task has ended */
     int64_t ended_ns;
 
     bool over;
@@ -79,7 +82,7 @@ struct run {
 
 int64_t run_now_ns(void);
 
-/* The program's time, or INT64_MIN if it is not known yet. */
+/* Returns the program's time, or INT64_MIN if it is not known yet. */
 int64_t run_program_ns(const struct run *s, int64_t now);
 
 bool run_follows_our_clock(const struct run *s, int64_t now);

@@ -41,8 +41,8 @@ static const char *reason(const struct run *s, enum frob_status status)
     return s->line.opening != NULL ? s->line.opening->lost : "its line was disconnected";
 }
 
-/* Reports what was tried and the likely cause. Bytes that are not an answer suggest a wrong rate or
- * another device; silence may also mean that the power is off or the cable unplugged. */
+/* Reports what was tried, and the likely cause. Bytes that are not an answer suggest a wrong rate
+ * or another device. Silence may also mean that the power is off or that the cable is unplugged. */
 static void nobody_answers(struct run *s)
 {
     const char *device = s->line.device, *robot = s->driver->robot;

@@ -1,4 +1,4 @@
-/* session.h -- the supervisor's connection to the robot: begins it, watches it, and begins it again
+/* session.h -- begins and watches the supervisor's connection to the robot, and begins it again
  * when a lost robot is back. */
 #ifndef FROB_HOST_ROBOT_SESSION_H
 #define FROB_HOST_ROBOT_SESSION_H
@@ -8,8 +8,8 @@
 /* Starts a session on the newly opened line. */
 void session_begin(struct run *s);
 
-/* Reads what the robot sent. If the robot refuses to be driven, does not answer or is lost for too
- * long, ends the run. */
+/* Reads the data that the robot has sent. If the robot refuses to be driven, does not answer, or is
+ * lost for too long, ends the run. */
 void session_look_after(struct run *s);
 
 bool session_is_ready(const struct run *s);

@@ -17,10 +17,10 @@
 #include <frob/console.h>
 #include <frob/result.h>
 
-#define JUDGE_NS INT64_C(1000000000)    /* period of published verdicts */
+#define JUDGE_NS INT64_C(1000000000)    /* period at which verdicts are published */
 #define BEAT_NS INT64_C(20000000)       /* maximum time between heartbeats to the guards */
-#define FAREWELL_NS INT64_C(2000000000) /* how long a stopped robot may take to come to rest */
-enum { GIVE_UP = 10 };                  /* longest step, as a multiple of the patience */
+#define FAREWELL_NS INT64_C(2000000000) /* maximum time for a stopped robot to come to rest */
+enum { GIVE_UP = 10 }; /* maximum duration of a step, as a multiple of the patience */
 
 static volatile sig_atomic_t ended_by = 0;
 
@@ -31,7 +31,7 @@ static void on_signal(int number)
 
 /* ---- The controller */
 
-/* Handles a step that has taken longer than the patience: discards its output. */
+/* Handles a step that has exceeded the patience: discards its output. */
 static void be_late(struct run *s)
 {
     s->late = true;
@@ -61,7 +61,8 @@ static void publish_claims(struct run *s)
     }
 }
 
-/* Handles the end of a step: records it, and commands its output if it ended in time. */
+/* Handles the end of a step: records it, and sends its output to the robot if it ended in
+ * time. */
 static void answered(struct run *s)
 {
     int64_t took_ns = run_now_ns() - s->asked_ns;
@@ -130,7 +131,7 @@ static void reset_program(struct run *s)
         look_after_controller(s);
 }
 
-/* Obeys the orders of other programs. */
+/* Carries out the requests of other programs. */
 static void obey(struct run *s)
 {
     struct line_orders orders;
@@ -149,8 +150,8 @@ static void obey(struct run *s)
 }
 
 /* Starts the next instant if it is due. Instant k is due at a multiple of the period after the
- * robot was ready; dt is measured. If an instant is so late that others are due too, these are
- * counted as overruns. */
+ * robot was ready; dt is measured. If an instant is so late that further instants are already
+ * due, these are counted as overruns. */
 static void next_instant(struct run *s)
 {
     int64_t now = run_now_ns(), time = run_program_ns(s, now), missed, before;
@@ -206,7 +207,7 @@ static void wait_for_something(struct run *s)
     struct timespec patience;
     if (line_is_open(&s->line))
         until = earlier(until, frob_robot_due_ns(&s->robot));
-    /* A simulator's time changes when a message arrives. */
+    /* The time of a simulator changes only when a message arrives. */
     if (session_is_ready(s) && !s->stepping && !s->paused && run_follows_our_clock(s, now))
         until = earlier(until, s->scheduled ? s->due_ns : now);
     if (s->stepping && !s->late)
@@ -217,7 +218,7 @@ static void wait_for_something(struct run *s)
     ppoll(inputs, 2, &patience, &s->waiting_mask);
 }
 
-/* All processes of the run may have been stopped, including the controller. */
+/* All processes of the run may have been suspended, including the controller. */
 static void note_own_gap(struct run *s)
 {
     int64_t now = run_now_ns();
@@ -354,7 +355,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     /* Start the viewer before signals are changed and the robot's line is opened. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
-    /* Start these processes before the line is opened, so that neither the camera processes
+    /* Starts these processes before the line is opened, so that neither the camera processes
      * nor the controller inherits it. The controller shares the memory of the cameras'
      * frames. */
     if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count, s.tells) ||

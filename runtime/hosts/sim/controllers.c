@@ -73,8 +73,8 @@ static bool tell_other_cameras(const struct frob_sim *sim)
     return *before == ',';
 }
 
-/* Prints the table that is missing in the world file. Both cameras of a stereo head are one
-   table. */
+/* Prints the table that is missing in the world file. A single table describes both cameras of a
+ * stereo head. */
 static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 {
     const bool is_pair = is_of_a_pair(label);

@@ -25,9 +25,9 @@ struct controller {
     struct record record;
     struct claims claims;
     char *record_name; /* NULL: no recording */
-    bool ended;        /* the program's task has ended */
+    bool ended;        /* whether the program's task has ended */
     int64_t ended_ns;  /* when it ended */
-    void *result;      /* the output at its end */
+    void *result;      /* the output when it ended */
 };
 
 struct controllers {
@@ -36,13 +36,15 @@ struct controllers {
     struct frob_sim *sim;
     /* For each control of the console that uses a camera: the camera's number in the world. */
     int *cameras;
-    const struct frob_image **frames; /* their new frames at this instant, or NULL */
-    struct tag_finder finder;         /* if the program uses tags */
+    const struct frob_image **frames; /* their new frames at this instant; NULL if there is none */
+    struct tag_finder finder;         /* the tag finder, if the program uses tags */
     struct devices devices;           /* lidars and inertial measurement units */
     bool has_stepped;                 /* false before the first instant */
     int64_t stepped_ns;               /* time of the last instant */
-    bool is_away;                     /* during an outage of the world: no instants */
-    bool rests;                       /* replace the next command with zero, as after an outage */
+    bool is_away;                     /* whether the world has an outage, during which there are no
+                                       * instants */
+    bool rests;                       /* whether to replace the next command with zero, as after an
+                                       * outage */
     void *rest;                       /* an output that is all zero */
     size_t count;
     size_t running; /* number of controllers whose program has not ended */
@@ -50,18 +52,18 @@ struct controllers {
 };
 
 /* Creates a controller for each robot, running the program with these parameters, which must stay
- * valid. `record` is the recording's file name if there is one robot; if there are several, robot k
- * (from 1) records to NAME-k.csv instead of NAME.csv. NULL: no recording. Prints a line on standard
- * error and returns false if memory runs out, if a file cannot be written, if the world lacks a
- * camera or another device that the program uses, or if the tag finder is not installed. Call
- * controllers_close in this case too. */
+ * valid. `record` is the file name of the recording for a single robot. If there are several, robot
+ * k (from 1) records to NAME-k.csv instead of NAME.csv. NULL means that there is no recording.
+ * Prints a line on standard error and returns false if memory runs out, if a file cannot be
+ * written, if the world lacks a camera or another device that the program uses, or if the tag
+ * finder is not installed. The caller must call controllers_close in this case, too. */
 bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
                       const char *record);
 
-/* Runs an instant of all controllers: each reads its sensors, steps and commands. During an outage
- * of the world no program steps, nothing is recorded, and the robots are commanded to stop; the
- * first command after an outage is also a stop. `touches` apply to all robots. Returns false if a
- * recording cannot be written, or if memory runs out. */
+/* Runs an instant of all controllers: each reads its sensors, runs a step and sends its commands.
+ * During an outage of the world, no steps run, nothing is recorded, and the robots are commanded to
+ * stop. The first command after an outage is also a stop. `touches` apply to all robots. Returns
+ * false if a recording cannot be written, or if memory runs out. */
 bool controllers_step(struct controllers *c, int64_t now_ns, const struct touches *touches);
 
 /* Returns the claims of the first robot whose program has violated an assertion; NULL if there is

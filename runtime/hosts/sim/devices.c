@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A kind of device: how to open one, the names of those in the world, and the names for messages
- * and in world files. */
+/* A kind of device: how to open one, the names of the devices in the world, and the names of the
+ * kind in messages and world files. */
 struct kind {
     int (*open)(struct frob_sim *sim, const char *name);
     const char *(*name)(const struct frob_sim *sim, size_t number);
@@ -20,7 +20,7 @@ static const struct kind lidar = { frob_sim_open_lidar, frob_sim_lidar_name, "li
 static const struct kind imu = { frob_sim_open_imu, frob_sim_imu_name, "inertial measurement unit",
                                  "imu" };
 
-/* Prints the table that the world file lacks. */
+/* Prints the table that is missing in the world file. */
 static void tell_missing(const struct frob_sim *sim, const struct kind *kind, const char *name)
 {
     fprintf(stderr, "error: the program uses %s %s, `%s`, but the robot of this world has",
@@ -60,7 +60,7 @@ static size_t first_user(const struct frob_program *program, size_t i)
     return k;
 }
 
-/* Returns the device's number, or -1. */
+/* Returns the number of the device, or -1 if there is none. */
 static int open_device(struct devices *d, const struct frob_control *control)
 {
     const struct kind *kind = control->kind == FROB_IMU ? &imu : &lidar;
@@ -112,7 +112,7 @@ static void give_scan(const struct devices *d, size_t first, const struct frob_s
             frob_lidar_give(&program->console[i], input, scan, now_ns);
 }
 
-/* Presses the bumpers of the robot `ros`, which are held buttons with these labels. */
+/* Presses the bumpers of the robot `ros`. Bumpers are held buttons with these labels. */
 static void give_bumpers(const struct devices *d, size_t robot, void *input)
 {
     const struct frob_sim_bumps bumps = frob_sim_bumps_robot(d->sim, robot);

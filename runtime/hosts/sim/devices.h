@@ -18,7 +18,8 @@ struct devices {
 };
 
 /* Opens the devices that the program's console names. Prints a line on standard error and returns
- * false if memory runs out or the world lacks a device; call devices_close in this case too. */
+ * false if memory runs out or the world lacks a device. The caller must call devices_close in this
+ * case, too. */
 bool devices_open(struct devices *d, const struct frob_program *program, struct frob_sim *sim);
 
 /* Sets the events of all devices in a robot's input for this instant. */

@@ -1,6 +1,6 @@
 /* frob-sim -- runs a compiled robot program in the simulator.
  *
- * Prints a summary with one `name: value unit` per line. Exit status: 0; 2 for wrong usage, an
+ * Prints a summary with one `name: value unit` per line. Exit status: 0; 2 for a usage error, an
  * unreadable file, or a program for another robot; 4 with --strict if the robot collided with
  * something, or with --stop-when-violated if an assertion was violated. SIGINT, SIGTERM and SIGHUP
  * end the run early; the summary and the picture then cover the completed part. After SIGTERM and
@@ -38,7 +38,7 @@ enum { ENDS_WITHIN_S = 2 };
 
 static volatile sig_atomic_t interrupted = 0; /* number of the signal */
 
-/* An endless step in the user's C code must not keep the process alive: the alarm ends it. */
+/* The alarm ends the process even if a step in the user's C code does not end. */
 static void interrupt(int signal_number)
 {
     interrupted = signal_number;
@@ -79,7 +79,7 @@ static void show_progress(int64_t now_ns, double duration_s)
     fflush(stderr);
 }
 
-/* Loads the program and makes sure that it is one for a robot. */
+/* Loads the program, and checks that it is for a robot. */
 static const struct frob_program *load(const char *path)
 {
     const struct frob_program *program = frob_load(path);
@@ -108,7 +108,7 @@ static void tell_faults(char *message)
         fprintf(stderr, "error: %s\n", line);
 }
 
-/* Opens the world with the program's robot in it. On failure returns NULL and prints a line for
+/* Opens the world with the program's robot in it. On failure, returns NULL and prints a line for
  * each fault on standard error. */
 static struct frob_sim *open_world(const struct options *options,
                                    const struct frob_program *program)
@@ -163,8 +163,8 @@ static void publish(struct publisher *publisher, const struct controllers *contr
 }
 
 /* Runs the controllers at their instants. Instant k is at the absolute time k / rate, in whole
- * nanoseconds, and dt is the difference of two such times, so rounding errors do not accumulate.
- * Returns false if a recording cannot be written. */
+ * nanoseconds, and dt is the difference between two such times, so rounding errors do not
+ * accumulate. Returns false if a recording cannot be written. */
 static bool run(const struct options *options, struct controllers *controllers,
                 struct console *console, struct touches *touches, struct publisher *publisher,
                 struct truth *truths)
@@ -208,8 +208,8 @@ static bool has_frames_for_viewer(const struct options *options, const struct fr
     return false;
 }
 
-/* Checks before the run, rather than after it, that the file can be written. Removes the file if it
- * did not exist before. */
+/* Checks that the file can be written, so that a fault is reported before the run rather than after
+ * it. Removes the file if it did not exist before. */
 static bool is_writable(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -249,7 +249,7 @@ static int simulate(const struct options *options, const struct params *params,
         free(truths);
         return WRONG_USE;
     }
-    /* Start the viewer before opening files that it must not inherit. */
+    /* Starts the viewer before opening files that it must not inherit. */
     publisher_start(&publisher, params->program, truth_count * sizeof *truths,
                     RING_PACES | RING_SENDS, ok ? options->viewer : NULL);
     ok = controllers_open(&controllers, params, sim, options->record) && ok;
@@ -346,8 +346,8 @@ static int tell_plan(const char *plan)
 
 static int start(const struct options *options)
 {
-    /* Load the judge first, because the parts of a user-defined robot are looked up in the object
-     * loaded last. */
+    /* Loads the judge first, because the parts of a user-defined robot are looked up in the object
+     * that was loaded last. */
     const struct frob_program *judge = options->judge != NULL ? frob_load(options->judge) : NULL;
     const struct frob_program *program = load(options->program);
     struct params params;

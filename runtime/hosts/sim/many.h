@@ -5,13 +5,13 @@
 #include "options.h"
 #include "trial.h"
 
-/* Opens the world for a run. On failure returns NULL and prints a line on standard error. */
+/* Opens the world for a run. On failure, returns NULL and prints a line on standard error. */
 typedef struct frob_sim *many_open_world(const struct options *options,
                                          const struct frob_program *program);
 
 /* Performs the runs listed in the file `options->runs`, one per line, with tab-separated cells: a
  * key, which may be any text; the seed; and a `name=value` for each parameter to set. Parameters of
- * the judge with the same names are set too.
+ * the judge with the same names are also set.
  *
  * After each run, writes a line to standard output: the key, the output of trial_run, and a
  * checksum of everything before it (64-bit FNV-1a, in hexadecimal), so that readers can detect

@@ -64,7 +64,8 @@ static bool whole(const char *option, const char *text, uint64_t *result)
     return true;
 }
 
-/* Returns the variable of an option without a value; NULL if there is no such option. */
+/* Returns the variable for an option without a value; NULL if there is no such
+ * option. */
 static bool *flag(struct options *o, const char *name)
 {
     if (strcmp(name, "--realtime") == 0)
@@ -113,7 +114,7 @@ static bool valued(struct options *o, const char *name, const char *value)
     return true;
 }
 
-/* The simulator draws only these formats; report others before the run. */
+/* The simulator draws only these formats. Others are reported before the run. */
 static bool is_picture(const char *name)
 {
     size_t length = strlen(name);

@@ -14,15 +14,16 @@ struct options {
     uint64_t seed;
     double wall_distance_m; /* 0: from the world file */
     bool realtime, strict, progress;
-    bool console;            /* pass keys typed on standard input to the program */
-    bool exit_when_done;     /* end the run when the program has ended */
-    bool stop_when_violated; /* end the run when an assertion is violated */
+    bool console;            /* whether to pass keys typed on standard input to the program */
+    bool exit_when_done;     /* whether to end the run when the program has ended */
+    bool stop_when_violated; /* whether to end the run when an assertion is violated */
     const char *record;      /* CSV; NULL: none */
     const char *picture;     /* NULL: none */
-    char *const *viewer;     /* NULL-terminated command; NULL: none */
-    const char *judge;       /* JUDGE.so of a trial; NULL: an ordinary run */
-    const char *runs;        /* for a trial: file with runs instead of seeds; NULL: none */
-    uint64_t last_seed;      /* for a trial: last seed; the first is `seed` */
+    char *const *viewer;     /* NULL-terminated command; NULL if there is none */
+    const char *judge;       /* JUDGE.so for a trial; NULL for an ordinary run */
+    const char *runs;        /* for a trial, a file that lists runs, to use instead of seeds;
+                              * NULL if there is none */
+    uint64_t last_seed;      /* for a trial, the last seed; the first one is `seed` */
     const char **params;     /* NAME=VALUE for each parameter that is set */
     size_t param_count;
 };

@@ -10,15 +10,16 @@
 struct pace {
     struct publisher *publisher;
     const volatile sig_atomic_t *interrupted;
-    bool is_free; /* run as fast as possible if there is no viewer */
+    bool is_free; /* whether to run as fast as possible if there is no viewer */
     bool was_paused;
     double speed;
-    int64_t clock_ns, time_ns; /* corresponding times: on the clock, and of the run */
+    int64_t clock_ns, time_ns; /* times that correspond to each other: on the clock, and of the
+                                * run */
     int64_t last_ns;           /* time of the last instant */
     uint32_t steps;            /* number of steps taken while paused */
 };
 
-/* Starts the pace now, at the run's time 0. */
+/* Starts the pace now, when the time of the run is 0. */
 void pace_start(struct pace *pace, struct publisher *publisher,
                 const volatile sig_atomic_t *interrupted, bool is_free);
 

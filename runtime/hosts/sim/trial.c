@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The judge's input columns for the true state, in the order of fill's array. */
+/* The judge's input columns for the true state, in the order of the array in fill. */
 enum { TRUTHS = TRIAL_TRUTHS };
 
 static const char *const truth_names[TRUTHS] = {
@@ -16,7 +16,7 @@ static const char *const truth_names[TRUTHS] = {
     "in.touches",         "in.driven",          "in.odometryError", "in.ended",
 };
 
-/* Stores where a column is in the judge's input. */
+/* Stores the place of a column in the judge's input. */
 static void find(void *context, const char *name, const struct frob_value *value)
 {
     struct trial *trial = (struct trial *)context;
@@ -93,7 +93,7 @@ static bool was_asked(const struct claims *claims)
     return false;
 }
 
-/* Returns whether something has failed, so that this is the last instant. */
+/* Returns whether something has failed, in which case this is the last instant. */
 static bool has_failed(const struct controllers *controllers, const struct claims *judged,
                        enum verdict said, int64_t now_ns, struct end *end)
 {

@@ -17,8 +17,8 @@ struct trial {
     const struct frob_value *truths[TRIAL_TRUTHS]; /* input fields for the true state */
 };
 
-/* Returns false and prints a line on standard error if memory runs out; call trial_close in this
- * case too. */
+/* If memory runs out, prints a line on standard error and returns false. The caller must call
+ * trial_close in this case, too. */
 bool trial_open(struct trial *trial, const struct frob_program *judge);
 
 /* Performs a run in an opened simulation. The run ends at the first instant at which something

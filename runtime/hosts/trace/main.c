@@ -41,7 +41,7 @@ enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 struct column {
     char *name;
     const struct frob_value *value;
-    size_t cell; /* index in the file's rows */
+    size_t cell; /* index of the column in the file's rows */
     bool found;
     bool on_console; /* on the console; a missing column means that nobody touched it */
 };
@@ -51,14 +51,14 @@ struct trace {
     struct params params;
     const char *input_name;
     struct csv csv;
-    struct frame_reader frames; /* frames next to the recording */
+    struct frame_reader frames; /* the frames next to the recording */
     FILE *output;
     struct column *columns;
     size_t count, capacity;
     size_t width;   /* number of cells in the header */
     unsigned parts; /* contents of the output's rows */
     struct claims claims;
-    bool stops; /* stop when an assertion is violated */
+    bool stops; /* whether to stop when an assertion is violated */
     bool no_memory;
 };
 
@@ -67,7 +67,7 @@ static void complain(const struct trace *t, size_t cell, const char *format, ...
 
 /* A message on one line, whatever the names and cells in it contain. */
 struct complaint {
-    FILE *stream; /* NULL: not enough memory */
+    FILE *stream; /* NULL if memory ran out */
     char *text;
     size_t length;
 };
@@ -87,7 +87,7 @@ static void begin_complaint(struct complaint *c, const struct trace *t, size_t c
                 (unsigned long)(cell < t->csv.count ? t->csv.columns[cell] : 1));
 }
 
-/* Writes line feeds and tabs as decimal codes; standard error does so with other control
+/* Writes line feeds and tabs as decimal codes. Standard error does the same for other control
  * characters (streams.h). */
 static void end_complaint(struct complaint *c)
 {
@@ -182,7 +182,7 @@ static bool readable(const struct trace *t, enum csv_status status)
 }
 
 /* Returns the end of a message about a column's name or a time. Spaces next to commas are part of
- * the name or time but hard to see, so this points them out. Empty if there are none. */
+ * the name or time but hard to see, so the text points them out. It is empty if there are none. */
 static const char *on_blanks(const char *text)
 {
     size_t length = strlen(text);
@@ -210,8 +210,8 @@ static bool is_missing(const struct column *column)
     return !column->found && !column->on_console;
 }
 
-/* Reports which columns the header lacks. A robot's input has many names, so this avoids printing
- * them all twice. The header has `unknown` unknown columns, one of which is `other`. */
+/* Reports which columns the header lacks. A robot's input has many columns, so this avoids printing
+ * all their names twice. The header has `unknown` unknown columns, one of which is `other`. */
 static void complain_missing(struct trace *t, size_t unknown, const char *other)
 {
     const char *first = NULL;
@@ -377,7 +377,7 @@ static bool flush(const struct trace *t, struct frob_text *text, const char *out
     return true;
 }
 
-/* Runs the program: one instant per row. */
+/* Runs the program, with one instant for each row. */
 static int run(struct trace *t, const char *output_name)
 {
     const struct frob_program *program = t->program;
@@ -443,7 +443,7 @@ struct arguments {
     size_t param_count;
     struct csv_dialect dialect;
     bool modes, stops;
-    const char *program, *input, *output; /* if output is NULL: standard output */
+    const char *program, *input, *output; /* standard output if output is NULL */
 };
 
 static bool read_arguments(int argc, char **argv, struct arguments *a)
@@ -474,9 +474,9 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
     return true;
 }
 
-/* An error may be caused by a damaged archive, which is detected only at its end. Reads up to 64
- * MiB of the rest, because a small archive may expand to a huge amount of data, and reports
- * damage. */
+/* A damaged archive may have caused the error, but damage is detected only at the end of the
+ * archive. Reads up to 64 MiB of the rest, because a small archive may expand to a huge amount of
+ * data, and reports damage. */
 static void tell_damage(const char *name, FILE *input)
 {
     char some[4096];

@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 struct buffer {
-    char *data; /* ends with a NUL; NULL while nothing was added */
+    char *data; /* ends with a NUL; NULL until something is added */
     size_t length, capacity;
     bool failed;
     bool is_binary; /* of a message: contains more than text */
@@ -24,7 +24,8 @@ void buffer_format(struct buffer *b, const char *format, ...) __attribute__((for
 /* Adds a JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD. */
 void buffer_string(struct buffer *b, const char *text);
 
-/* Adds a JSON number that reads back as the same double; `null` if it is not finite. */
+/* Adds a JSON number from which the same double is read back; `null` if it is not
+ * finite. */
 void buffer_number(struct buffer *b, double x);
 
 #endif

@@ -2,7 +2,7 @@
  * uses.
  *
  * This is the only list: page/build.sh generates the page's list from it (one kind per line). If
- * code does not handle a kind, neither the C nor the TypeScript compiles. */
+ * code does not handle one of the kinds, neither the C code nor the TypeScript code compiles. */
 #ifndef FROB_VIEW_CONSOLE_KINDS_H
 #define FROB_VIEW_CONSOLE_KINDS_H
 

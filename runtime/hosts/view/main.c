@@ -151,7 +151,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "error: cannot read random numbers from /dev/urandom\n");
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
                           options.ring >= 0 ? &ring : NULL)) {
-        /* Work briefly before serving: a run of a few minutes is then complete when the page
+        /* Works briefly before serving, so that a run of a few minutes is complete when the page
          * connects. */
         if (options.why_nan) {
             view_say(&view);

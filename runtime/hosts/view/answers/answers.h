@@ -18,8 +18,8 @@ double view_seconds_at(const struct view *view, size_t k);
 /* Returns the last instant that is not after a time; the first instant if all are after it. */
 size_t view_instant_at(const struct view *view, double seconds);
 
-/* Returns whether the signal's values are known. If the program cannot be run, only recorded
- * signals are. */
+/* Returns whether the signal's values are known. If the program cannot be run, only the values of
+ * recorded signals are known. */
 bool view_knows(const struct view *view, const struct signal *signal);
 
 void answer_refusal(struct buffer *answer, const char *why);
@@ -43,7 +43,7 @@ void answer_claims(const struct view *view, struct buffer *answer);
 
 /* ---- In picture.c */
 
-/* `had`: one more than the instant of the image that the page already has; 0 if it has none. */
+/* `had` is 1 plus the instant of the image that the page already has, or 0 if it has none. */
 void answer_picture(struct view *view, size_t k, size_t width, size_t had, struct buffer *answer);
 
 /* ---- In points.c */
@@ -56,7 +56,7 @@ const double *view_other_numbers(struct view *view, const struct signal *signal)
 
 /* ---- In path.c */
 
-/* Appends at most about `count` corners of the path from instant `first` on. */
+/* Appends approximately `count` corners of the path at most, starting at instant `first`. */
 void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
@@ -69,11 +69,12 @@ void answer_contacts(const struct view *view, struct buffer *answer);
 
 /* ---- In align.c */
 
-/* Shifts the recording to compare with so that the first instants at which a condition holds have
- * the same time. An empty condition aligns the starts. */
+/* Shifts the recording to compare with so that, in both recordings, a condition is true for the
+ * first time at the same time. An empty condition aligns the starts. */
 void answer_align(struct view *view, const char *condition, struct buffer *answer);
 
-/* Appends the member `other`: the recording to compare with; nothing if there is none. */
+/* Appends the member `other`, which describes the recording to compare with; nothing if there is
+ * none. */
 void answer_other(const struct view *view, struct buffer *answer);
 
 /* ---- In find.c */

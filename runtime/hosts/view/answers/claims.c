@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Maximum number of reported times at which an assertion is violated; a time line has no more
- * pixels. */
+/* Maximum number of reported times at which an assertion is violated. A timeline does not have
+ * more pixels. */
 #define TIMES 2000
 
 static void add_fate(const struct claims *claims, size_t i, struct buffer *answer)
@@ -18,8 +18,8 @@ static void add_fate(const struct claims *claims, size_t i, struct buffer *answe
     buffer_text(answer, "}");
 }
 
-/* Appends the number of the signal that has the assertion's verdict. An assertion in `mapSF` has
- * many verdicts, so none is appended. */
+/* Appends the number of the signal that contains the assertion's verdict. For an assertion in
+ * `mapSF`, appends nothing, because it has many verdicts. */
 static void add_signal(const struct view *view, const struct frob_claim *claim,
                        struct buffer *answer)
 {

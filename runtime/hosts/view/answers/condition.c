@@ -31,7 +31,7 @@ enum operator{
 struct operation {
     enum operator operator;
     double number;
-    const double *numbers; /* for a signal: its value at each instant */
+    const double *numbers; /* if it is a signal, its value at each instant */
     const struct signal *signal;
 };
 
@@ -44,7 +44,7 @@ struct reader {
     struct buffer *why;
     unsigned depth, signals;
     bool wrong;
-    /* The dimensions of the operands that are not used yet. */
+    /* The dimensions of the operands that have not been used yet. */
     struct dimension dimensions[CONDITION_SIZE];
     size_t dimension_count;
 };
@@ -57,7 +57,7 @@ static void complain(struct reader *r, const char *what, const char *name)
     r->wrong = true;
 }
 
-/* Checks the dimensions of the two operands of an operation, as the language does. */
+/* Checks the dimensions of the two operands of an operation, by the rules of the language. */
 static void match(struct reader *r, enum operator operator, const struct dimension * a,
                   const struct dimension *b)
 {
@@ -134,8 +134,8 @@ static struct operation *add_operand(struct reader *r, enum operator operator, d
     return operation;
 }
 
-/* Returns the dimension of a signal. If no unit is listed for an inner signal, its unit may be
- * unknown. */
+/* Returns the dimension of a signal. An inner signal for which no unit is listed may have an
+ * unknown unit. */
 static struct dimension dimension_of(const struct signal *signal)
 {
     struct dimension dimension = { 0 };
@@ -154,7 +154,7 @@ static void skip_blanks(struct reader *r)
         r->at++;
 }
 
-/* Reads a symbol if it is the next one. */
+/* Reads a symbol if it comes next. */
 static bool take(struct reader *r, const char *symbol)
 {
     size_t length = strlen(symbol);
@@ -194,7 +194,7 @@ static bool ends_in(const char *whole, const char *name)
 }
 
 /* Returns the only signal whose name ends in `name`, either among the inner signals or among
- * the others. Returns NULL if there is none; reports an error if there are several. */
+ * the others. Returns NULL if there is none. Reports an error if there are several. */
 static const struct signal *find_end(struct reader *r, const char *name, bool inside)
 {
     const struct signals *signals = r->series->replay->signals;
@@ -220,7 +220,7 @@ static const struct signal *find(struct reader *r, const char *name)
     return found == NULL && !r->wrong ? find_end(r, name, true) : found;
 }
 
-/* Whether a text contains another one, ignoring case. */
+/* Returns whether a text contains another one, ignoring case. */
 static bool contains(const char *text, const char *part)
 {
     for (; *text != '\0'; text++) {
@@ -237,7 +237,7 @@ static bool contains(const char *text, const char *part)
 /* Maximum number of similar names in a message. */
 #define SIMILAR 3
 
-/* Reports an unknown name, with names that contain it. */
+/* Reports an unknown name, and suggests names that contain it. */
 static void unknown(struct reader *r, const char *name)
 {
     const struct signals *signals = r->series->replay->signals;
@@ -367,7 +367,7 @@ static void read_sum(struct reader *r)
     }
 }
 
-/* The names of the modes or constructors of a signal. */
+/* The names of a signal's modes or constructors. */
 struct names {
     const struct frob_machine *machine;
     const struct frob_constructor *constructors;

@@ -2,7 +2,7 @@
 
 #include "condition.h"
 
-/* Maximum number of reported spans; a time line has no more pixels. */
+/* Maximum number of reported spans. A timeline does not have more pixels. */
 #define SPANS 2000
 
 struct findings {
@@ -50,8 +50,8 @@ void answer_find(struct view *view, size_t from, const char *text, struct buffer
         add_instant(answer, "first", found.first);
         add_instant(answer, "before", found.before);
         add_instant(answer, "after", found.after);
-        /* The times alternate between start and end; a span that lasts to the end of the run has no
-         * end. */
+        /* The times alternate between starts and ends. A span that lasts until the end of the run
+         * has no end. */
         buffer_format(answer, ",\"spans\":[%s]}", spans.length > 0 ? spans.data : "");
     }
     answer->failed = answer->failed || spans.failed;

@@ -95,7 +95,8 @@ static void add_pose(struct view *view, size_t k, struct buffer *answer)
     }
 }
 
-/* Returns the last instant up to `k` at which an event of the input occurred, if it is recent. */
+/* Returns the last instant up to `k` at which an event of the input occurred, if that was
+ * recently. */
 static bool find_recent(const struct view *view, const struct signal *signal, size_t k,
                         size_t *found)
 {
@@ -110,7 +111,7 @@ static bool find_recent(const struct view *view, const struct signal *signal, si
     return false;
 }
 
-/* Whether an event carries a record, such as a lidar's scan. */
+/* Returns whether the value of an event is a record, such as a lidar's scan. */
 static bool carries_record(const struct signal *signal)
 {
     return signal->shown->constructors[1].fields[0].value->kind == FROB_PRODUCT;

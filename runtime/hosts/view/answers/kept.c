@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Maximum size of a file; larger ones are not from a page. */
+/* Maximum size of a file. A larger file was not written for a page. */
 #define MOST 65536
 
 /* The FNV-1a hash of the path of the program's file. */

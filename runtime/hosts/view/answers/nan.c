@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Maximum number of steps back, through signals and instants; more distant origins are not
+/* Maximum number of steps back, through signals and instants. More distant origins are not
  * found. */
 #define FARTHEST 100000
 
@@ -28,8 +28,8 @@ static size_t since(struct view *view, const struct signal *signal, size_t k)
     return k;
 }
 
-/* Moves from a value that is NaN, or was computed from NaN, back to a source that is NaN, at the
- * instant when that NaN began; returns false if no source is NaN. */
+/* Goes back from a value that is NaN, or was computed from NaN, to a source that is NaN, at the
+ * instant when that NaN began. Returns false if no source is NaN. */
 static bool step_back(struct view *view, struct why_source *at)
 {
     struct why_source found[MOST];
@@ -55,7 +55,7 @@ static double seconds(const struct view *view, size_t k)
     return (double)(view->recording.times[k] + view->recording.origin) / 1e9;
 }
 
-/* Completes the line that begins with `named`: prints the origin of the NaN that is at `at`. */
+/* Completes the line that begins with `named`: prints the origin of the NaN at `at`. */
 static void print_origin(struct view *view, const struct signal *named, struct why_source at)
 {
     const struct frob_origin *origin = why_origin(view->origins, at.signal);
@@ -76,8 +76,8 @@ static void print_origin(struct view *view, const struct signal *named, struct w
     printf("\n");
 }
 
-/* Returns the first instant with an assertion's worst verdict; the number of instants if there
-   is none. */
+/* Returns the first instant with the worst verdict of an assertion, or the number of instants if
+ * there is none. */
 static size_t first_failure(struct view *view, const struct frob_claim *claim)
 {
     size_t k = 0;

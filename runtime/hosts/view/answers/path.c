@@ -1,4 +1,5 @@
-/* The path of a robot, simplified to its corners: straight lines between them approximate it. */
+/* Simplifies the path of a robot to corners, such that straight lines between the corners
+ * approximate the path. */
 #include "answers.h"
 
 #include "../../common/truth.h"
@@ -13,7 +14,7 @@
 
 struct way {
     const struct recording *recording;
-    const double *xs, *ys; /* the positions; NULL: the truth about `robot` */
+    const double *xs, *ys; /* the positions; NULL for the true positions of `robot` */
     size_t robot;
     double shift_s; /* subtracted from times */
 };
@@ -98,7 +99,7 @@ static size_t visit_corners(const struct way *way, size_t first, double scale,
         const bool is_long = at.time_s - cone.anchor.time_s >= LONG_S * scale;
         if (goes_on && !is_long && k + 1 < end)
             continue;
-        /* A corner is the instant before the one that leaves the cone. */
+        /* A corner is at the instant before the one that leaves the cone. */
         anchor = goes_on || k - 1 == anchor ? k : k - 1;
         cone = cone_at(place_at(way, anchor));
         visit(context, anchor, cone.anchor);
@@ -142,8 +143,8 @@ static void add_corner(void *context, size_t k, struct place place)
     corners->last = k;
 }
 
-/* Appends the times and positions of at most about `most` instants. Returns the last corner, at
- * which a later request can continue the path. */
+/* Appends the times and positions of approximately `most` instants at most. Returns the last
+ * corner, from which a later request can continue the path. */
 static size_t add_way(const struct way *way, size_t first, size_t most, struct buffer *answer)
 {
     struct corners corners = { answer, "", first, first };

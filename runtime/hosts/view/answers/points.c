@@ -5,7 +5,8 @@
 struct points {
     const struct view *view;
     const double *numbers;
-    const double *other; /* values of the edited program's signal; NULL if it has none */
+    const double *other; /* values of the edited program's signal; NULL if it does not
+                          * have this signal */
     struct buffer *times, *values, *others;
 };
 

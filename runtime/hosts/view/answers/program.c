@@ -80,8 +80,8 @@ static void add_transitions(const struct view *view, const struct signal *signal
     buffer_text(answer, "]");
 }
 
-/* Returns whether no other signal influences an inner signal, which is then constant unless it
- * depends on the time or a mode. */
+/* Returns whether an inner signal is independent of all other signals, so that it is constant
+ * unless it depends on the time or a mode. */
 static bool is_fixed(const struct view *view, const struct signal *signal)
 {
     const struct frob_origin *origin = why_origin(view->origins, signal);

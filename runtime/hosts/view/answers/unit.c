@@ -107,7 +107,7 @@ bool unit_read(const char *text, size_t length, bool takes_any, struct dimension
                 i++;
         end = i;
         if (end == start && i < length && text[i] == '1')
-            i++; /* for example in 1/s */
+            i++; /* as in 1/s */
         if (i < length && text[i] == '^') {
             const bool negative = i + 1 < length && text[i + 1] == '-';
             i += negative ? 2 : 1;

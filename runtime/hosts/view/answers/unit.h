@@ -1,4 +1,4 @@
-/* unit.h -- units of measure: their scales, and the dimensions that they belong to. */
+/* unit.h -- reads units of measure, and finds their scales and dimensions. */
 #ifndef FROB_VIEW_UNIT_H
 #define FROB_VIEW_UNIT_H
 
@@ -11,7 +11,8 @@
 
 /* A product of powers of base units, such as m^1 s^-2. */
 struct dimension {
-    bool is_open; /* matches any dimension: unknown, or that of the number 0 */
+    bool is_open; /* whether it matches any dimension, because it is unknown or that of the
+                   * number 0 */
     struct {
         char name[28];
         double power;
@@ -19,9 +20,9 @@ struct dimension {
     size_t count;
 };
 
-/* Reads a unit such as `cm/s^2`: its dimension, and its scale relative to the base units (m, s,
- * rad). A name that is not a unit of the library counts as a base unit of the program if
- * `takes_any`. Returns false if there is no such unit. */
+/* Reads a unit such as `cm/s^2`, and determines its dimension and its scale relative to the
+ * base units (m, s, rad). A name that is not a unit of the library counts as a base unit of the
+ * program if `takes_any`. Returns false if there is no such unit. */
 bool unit_read(const char *text, size_t length, bool takes_any, struct dimension *dimension,
                double *scale);
 
@@ -29,7 +30,7 @@ struct dimension dimension_product(const struct dimension *a, const struct dimen
                                    double power_of_b);
 bool dimensions_match(const struct dimension *a, const struct dimension *b);
 
-/* Appends a dimension as the language writes units; `a plain number` if it has none. */
+/* Appends a dimension in the syntax of the language; `a plain number` if it has none. */
 void dimension_write(const struct dimension *dimension, struct buffer *text);
 
 #endif

@@ -88,7 +88,7 @@ bool view_start(struct view *view, const struct frob_program *program,
     }
     series_start(&view->series, &view->replay);
     if (files->other != NULL) {
-        /* A comparison needs the whole recording. */
+        /* A comparison requires the whole recording. */
         while (recording_read_on(&view->recording))
             continue;
         return view_compare(view);
@@ -140,7 +140,7 @@ bool view_advance(struct view *view, double seconds)
     return !replay_is_whole(&view->replay);
 }
 
-/* Minimum interval between news: about the time between two frames of a screen. */
+/* Minimum interval between news, approximately the time between two frames of a screen. */
 #define NEWS_S 0.016
 
 bool view_is_reading(const struct view *view)
@@ -378,7 +378,7 @@ static bool take_edit(const char *at, struct what_if_edit *edit)
         return false;
     if (*at == ' ')
         edit->text = at + 1;
-    /* Without a text there must be neither `drive` nor settings. */
+    /* Without a text, neither `drive` nor settings are allowed. */
     return *at == ' ' || (*at == '\0' && !edit->drives && !has_settings);
 }
 

@@ -63,12 +63,13 @@ struct source {
 };
 
 struct view_files {
-    const char *recording; /* the file in which a live run is recorded, or NULL */
-    const char *other;     /* a recording to compare with; NULL: none */
+    const char *recording; /* the file in which a live run is recorded; NULL if there is none */
+    const char *other;     /* a recording to compare with; NULL if there is none */
     const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
     size_t own_count;           /* number of the user's source files */
-    const char *world;          /* the world that the robot may have driven in; NULL: none */
+    const char *world;          /* the world in which the robot may have driven; NULL if there is
+                                 * none */
     struct csv_dialect dialect; /* dialect of the recording */
     const char **params;        /* NAME=VALUE for each parameter that is set */
     size_t param_count;
@@ -94,8 +95,8 @@ struct view {
     size_t said; /* length of the summary already printed on standard error */
 };
 
-/* Reads the files, whose names must stay valid. `ring` is for a live run, otherwise NULL. On
- * failure prints a line on standard error and returns false. */
+/* Reads the files, whose names must stay valid. `ring` is NULL unless the run is live. On failure,
+ * prints a line on standard error and returns false. */
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct frob_origin *origins,
                 const struct view_files *files, struct ring *ring);
@@ -104,10 +105,10 @@ double view_start_time(const struct view *view);
 
 void view_end(struct view *view);
 
-/* The work that remains when there is no request. */
+/* The work that remains to be done while there is no request. */
 enum view_work {
     VIEW_GOES_ON, /* continue immediately */
-    VIEW_LOOKS,   /* check again soon: the run is live */
+    VIEW_LOOKS,   /* check again soon, because the run is live */
     VIEW_RESTS    /* nothing */
 };
 
@@ -121,11 +122,12 @@ bool view_has_news(struct view *view);
  * it; for a live run, the newest instant. */
 void view_news(struct view *view, struct buffer *message);
 
-/* Reads more of the recording, and runs the program over it, for about this many seconds. Returns
- * false when all of it is done. */
+/* Reads more of the recording, and runs the program over it, for approximately this many seconds.
+ * Returns false when everything has been done. */
 bool view_advance(struct view *view, double seconds);
 
-/* Returns whether the recording is still being read; until then no request can be answered. */
+/* Returns whether the recording is still being read. Until it has been read, no request can be
+ * answered. */
 bool view_is_reading(const struct view *view);
 
 /* Appends lines that say which parts of the recording do not match the program and, if known,
@@ -135,7 +137,7 @@ void view_summary(const struct view *view, struct buffer *text);
 /* Prints the new lines of this summary on standard error. */
 void view_say(struct view *view);
 
-/* Appends the answer to a request; nothing while the recording is still being read. */
+/* Appends the answer to a request. Appends nothing while the recording is still being read. */
 void view_answer(struct view *view, const char *request, struct buffer *answer);
 
 #endif

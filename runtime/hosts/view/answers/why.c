@@ -25,10 +25,10 @@ struct why {
     size_t count, oldest;
     struct buffer *answer;
     struct why_source *found; /* if not NULL, receives the sources instead of `answer` */
-    size_t found_count, most; /* `most`: the room in `found` */
+    size_t found_count, most; /* `most` is the size of `found` */
 };
 
-/* Returns an instant; it is valid until KEPT others have been read. */
+/* Returns an instant, which stays valid until KEPT other instants have been read. */
 static struct moment look_at(struct why *why, size_t k)
 {
     const struct frob_program *program = why->replay->signals->program;
@@ -67,8 +67,8 @@ static bool is_there(struct why *why, const struct signal *signal, size_t k)
            ((const unsigned char *)base)[signal->value->offset] != 0;
 }
 
-/* Returns whether the signal function that contains a signal runs at an instant. For an event,
- * looks at another signal of the same signal function. */
+/* Returns whether the signal function that contains a signal runs at an instant. If the signal is
+ * an event, checks another signal of the same signal function. */
 static bool runs(struct why *why, const struct signal *signal, size_t k)
 {
     const struct signals *signals = why->replay->signals;
@@ -120,8 +120,8 @@ static size_t last_change(struct why *why, const struct signal *signal, size_t f
     return changed;
 }
 
-/* Returns the first instant since which a signal has had its value at `k`. If that is too far back,
- * returns a later instant and sets *is_longer. */
+/* Returns the first instant since which a signal has had the value that it has at `k`. If that is
+ * too long ago, returns a later instant and sets *is_longer. */
 static size_t since(struct why *why, const struct signal *signal, size_t k, bool *is_longer)
 {
     const size_t end = k > FARTHEST ? k - FARTHEST : 0;
@@ -232,7 +232,7 @@ static size_t way(const struct frob_transition *transitions, int from, int to,
             queue[count++] = t->target;
         }
     }
-    /* Follow the path backwards. It may return to the mode where it started. */
+    /* Follows the path backwards. It may return to the mode in which it started. */
     for (int at = to; by[at] != NULL && length < LONGEST; at = by[at]->from) {
         result[length++] = by[at];
         if (by[at]->from == from || by[at]->from == FROB_ANY)
@@ -246,8 +246,8 @@ static size_t way(const struct frob_transition *transitions, int from, int to,
     return length;
 }
 
-/* When a machine's current mode began, and the transitions that led to it. `count` is 0 if the
- * machine itself began, or if they are unknown. */
+/* The instant at which a machine's current mode began, and the transitions that led to it. `count`
+ * is 0 if the machine itself began, or if the transitions are unknown. */
 struct entry {
     size_t k;
     bool is_known;
@@ -270,8 +270,8 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     return entry;
 }
 
-/* Returns whether a source applies that was read when a mode began. It applies if it belongs to a
- * mode that was left at that time. */
+/* Decides whether a source that was read when a mode began applies. It does if it belongs to a mode
+ * that was left at that time. */
 static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
 {
     if (source->mode == FROB_ANY || source->mode == entry->before)
@@ -328,7 +328,7 @@ static void add_sources(struct why *why, const struct signal *of, const struct f
             if (!is_of(signal, sources->column))
                 continue;
             count++;
-            /* If its mode has ended, the signal was visible one instant earlier. */
+            /* If its mode has ended, the signal was last visible one instant earlier. */
             if (runs(why, signal, at))
                 add_source(why, signal, at, &comma);
             else if ((asked == EVENT || sources->back == FROB_ENTRY) && at > 0 &&

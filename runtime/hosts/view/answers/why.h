@@ -1,5 +1,5 @@
-/* why.h -- explains where a value came from: its equation, and the values that the equation read,
- * at the instants from which they were taken. */
+/* why.h -- explains where a value came from: shows its equation, and the values that the equation
+ * read, with their instants. */
 #ifndef FROB_VIEW_WHY_H
 #define FROB_VIEW_WHY_H
 
@@ -11,7 +11,7 @@
 const struct frob_origin *why_origin(const struct frob_origin *origins,
                                      const struct signal *signal);
 
-/* Appends, as members of a JSON object, what is known about a signal's value at instant `k`:
+/* Appends the known facts about a signal's value at instant `k`, as members of a JSON object:
  *
  *   "since": {"k", "time", "longer"}: the first instant since which it has had this value;
  *            if that is too long ago, a later instant, and `longer` is true
@@ -25,7 +25,7 @@ const struct frob_origin *why_origin(const struct frob_origin *origins,
 void why_answer(struct replay *replay, const struct frob_origin *origins,
                 const struct signal *signal, size_t k, struct buffer *answer);
 
-/* An operand of a computed value, and the instant from which it was taken. */
+/* An operand of a computed value, and the instant at which it was read. */
 struct why_source {
     const struct signal *signal;
     size_t k;

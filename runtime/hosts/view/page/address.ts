@@ -1,4 +1,4 @@
-// The address of the page contains, after `#`, the token and then the shown view, so that a link
+// After `#`, the address of the page contains the token and the current view, so that a link
 // opens the same view: `#TOKEN&at=12.5&range=10..20&plots=out.forward,out.turn;in.battery`.
 
 export interface Shown {
@@ -39,7 +39,7 @@ export function shown(): Shown {
 
 let timer: number | undefined;
 
-/** Writes the shown view into the address, after a delay. */
+/** Writes the current view to the address, after a delay. */
 export function update(now: () => Shown): void {
   timer ??= window.setTimeout(() => {
     timer = undefined;

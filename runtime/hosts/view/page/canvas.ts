@@ -1,7 +1,7 @@
 // Draws in CSS pixels on a canvas that may have a higher resolution.
 
-/** Clears a canvas and sets its size. It is resized only if the size changes, because each resize
- * allocates memory, which would pile up at many frames a second. */
+/** Clears a canvas and sets its size. Resizes it only if the size changes, because each resize
+ * allocates memory, and at many frames a second this memory would accumulate. */
 export function clear(context: CanvasRenderingContext2D, width: number, height: number): void {
   const { canvas } = context;
   const ratio = devicePixelRatio;

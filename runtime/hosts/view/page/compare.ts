@@ -1,5 +1,5 @@
-// Says what is drawn on top of the run: an edited program, or a second recording, with controls
-// that show where the two differ and align them.
+// Names what is drawn on top of the run: an edited program or a second recording. Offers
+// controls to find the differences and to align the two runs.
 import type { Align } from "./protocol";
 import type { Store } from "./store";
 import { formatTime } from "./values";

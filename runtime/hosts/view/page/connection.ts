@@ -1,4 +1,4 @@
-// The WebSocket to the viewer. It presents the token in its address, and reconnects after it was
+// The WebSocket to the viewer. Its address contains the token, and it reconnects after it was
 // closed. A question waits for its answer, across several connections if necessary; a command is
 // sent immediately or not at all.
 import { token } from "./address";
@@ -42,9 +42,11 @@ interface Question {
 }
 
 export interface Listener {
-  /** `question` is the text of the answered question; empty for a message that is not an answer. */
+  /** `question` is the text of the question that was answered; empty if the message is not an
+   * answer. */
   answered(answer: Answer, question: string): void;
-  /** The connection was closed, for this reason; `final`: the page does not reconnect. */
+  /** The connection was closed, for this reason. If `final` is true, the page does not
+   * reconnect. */
   closed(why: string, final: boolean): void;
 }
 
@@ -58,7 +60,7 @@ export interface Link {
 
 export class Connection implements Link {
   private socket: WebSocket | null = null;
-  /** Unanswered questions, the oldest first; the first `sent` were sent on this connection. */
+  /** Unanswered questions, oldest first. The first `sent` of them were sent on this connection. */
   private readonly questions: Question[] = [];
   private sent = 0;
   private delay = soon;
@@ -125,7 +127,7 @@ export class Connection implements Link {
     this.send();
   }
 
-  /** Call this when the page has drawn the new data and needs more. */
+  /** Tells the viewer that the page has drawn the new data and can take more. */
   more(): void {
     if (this.isOpen) this.socket?.send("more");
   }

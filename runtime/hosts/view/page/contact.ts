@@ -10,7 +10,7 @@ import type { Beat, Live, Program, RunFate } from "./protocol";
 const patience = 500;
 /** Time between checks, in ms. */
 const period = 50;
-/** How long the page shows "Contact again", in ms. */
+/** Duration for which the page shows "Contact again", in ms. */
 const gladness = 4000;
 
 export type Silent =
@@ -32,7 +32,7 @@ export class Contact {
   private readonly counts = document.createElement("span");
   /** The state of the run, as its host reports it. */
   fate: RunFate = "goes on";
-  /** Times of the last news, by the page's clock. */
+  /** Times of the last news, according to the page's clock. */
   private viewerHeard = performance.now();
   private hostHeard = Infinity;
   private instantHeard = Infinity;
@@ -43,9 +43,9 @@ export class Contact {
   private instantPatience = patience;
   private closedAt: number | null = null;
   private isFinal = false;
-  /** When the current or last silence began. */
+  /** Time at which the current or last silence began. */
   private since = -Infinity;
-  /** When the last silence ended. */
+  /** Time at which the last silence ended. */
   private until = -Infinity;
   private lastTick = performance.now();
   private wasLate = false;
@@ -73,7 +73,7 @@ export class Contact {
     return new Date(Date.now() - (performance.now() - this.since)).toLocaleTimeString();
   }
 
-  /** Call this for each message. */
+  /** Must be called for each message. */
   heard(): void {
     this.viewerHeard = performance.now();
     this.closedAt = null;
@@ -101,7 +101,7 @@ export class Contact {
     this.isPaused = isPaused;
   }
 
-  /** Restarts the wait for instants, because the page has requested them only now. */
+  /** Restarts the wait for instants, because the page has only now requested them. */
   expectInstants(): void {
     if (this.instants > 0) this.instantHeard = performance.now();
   }
@@ -118,7 +118,8 @@ export class Contact {
       isLate = late > 2 * period;
     this.lateness = late + (this.wasLate ? this.lateness : 0);
     this.lastTick = now;
-    // If the page was blocked, let it read the messages that arrived meanwhile, but only once.
+    // If the page was blocked, lets it read the messages that have arrived in the meantime, but
+    // only once.
     if (isLate && !this.wasLate) {
       this.wasLate = true;
       return;
@@ -146,7 +147,8 @@ export class Contact {
     this.tell(now);
   }
 
-  /** Sets `silent`, and returns since when. A finished run may be silent. */
+  /** Sets `silent`, and returns the time at which the silence began. A finished run may be
+   * silent. */
   private judge(now: number): number {
     if (this.closedAt !== null) {
       this.silent = "connection";

@@ -1,5 +1,5 @@
-// The state of the page that is kept for each program: its plots, the sizes of the panels, the
-// theme, the edited text. The tab keeps it across a reload, and the viewer keeps it for the next
+// Keeps the state of the page for each program: its plots, the sizes of the panels, the theme,
+// and the edited text. The tab keeps it across a reload, and the viewer keeps it for the next
 // run of the program.
 import type { Link } from "./connection";
 
@@ -46,7 +46,7 @@ export class Kept {
     try {
       return sessionStorage.getItem(this.key);
     } catch {
-      return null; // not available to a page that is opened from a file
+      return null; // not available if the page was opened from a file
     }
   }
 
@@ -71,7 +71,7 @@ export class Kept {
     try {
       sessionStorage.setItem(this.key, text);
     } catch {
-      // The storage of the tab is full; the viewer may still keep the state.
+      // The storage of the tab is full, but the viewer may still keep the state.
     }
     const isShort = new TextEncoder().encode(text).length < longest;
     this.connection.ask(`keep ${isShort ? text : JSON.stringify({ ...this.all, edited: null })}`);

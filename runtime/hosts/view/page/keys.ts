@@ -1,4 +1,4 @@
-// Keyboard shortcuts for everything; the page's help dialog lists them.
+// Keyboard shortcuts for all actions. The page's help dialog lists them.
 import type { Player } from "./time/player";
 import type { Stop } from "./operate/stop";
 import type { Store } from "./store";
@@ -103,7 +103,7 @@ export function startKeys(
   const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End", "v", "V"]);
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof Element ? event.target : null;
-    // A saved page has no viewer that could carry out these commands.
+    // A saved page has no viewer that could execute these commands.
     if (document.body.classList.contains("saved") && "fwe".includes(event.key)) return;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;
     if (target?.closest("input, select") || (store.isEditing && target?.closest("#source"))) return;

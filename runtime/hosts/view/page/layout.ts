@@ -1,7 +1,6 @@
-// The sizes of the panels, which the user changes by dragging the bars between them, or with the
-// arrow keys.
+// Resizes the panels when the user drags the bars between them, or uses the arrow keys.
 
-/** Each bar, with the panels before and after it: the names of CSS variables. */
+/** Each bar with the panels before and after it, given as names of CSS variables. */
 const bars = {
   source: ["source", "middle"],
   side: ["middle", "side"],
@@ -79,9 +78,10 @@ export class Layout {
     this.tell(bar, name, isUpright);
   }
 
-  /** Moves a bar by a number of pixels. Returns by how many pixels it moved. */
+  /** Moves a bar by a number of pixels. Returns the number of pixels by which it has moved. */
   private move(name: Bar, by: number, isUpright: boolean): number {
-    // All panels of the row or column get shares in pixels, so that the others keep their sizes.
+    // All panels of the row or column get proportions in pixels, so that the other panels keep
+    // their sizes.
     const names: readonly string[] = isUpright ? ["source", "middle", "side"] : bars[name];
     const size = (each: string) => {
       const box = panel(each)?.getBoundingClientRect();

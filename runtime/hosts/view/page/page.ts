@@ -33,7 +33,7 @@ function element<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
-/** How long the page shows an error message, in ms. */
+/** Time for which the page shows an error message, in ms. */
 const attention = 4000;
 let complaint: { readonly text: string; readonly until: number } | null = null;
 
@@ -71,7 +71,7 @@ let showAlignment: ((answer: Align) => void) | null = null;
 
 /** The latest status message of the viewer. */
 let progress: Program | Progress | Live | null = null;
-/** Why the connection was closed for good. */
+/** The reason why the connection was closed permanently. */
 let refusal = "";
 
 function showProgress(): void {
@@ -212,7 +212,7 @@ function start(program: Program): Store {
 }
 
 let store: Store | null = null;
-/** The state of the run, which may arrive before there is a store. */
+/** The state of the run. It may arrive before there is a store. */
 let run: Run | null = null;
 
 /** Handles the program message on a new connection to the same viewer. */
@@ -246,7 +246,7 @@ function answered(answer: Answer, question: string): void {
       break;
     case "program":
       progress = answer;
-      // Show the panels first, because building the plots needs their sizes.
+      // Shows the panels first, because building the plots requires their sizes.
       if (answer.instants > 0) document.body.classList.remove("opening");
       if (store) reconnected(store, answer);
       else store = start(withRadians(answer));
@@ -262,7 +262,7 @@ function answered(answer: Answer, question: string): void {
       store.askClaims();
       break;
     case "live":
-      // Request the next instant after drawing this one.
+      // Requests the next instant after drawing this one.
       requestAnimationFrame(() => setTimeout(more, pauseAt(run?.speed ?? 1)));
       if (!store) break;
       store.grew(answer);
@@ -332,9 +332,9 @@ function contactChanged(): void {
   wasSilent = isSilent;
 }
 
-/** Reports an error in the page itself, so that a broken page does not look healthy. */
+/** Reports an error in the page itself, so that a broken page does not appear to work. */
 function failed(what: string): void {
-  // Harmless: the browser draws the change of size in the next frame instead.
+  // This is harmless: the browser draws the change of size in the next frame instead.
   if (what.startsWith("ResizeObserver loop")) return;
   element("failed").textContent =
     `This page has failed and may show wrong values: ${what}. ` +

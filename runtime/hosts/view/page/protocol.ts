@@ -5,18 +5,18 @@ export interface Signal {
   readonly name: string;
   readonly side: "input" | "output" | "probe" | "mode";
   readonly kind: "bool" | "int" | "float" | "event" | "sum" | "data" | "mode";
-  /** The names that the numbers 0, 1, … of its plot represent; empty if they are numbers. */
+  /** The names that the numbers 0, 1, … of its plot represent; empty if they are plain numbers. */
   readonly names: readonly string[];
   /** The unit in Frob's syntax, such as `m/s`; empty if the signal has none. */
   readonly unit: string;
-  /** For a probe: the instance of a signal function that contains it, its name there, and where it
-   * is defined. Otherwise empty. */
+  /** For a probe: the instance of a signal function that contains it, its name in that instance, and
+   * the place of its definition. Otherwise empty. */
   readonly instance: string;
   readonly own: string;
   readonly file: string;
   readonly line: number;
-  /** Whether no other signal influences it, so that it is constant unless it depends on the time or
-   * a mode. */
+  /** Whether it is independent of all other signals, so that it is constant unless it depends on the
+   * time or a mode. */
   readonly fixed: boolean;
   /** For the running mode of a machine: the transitions between its modes. */
   readonly transitions?: readonly Transition[];
@@ -52,7 +52,7 @@ export interface Control {
 export interface Param {
   readonly name: string;
   readonly unit: string;
-  /** In the form of a setting, `0.3[m/s]`: its value in this run, and its default. */
+  /** The value in this run and the default, in the form of a setting, such as `0.3[m/s]`. */
   readonly value: string;
   readonly first: string;
 }
@@ -68,7 +68,7 @@ export interface Program {
   readonly name: string;
   readonly robot: string;
   readonly recording: string;
-  // These grow during a live run.
+  // These members grow during a live run.
   instants: number;
   start: number;
   end: number;
@@ -132,13 +132,13 @@ export interface Beat {
   readonly is: "beat";
   /** The viewer's clock, in ms; commands repeat it to show that they are recent. */
   readonly time: number;
-  /** For a run that was live when the viewer started: how many seconds its host has been silent,
-   *  and the state of the run, as the host reports it. */
+  /** For a run that was live when the viewer started: the number of seconds for which its host has
+   * been silent, and the state of the run, as reported by the host. */
   readonly silence?: number | null;
   readonly fate?: RunFate;
 }
 
-/** `gone`: the host's process has ended without a report. */
+/** `gone` means that the host's process has ended without a report. */
 export type RunFate = "goes on" | "stopping" | "at rest" | "told" | "not reached" | "gone";
 
 /** Sent without a request when the program has been run over the whole recording. */
@@ -153,13 +153,13 @@ export interface Instant {
   readonly k: number;
   readonly time: number;
   readonly dt: number;
-  /** The value of each signal, as the cell of a trace. */
+  /** The value of each signal, in the form of a trace's cell. */
   readonly cells: readonly string[];
   /** The edited program's values, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
-  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the
-   * position and heading of the first robot at that time, true or by odometry. For records, also
-   * the cell. */
+  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position
+   * and heading of the first robot at that time, either true or according to odometry. For records,
+   * also the cell. */
   readonly recent: readonly (readonly [
     signal: number,
     value: number,
@@ -188,7 +188,7 @@ export interface Series {
 
 export interface Path {
   readonly is: "path";
-  /** The instant of the first point, and the instant of the last corner. */
+  /** The instants of the first point and of the last corner. */
   readonly from: number;
   readonly next: number;
   readonly x: number;
@@ -238,8 +238,8 @@ export interface Why extends Place {
   readonly is: "why";
   readonly k: number;
   readonly signal: number;
-  /** The first instant since which the signal has had this value; with `longer`, it may be
-   * earlier. */
+  /** The first instant since which the signal has had this value. If `longer` is true, it may have
+   * had the value even earlier. */
   readonly since: { readonly k: number; readonly time: number; readonly longer: boolean };
   readonly sources: readonly Origin[];
   /** For the running mode of a machine. */
@@ -248,13 +248,13 @@ export interface Why extends Place {
 
 export interface Found {
   readonly is: "found";
-  /** The error in the condition; then the other members are missing. */
+  /** The error in the condition. If it is present, the other members are missing. */
   readonly why?: string;
   readonly count?: number;
   readonly first?: number | null;
   readonly before?: number | null;
   readonly after?: number | null;
-  /** Alternating start and end; a span that lasts to the end of the run has no end. */
+  /** Starts and ends alternate. A span that lasts until the end of the run has no end. */
   readonly spans?: readonly number[];
 }
 
@@ -274,11 +274,11 @@ export interface Claim {
   readonly column: string;
   readonly place: string;
   readonly assumed: boolean;
-  /** The signal that has its verdict; -1 if there is none. */
+  /** The signal that contains its verdict; -1 if there is none. */
   readonly signal: number;
   readonly fate: Fate;
-  /** Times at which it was violated: alternating start and end; a violation that continues has no
-   * end. */
+  /** Times at which it was violated. Starts and ends alternate, and a violation that continues has
+   * no end. */
   readonly times: readonly number[];
   /** The edited program's result, if there is one; null if it does not have this assertion. */
   readonly other?: Fate | null;
@@ -289,8 +289,8 @@ export interface Claims {
   readonly all: readonly Claim[];
 }
 
-/** How often the first simulated robot began to touch an object; and the time of each contact, and
- * where the robot was. */
+/** The number of times that the first simulated robot began to touch an object, and the time and the
+ * robot's place for each contact. */
 export interface Contacts {
   readonly is: "contacts";
   readonly count: number;
@@ -302,9 +302,10 @@ export interface WhatIf {
   readonly is: "what-if";
   /** Whether there is an edited program to compare with. */
   readonly there: boolean;
-  /** It ran in the simulator, from the start. */
+  /** Whether it ran in the simulator, from the start. */
   readonly drives?: boolean;
-  /** Why there is no edited program, in the compiler's words; missing if none was requested. */
+  /** The reason why there is no edited program, in the compiler's words; missing if none was
+   * requested. */
   readonly why?: string;
   /** The first instant at which its outputs differ; missing if they do not differ. */
   readonly first?: number;
@@ -318,7 +319,8 @@ export interface Picture {
   readonly k: number;
   /** Whether the program shows this image; otherwise it is the camera's. */
   readonly chosen: boolean;
-  /** A frame that the recording names but does not contain; then the other members are missing. */
+  /** A frame that the recording mentions but does not contain. If it is present, the other members
+   * are missing. */
   readonly lost?: { readonly number: number; readonly k: number; readonly changed: boolean };
   /** The instant at which the program received the image; missing if there is no image yet. */
   readonly at?: number;
@@ -328,8 +330,8 @@ export interface Picture {
   /** Age in seconds. */
   readonly age?: number;
   readonly marks?: readonly string[];
-  /** The pixels, each the mean of `by` by `by` image pixels; missing if the page already has
-   * them. */
+  /** The pixels, each of which is the mean of `by` by `by` image pixels; missing if the page already
+   * has them. */
   readonly by?: number;
   readonly columns?: number;
   readonly rows?: number;
@@ -343,11 +345,12 @@ export interface Other {
   readonly name: string;
   /** Whether it is from this version of the program, so that its inner signals are known. */
   readonly runs: boolean;
-  /** Its time at time 0 of the shown recording, in seconds. */
+  /** The time in this recording that corresponds to time 0 of the shown recording, in seconds. */
   readonly shift: number;
-  /** Its parameters that have other values in the shown recording, as NAME=VALUE. */
+  /** Its parameters that have different values in the shown recording, as NAME=VALUE. */
   readonly set: readonly string[];
-  /** The first instant at which the outputs differ, and the output; missing if they do not. */
+  /** The first instant at which the outputs differ, and the output; missing if they do not
+   * differ. */
   readonly first?: number;
   readonly signal?: string;
 }
@@ -367,7 +370,7 @@ export interface KeepDone {
 
 export interface Refused {
   readonly is: "refused";
-  /** True if a command was refused, rather than a question. */
+  /** True if the viewer has refused a command rather than a question. */
   readonly command?: boolean;
   readonly why: string;
 }

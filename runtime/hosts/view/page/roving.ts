@@ -1,4 +1,5 @@
-// A list of buttons that is a single tab stop: the up and down arrows move between them.
+// A list of buttons that is a single tab stop. The up and down arrow keys move between
+// the buttons.
 
 /** Returns the buttons of a list that are visible, in order. */
 function visible(list: HTMLElement): HTMLElement[] {

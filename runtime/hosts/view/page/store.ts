@@ -44,7 +44,8 @@ export type Change =
   | "sizes"
   /** Emitted when the map shows another part of the world. */
   | "view"
-  /** "contact": contact was lost or is back; "resumed": contact is back, perhaps with much data. */
+  /** "contact": contact was lost or restored; "resumed": contact was restored, possibly with a lot
+   * of new data. */
   | "contact"
   | "resumed"
   /** A command was not executed. */
@@ -60,17 +61,18 @@ function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit
 
 export class Store {
   instant: Instant | null = null;
-  /** The marked instant, with which others are compared. */
+  /** The marked instant, with which other instants are compared. */
   mark: Instant | null = null;
   /** The time range of plots, in seconds. */
   range: readonly [number, number];
   plots: Plot[] = [];
-  /** The plot to which the next picked signal is added; null: the signal gets its own plot. */
+  /** The plot to which the next picked signal is added; null if the signal gets a plot of its
+   * own. */
   target: Plot | null = null;
   playing = false;
   speed = 1;
 
-  /** The times at which the current search condition holds: alternating start and end. */
+  /** The times at which the current search condition is true. Starts and ends alternate. */
   spans: readonly number[] = [];
 
   /** The results of the program's assertions. */
@@ -79,7 +81,7 @@ export class Store {
   /** When and where the simulated robot touched an object. */
   contacts: Contacts["all"] = [];
 
-  /** The edited program's result; null before any was requested. */
+  /** The edited program's result; null until one is requested. */
   whatIf: WhatIf | null = null;
   /** The recording to compare with; null if there is none. */
   other: Other | null;
@@ -104,7 +106,7 @@ export class Store {
   newest: Instant | null = null;
   /** The state of a live run; null for a finished one. */
   run: Run | null = null;
-  /** Seconds that plots currently show while the run is followed. */
+  /** Number of seconds that plots show while the run is followed. */
   private recent = recently;
 
   private shownIn: { width: number; then: (picture: Picture) => void } = {
@@ -113,7 +115,7 @@ export class Store {
   };
   private pictureIsAsked = false;
   private pictureIsWanted = false;
-  /** For the current pixels: the requested width, and their instant. */
+  /** For the current pixels, the requested width and the instant. */
   private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path | null) => void>();
@@ -203,8 +205,8 @@ export class Store {
     return this.program.live && this.run !== null && this.run.operates && this.run.sends;
   }
 
-  /** Sends a command of control.h to the run, immediately or not at all. If it cannot be sent, the
-   *  page says so, and this returns false. */
+  /** Sends a command of control.h to the run, immediately or not at all. If it cannot be sent,
+   * informs the user and returns false. */
   command(request: string): boolean {
     const isSent = !this.contact.isLost && this.connection.command(request);
     if (!isSent) this.undone("not done: no contact with the run");
@@ -221,8 +223,8 @@ export class Store {
     return this.connection.command("stop");
   }
 
-  // Moves the cursor. Only one request is pending at a time; of requests made meanwhile only the
-  // last is sent.
+  // Moves the cursor. Only one request is pending at a time. Of the requests made in the meantime,
+  // only the last one is sent.
 
   goTo(k: number, then?: Listener): void {
     this.leave();
@@ -261,7 +263,7 @@ export class Store {
     this.connection.ask(request);
   }
 
-  /** Requests instants that are not shown, for saving. */
+  /** Requests instants that are not displayed, for saving. */
   instants(from: number, to: number): Promise<Instant[]> {
     return new Promise((resolve) => {
       const all: Instant[] = [];
@@ -310,7 +312,7 @@ export class Store {
     return this.whatIf?.there ? "edited" : (this.other?.name ?? "");
   }
 
-  /** Aligns the other recording by a condition, or by the start if the condition is empty. */
+  /** Aligns the other recording by a condition, or by its start if the condition is empty. */
   align(condition: string): void {
     this.connection.ask(condition === "" ? "align" : `align ${condition}`);
   }
@@ -360,8 +362,8 @@ export class Store {
     return this.plots.flatMap(({ signals }) => signals);
   }
 
-  /** Returns the number of a signal's colour in plots: the lowest that was free when it was first
-   * plotted. */
+  /** Returns the number of a signal's colour in plots. It is the lowest number that was free when
+   * the signal was first plotted. */
   colourOf(signal: number): number {
     const known = this.colours.get(signal);
     if (known !== undefined) return known;
@@ -391,7 +393,7 @@ export class Store {
     }
   }
 
-  /** Adds a signal to a plot, unless that would need a third axis. */
+  /** Adds a signal to a plot, unless that would require a third axis. */
   addTo(plot: Plot, signal: number): boolean {
     if (plot.signals.includes(signal)) return true;
     const signals = [...plot.signals, signal];
@@ -436,7 +438,7 @@ export class Store {
     this.series.received(this.hasOthers ? series : withoutOthers(series));
   }
 
-  /** Handles the refusal of a question. Returns false if the user should see it. */
+  /** Handles the viewer's refusal to answer a question. Returns false if the user should see it. */
   refused(question: string): boolean {
     const [word, ...numbers] = question.split(" ");
     const [first = 0, second = 0, third = 0] = numbers.map(Number);
@@ -533,8 +535,8 @@ export class Store {
     this.connection.ask("what-if");
   }
 
-  /** Runs the program with parameters set, NAME=VALUE each, on the same inputs or in the simulator
-   * from the start. */
+  /** Runs the program with the given parameters, each as NAME=VALUE, on the same inputs, or in the
+   * simulator from the start. */
   askWhatIf(how: "what-if" | "drive", text: string, settings: readonly string[]): void {
     const set = settings.length > 0 ? `with ${settings.join(" ")} ` : "";
     this.connection.ask(`${set}${how} ${text}`);

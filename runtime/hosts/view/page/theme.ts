@@ -5,7 +5,7 @@
 const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
 
-/** Paul Tol's light colours for modes: none of them is the colour of a plot. Text on them is
+/** Paul Tol's light colours for modes. They differ from the colours of plots. Text on them is
  * dark. */
 const modes = [
   "#77aadd",
@@ -34,7 +34,8 @@ export function modeColour(index: number): string {
   return modes[index % modes.length] ?? "gray";
 }
 
-/** Caches colours, because computing a style makes the browser lay out pending changes. */
+/** Caches colours, because computing a style makes the browser perform pending layout
+ * changes. */
 const known = new Map<string, string>();
 
 export function colour(name: string): string {
@@ -61,11 +62,11 @@ export function toggleTheme(): void {
   for (const listener of choices) listener();
 }
 
-/** Whether the user has chosen the theme, so that it does not follow the desktop. */
+/** Whether the user has chosen the theme, so that it does not follow the desktop's. */
 let isChosen = false;
 const choices: (() => void)[] = [];
 
-/** The theme that the user has chosen; null: the desktop's. */
+/** The theme that the user has chosen; null for the desktop's. */
 export function chosenTheme(): "dark" | "light" | null {
   return !isChosen ? null : isDark() ? "dark" : "light";
 }

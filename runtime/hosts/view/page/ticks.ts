@@ -7,13 +7,14 @@ export function niceStep(least: number): number {
   return [1, 2, 5].map((x) => x * power).find((x) => x >= least * (1 - 1e-9)) ?? 10 * power;
 }
 
-/** Returns the times to label on an axis of some pixels, at least `space` pixels apart. */
+/** Returns the times to label on an axis with this number of pixels. They are at least
+ * `space` pixels apart. */
 export function timeTicks(from: number, to: number, width: number, space = 80): number[] {
   if (!(to > from) || !(width > 0)) return [];
   const step = niceStep(((to - from) * space) / width);
   const first = Math.ceil(from / step - 1e-9),
     last = Math.floor(to / step + 1e-9);
-  // Multiply instead of adding, because sums would accumulate rounding errors.
+  // Multiplies instead of adding, because sums would accumulate rounding errors.
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
   );

@@ -1,7 +1,7 @@
 // Formats values in Frob's syntax, shortened so that they can be read at a glance.
 import type { Signal } from "./protocol";
 
-/** Number of digits that are shown of the largest value of a signal. */
+/** Number of digits that are shown for the largest value of a signal. */
 const digits = 4;
 /** Values below `small` or above `large` are shown with an exponent. */
 const small = 1e-4,
@@ -40,10 +40,9 @@ function decimalsOf(x: number, most: number): number {
   return places;
 }
 
-/**
- * Formats a number of a signal. The number of decimals does not jump from one instant to the next:
- * a signal keeps the largest number that any of its values needed, within the limit on the digits
- * of its largest value; only values far below the largest one have more.
+/** Formats a value of a signal. So that the number of decimals does not jump from one instant to
+ * the next, a signal keeps the largest number of decimals that any of its values needed, within
+ * the limit on the digits of its largest value. Only values far below the largest one have more.
  */
 function steady(signal: Signal, x: number): string {
   if (!Number.isFinite(x)) return special(x);
@@ -75,7 +74,7 @@ export function formatCell(signal: Signal, cell: string): string {
   if (cell === "true") return "True";
   if (cell === "false") return "False";
   if (signal.names.includes(cell)) return formatName(cell);
-  // A digit within a name is not part of a number.
+  // A digit that is part of a name does not belong to a number.
   return withUnit(
     signal,
     cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
@@ -88,7 +87,7 @@ function withUnit(signal: Signal, text: string): string {
   return signal.unit === "" ? text : `${text}[${signal.unit}]`;
 }
 
-/** Removes the unit from a formatted value, next to another one that has it. */
+/** Removes the unit from a formatted value that is next to another one with the same unit. */
 export function withoutUnit(signal: Signal, text: string): string {
   const unit = `[${signal.unit}]`;
   return text.endsWith(unit) ? text.slice(0, -unit.length) : text;

@@ -1,12 +1,12 @@
-/* compare.h -- a second recording to compare with, in place of an edited program. It may come from
- * a different version of the program; then only its inputs and outputs are known. */
+/* compare.h -- reads a second recording to compare with, in place of an edited program. If it comes
+ * from a different version of the program, only its inputs and outputs are known. */
 #ifndef FROB_VIEW_COMPARE_H
 #define FROB_VIEW_COMPARE_H
 
 #include "what_if.h"
 
-/* Reads a recording, and runs the program over it. The previous edited program or recording is
- * removed. On failure prints a line on standard error and returns false. */
+/* Reads a recording, and runs the program over it. Removes the previous edited program or
+ * recording. On failure, prints a line on standard error and returns false. */
 bool compare_start(struct what_if *other, const struct signals *recorded, const char *file,
                    const struct csv_dialect *dialect);
 

@@ -1,9 +1,9 @@
-/* display.h -- the image that the program shows, and the marks that it draws on the image:
+/* display.h -- finds the image that the program shows, and the marks that it draws on the image:
  * `Picture` and `InImage` of the library's module Display.
  *
  * An image stays visible until another one is shown. The marks on it are those of the last instant
- * that showed an image or had such marks. So the display at an instant depends on all earlier
- * instants, and is stored together with the program's state. */
+ * that showed an image or had such marks. Therefore the display at an instant depends on all
+ * earlier instants, and is stored together with the program's state. */
 #ifndef FROB_VIEW_DISPLAY_H
 #define FROB_VIEW_DISPLAY_H
 
@@ -13,9 +13,9 @@
 
 /* The display after an instant. */
 struct shown {
-    size_t image; /* instant that showed the image; or NO_INSTANT */
+    size_t image; /* instant that showed the image, or NO_INSTANT */
     int32_t key;  /* key of the image (frob/lens.h) */
-    size_t marks; /* instant that drew the marks; or NO_INSTANT */
+    size_t marks; /* instant that drew the marks, or NO_INSTANT */
 };
 
 /* One element of the drawing: an event of a mark. */
@@ -27,10 +27,10 @@ struct drawn {
 struct display {
     struct drawn *drawn;
     size_t count;
-    int picture, in_image; /* constructors of a mark; -1 if the program has none */
+    int picture, in_image; /* constructors of a mark; -1 if the program does not have them */
     struct shown shown;
     unsigned char *output; /* a copy of the output that contains the marks */
-    size_t output_of;      /* instant of this copy; NO_INSTANT: there is none */
+    size_t output_of;      /* instant of this copy; NO_INSTANT if there is none */
     size_t size;
 };
 

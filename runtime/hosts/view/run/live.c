@@ -88,8 +88,9 @@ static void add(struct live *live, int64_t time_ns)
                 "not enough memory for more of this run: new instants are not stored\n");
 }
 
-/* Handles instants that were overwritten in the ring before they were read: reads up to `most` of
- * them from the run's own recording or, if that is impossible, skips them and notes the gap. */
+/* Handles instants that were overwritten in the ring before they were read. Reads up to `most` of
+ * them from the run's own recording. If that is impossible, skips them and adds a note about the
+ * gap. */
 static void make_up(struct live *live, size_t most)
 {
     struct recording *recording = live->recording;

@@ -27,7 +27,8 @@ struct reader {
     struct frame_reader *frames; /* finds the images */
     const struct signals *signals;
     struct csv csv;
-    const struct signal **columns; /* signal of each cell of a row; NULL: not read */
+    const struct signal **columns; /* the signal for each cell of a row; NULL if the cell is not
+                                    * read */
     size_t width;
     /* The previous row, because most cells of a row are unchanged. */
     struct {
@@ -187,7 +188,7 @@ static bool is_as_before(const struct reader *r, size_t i)
     return strcmp(csv_cell(&r->csv, i), r->before.text + r->before.starts[i]) == 0;
 }
 
-/* Stores the row as the previous one. If memory runs out, every cell of the next row is
+/* Stores the row as the previous one. If memory runs out, every cell of the next row will be
  * parsed again. */
 static void remember(struct reader *r)
 {
@@ -211,7 +212,7 @@ static void remember(struct reader *r)
     r->before.next = r->recording->count;
 }
 
-/* If a value cannot be read because its frame is missing, records the loss and returns true. */
+/* If a value cannot be read because its frame is missing, records this and returns true. */
 static bool lost_frame(struct reader *r, const struct signal *signal, const char *cell,
                        unsigned char *input)
 {
@@ -297,7 +298,8 @@ static bool read_rows(struct reader *r)
         status = csv_next(&r->csv);
         if (status == CSV_END)
             return false;
-        /* A host writes whole lines, so a last row without a line feed is incomplete. */
+        /* A host writes whole lines, so a row without a line feed at the end of the file is
+         * incomplete. */
         if ((status == CSV_ROW || status == CSV_UNCLOSED_QUOTE) && feof(r->csv.file)) {
             note(r,
                  "the last line is incomplete (it does not end with a line feed) and is left out");
@@ -313,7 +315,7 @@ static bool read_rows(struct reader *r)
             return false;
         }
         if (!read_row(r)) {
-            /* The reason is the last line of the notes; append to it. */
+            /* The reason is the last line of the notes, so this text is appended to it. */
             r->recording->notes.length--;
             buffer_format(&r->recording->notes, "%s\n", and_after);
             return false;

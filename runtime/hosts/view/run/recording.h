@@ -14,28 +14,28 @@ struct recording {
     const char *name;
     size_t count;          /* number of instants */
     int64_t *times;        /* nanoseconds, relative to the origin */
-    int64_t origin;        /* first time, if the clock started long before the run; else 0 */
+    int64_t origin;        /* the first time, if the clock started long before the run; otherwise
+                            * 0 */
     unsigned char *inputs; /* `count` input structs of the program */
-    /* The recorded part of `count` output structs; signals that were not recorded are zero. */
+    /* The recorded part of `count` output structs. Signals that were not recorded are zero. */
     unsigned char *outputs;
     size_t output_size;   /* size of that part, which is followed by inner signals */
     bool *recorded;       /* for each signal: whether the recording has its column */
     struct buffer params; /* recorded parameters: NAME=VALUE, each with a NUL */
-    bool has_all_inputs;  /* the program can be run on the recording */
-    /* The frames next to the recording. Images that inputs point to stay valid as long as it
+    bool has_all_inputs;  /* whether the program can be run on the recording */
+    /* The frames next to the recording. The images that inputs point to stay valid as long as this
      * exists. */
     struct frame_reader frames;
     struct buffer notes; /* lines about problems and parts that were ignored */
     size_t capacity;
-    /* The program cannot be run from this instant on: it is the first one after missed
-     * instants of a live run, or the first one with a missing frame. NO_GAP if there is
-     * no such instant. */
+    /* The first instant for which the program cannot be run, because it follows missed instants of
+     * a live run or because its frame is missing. NO_GAP if there is no such instant. */
     size_t gap;
-    const struct frob_value **eyes; /* events of frames in the program's input */
+    const struct frob_value **eyes; /* the events of frames in the program's input */
     size_t eye_count;
-    struct lost_frame *lost; /* frames that are missing; their events do not occur */
+    struct lost_frame *lost; /* frames that are missing; the events of these frames do not occur */
     size_t lost_count;
-    size_t checked; /* frames of the instants before this one were checked */
+    size_t checked; /* the frames of the instants before this one have been checked */
     /* `count` structs of the simulator's ground truth, of `truth_size` bytes each; or NULL. */
     unsigned char *truths;
     size_t truth_size;
@@ -48,22 +48,22 @@ struct recording {
 struct lost_frame {
     size_t k;
     uint32_t number;
-    bool is_there; /* the file exists, but has changed */
+    bool is_there; /* whether the file exists but has changed */
 };
 
-/* Starts to read a file, and reads its first rows; most files have no more. Ignores the parts that
- * do not match the program, and adds a line about each to `notes`: columns that the program does
- * not have, and all rows from the first one that cannot be read. If nothing is left, prints a line
- * on standard error and returns false. */
+/* Starts to read a file, and reads its first rows, which are usually all of its rows. Ignores parts
+ * that do not match the program, and adds a line about each to `notes`. These are columns that the
+ * program does not have, and all rows starting with the first one that cannot be read. If nothing
+ * is left, prints a line on standard error and returns false. */
 bool recording_read(struct recording *recording, const struct signals *signals, const char *name,
                     const struct csv_dialect *dialect);
 
 /* Reads more rows. Returns false if there are no more. */
 bool recording_read_on(struct recording *recording);
 
-/* Sets parameters, NAME=VALUE each, instead of the recorded values. Adds notes about recorded
- * values that are invalid or differ from these settings. If a setting is invalid, prints a line on
- * standard error and returns false. */
+/* Sets parameters, each given as NAME=VALUE, in place of the recorded values. Adds notes about
+ * recorded values that are invalid or differ from these settings. If a setting is invalid, prints a
+ * line on standard error and returns false. */
 bool recording_set(struct recording *recording, const char *const *params, size_t count);
 
 /* Creates the growing recording of a live run. `name` is the name of the run. If memory runs out,
@@ -71,28 +71,28 @@ bool recording_set(struct recording *recording, const char *const *params, size_
 bool recording_begin(struct recording *recording, const struct signals *signals, const char *name,
                      size_t truth_size);
 
-/* Adds an instant. `output` has the first `output_size` bytes of the program's output struct.
+/* Adds an instant. `output` contains the first `output_size` bytes of the program's output struct.
  * Returns false if memory runs out. */
 bool recording_add(struct recording *recording, int64_t time_ns, const void *input,
                    const void *output, size_t output_size, const void *truth);
 
-/* Reads missed instants from the file that a run is being recorded in. */
+/* Reads missed instants from the file in which a run is being recorded. */
 struct catching;
 
-/* Opens the file at its first row. Returns NULL if it is not a recording, or if it is compressed:
- * then the last rows are not in the file yet. */
+/* Opens the file at its first row. Returns NULL if it is not a recording, or if it is compressed,
+ * because the last rows of a compressed file are not in the file yet. */
 struct catching *catching_start(const struct signals *signals, const char *name);
 
-/* Adds the rows from instant `count` to before instant `end`, which have already been written.
- * Returns false if some of them are missing; others may have been added. */
+/* Adds the rows from instant `count` up to, but not including, instant `end`. They must have been
+ * written already. If some of them are missing, returns false, but may have added others. */
 bool catching_take(struct catching *catching, struct recording *recording, size_t end);
 
 void catching_end(struct catching *catching);
 
 void recording_free(struct recording *recording);
 
-/* Returns the dt that the program receives at instant `k`: the nanoseconds since instant `k - 1`; 0
- * at the first. */
+/* Returns the dt that the program receives at instant `k`: the nanoseconds since instant `k - 1`,
+ * or 0 at the first instant. */
 int64_t recording_dt_ns(const struct recording *recording, size_t k);
 
 const void *recording_input(const struct recording *recording, size_t k);

@@ -100,7 +100,8 @@ bool replay_start(struct replay *replay, const struct signals *signals, struct r
     return keep(replay, 0);
 }
 
-/* Returns the first instant that cannot be run; the number of instants if all can be run. */
+/* Returns the first instant that cannot be run, or the number of instants if all can be
+ * run. */
 static size_t last_of(const struct replay *replay)
 {
     const struct recording *recording = replay->recording;
@@ -112,7 +113,7 @@ bool replay_is_whole(const struct replay *replay)
     return !replay->runs || replay->reached >= last_of(replay);
 }
 
-/* Restores the last stored state at or before instant `k`. */
+/* Restores the last stored state that is not after instant `k`. */
 static void go_back(struct replay *replay, size_t k)
 {
     memcpy(replay->state, kept_at(replay, k), replay->signals->program->state_size);

@@ -39,8 +39,8 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* Returns the last part of the frame reader's last message: the place and the reason, without what
- * was expected. */
+/* Returns the last part of the frame reader's last message, which is the place and the reason,
+ * without the text that was expected. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');

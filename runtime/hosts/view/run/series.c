@@ -16,7 +16,7 @@ void series_end(struct series *series)
         free(series->kept[i].numbers);
 }
 
-/* Makes room for the values at all instants. */
+/* Allocates space for the values at all instants. */
 static bool has_room(const struct series *series, struct kept_series *place)
 {
     const size_t count = series->replay->recording->count;
@@ -33,8 +33,8 @@ static bool has_room(const struct series *series, struct kept_series *place)
     return true;
 }
 
-/* Returns a place for another signal's values: a free one, or else the least recently used. NULL if
- * memory runs out. */
+/* Returns a place for the values of another signal: a free one or, if there is none, the least
+ * recently used one. NULL if memory runs out. */
 static struct kept_series *place_for(struct series *series, const struct signal *signal)
 {
     struct kept_series *place = &series->kept[0];
@@ -77,8 +77,8 @@ static void read_out(struct replay *replay, struct kept_series *kept)
     }
 }
 
-/* Computes the values of several signals in a single pass over the recording. Signals that are
- * further along wait for the others. */
+/* Computes the values of several signals in a single pass over the recording. Signals for which
+ * more values are already known wait for the others. */
 static void run_over(struct replay *replay, struct kept_series *const *wanted, size_t count)
 {
     for (size_t k = wanted[0]->count; k < replay->recording->count; k++) {
@@ -108,8 +108,8 @@ static size_t add_modes(struct series *series, struct kept_series **wanted, size
     return count;
 }
 
-/* Adds all signals that are computed at least as far as this one, because a page of a live run
- * requests them all again. */
+/* Adds all signals with at least as many known values as this one, because the page of a live run
+ * requests all of them again. */
 static size_t add_others(struct series *series, struct kept_series **wanted, size_t count)
 {
     for (size_t i = 0; i < SERIES_KEPT && count < TOGETHER; i++) {

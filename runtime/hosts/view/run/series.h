@@ -4,7 +4,8 @@
 
 #include "replay.h"
 
-/* Number of signals whose values are cached: those that were used most recently. */
+/* The number of signals whose values are cached. These are the ones that were used most
+ * recently. */
 #define SERIES_KEPT 32
 
 struct series {
@@ -12,8 +13,8 @@ struct series {
     struct kept_series {
         const struct signal *signal;
         double *numbers; /* value at each instant */
-        size_t count;    /* number of instants computed */
-        size_t room;     /* number of instants that fit */
+        size_t count;    /* number of instants for which values have been computed */
+        size_t room;     /* number of instants for which there is space */
         unsigned long used;
     } kept[SERIES_KEPT];
     unsigned long uses;
@@ -30,9 +31,9 @@ void series_forget(struct series *series);
  * are valid until SERIES_KEPT / 2 other signals were requested, or the recording has grown. */
 const double *series_of(struct series *series, const struct signal *signal);
 
-/* Calls `visit` for the instants that make up the plot of `numbers` from instant `from` to before
- * `to` on about `width` columns. If there are more instants than columns, these are the first,
- * least, greatest and last of each column, in order. */
+/* Calls `visit` for the instants that a plot of `numbers` with approximately `width` columns shows,
+ * from instant `from` up to, but not including, `to`. If there are more instants than columns,
+ * these are the first, least, greatest and last of each column, in order. */
 void series_visit(const double *numbers, size_t from, size_t to, size_t width,
                   void (*visit)(void *context, size_t k), void *context);
 

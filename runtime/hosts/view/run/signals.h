@@ -17,11 +17,12 @@ struct signal {
     char *name; /* its column in a trace */
     enum side side;
     const struct frob_value *value; /* NULL for a mode */
-    /* For a probe that may be absent: its value when present; otherwise the same as `value`. */
+    /* For a probe that may be absent, the value that it has when present; otherwise the same as
+     * `value`. */
     const struct frob_value *shown;
     size_t machine;                   /* index of a mode's machine */
-    const struct frob_column *column; /* description of the signal; NULL: none */
-    const char *below;                /* part of the name that the column's name lacks */
+    const struct frob_column *column; /* description of the signal; NULL if there is none */
+    const char *below;                /* the part of the name that is not in the column's name */
 };
 
 struct signals {
@@ -36,7 +37,7 @@ struct moment {
     const void *input, *output, *state;
 };
 
-/* Collects all signals of a program; `columns` may be NULL. Returns false if memory runs out. */
+/* Collects all signals of a program. `columns` may be NULL. Returns false if memory runs out. */
 bool signals_start(struct signals *signals, const struct frob_program *program,
                    const struct frob_column *columns);
 void signals_end(struct signals *signals);
@@ -55,13 +56,14 @@ void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text);
 
 /* Returns the signal's value as a number for a plot: a truth value as 0 or 1, a constructor as its
- * index in the type, an event that occurs as its value, or as 1 if that is not a number. NAN if
- * there is no value: an event does not occur, or a mode's machine does not exist. */
+ * index in the type, and an event that occurs as its value, or as 1 if its value is not a number.
+ * Returns NAN if there is no value, because an event does not occur or because a mode's machine
+ * does not exist. */
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment);
 
-/* Returns whether a trace writes two values in the same way: they are equal bit for bit, except
-   that all NaNs are equal. */
+/* Returns whether a trace writes two values in the same way. This is the case if they are equal bit
+ * for bit, or if both are NaN. */
 bool signal_values_equal(const struct frob_value *value, const void *a, const void *b);
 
 #endif

@@ -6,8 +6,8 @@
 #include "../../common/claims.h"
 
 struct watched {
-    /* Alternating starts and ends of violations: each lasts from an instant to before the next one.
-     * A violation that continues has no end yet. */
+    /* Starts and ends of violations alternate: each violation lasts from an instant up to, but not
+     * including, the next one in the list. A violation that continues has no end yet. */
     size_t *ends;
     size_t count, room;
 };

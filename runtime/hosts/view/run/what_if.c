@@ -15,7 +15,7 @@
 
 /* ---- A folder to compile in */
 
-/* Joins both parts; the caller frees the result. */
+/* Joins both parts of a path; the caller must free the result. */
 static char *path_in(const char *folder, const char *file)
 {
     struct buffer path = { 0 };
@@ -29,7 +29,8 @@ static const char *without_folder(const char *path)
     return slash == NULL ? path : slash + 1;
 }
 
-/* Returns the folder that contains a file, with symbolic links resolved; the caller frees it. */
+/* Returns the folder that contains a file, with symbolic links resolved; the caller must free
+ * it. */
 static char *folder_of(const char *file)
 {
     struct buffer folder = { 0 };
@@ -56,7 +57,7 @@ static bool link_to(const char *from, const char *folder, const char *name)
     return ok;
 }
 
-/* Fills the folder with the edited program, and with links to everything next to the original. */
+/* Creates the edited program in the folder, and links to everything next to the original. */
 static bool fill(const char *folder, const char *file, const char *text)
 {
     char *from = folder_of(file), *path = path_in(folder, without_folder(file));
@@ -88,7 +89,7 @@ static void clear(const char *folder)
 
 /* ---- Compiling */
 
-/* Appends the available input; returns true at the end of the stream. */
+/* Appends the available input. Returns true at the end of the stream. */
 static bool read_some(int number, struct buffer *text)
 {
     char block[4096];
@@ -108,7 +109,7 @@ static void read_both(int first, struct buffer *first_text, int second, struct b
             return;
         for (size_t i = 0; i < 2; i++)
             if (both[i].fd >= 0 && both[i].revents != 0 && read_some(both[i].fd, texts[i]))
-                both[i].fd = -1; /* poll ignores it from now on */
+                both[i].fd = -1; /* poll ignores this stream from now on */
     }
 }
 
@@ -118,8 +119,8 @@ static void close_both(const int *ends)
     close(ends[1]);
 }
 
-/* Runs the command with additional arguments. Appends its result (standard output) and its messages
- * (standard error) to separate texts. Returns its exit status, or -1. */
+/* Runs the command with additional arguments. Appends its standard output and its standard error to
+ * separate texts. Returns its exit status, or -1 if it has none. */
 static int run(what_if_command command, const char *const *more, struct buffer *result,
                struct buffer *said)
 {
@@ -169,7 +170,7 @@ static int run(what_if_command command, const char *const *more, struct buffer *
     return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/* Appends a text, omitting a folder's path. */
+/* Appends a text, leaving out the path of a folder. */
 static void add_without(struct buffer *out, const char *text, const char *folder)
 {
     const size_t length = strlen(folder);
@@ -237,15 +238,15 @@ static const struct frob_program *compile(const struct attempt *a, what_if_comma
 
 /* ---- Driving again */
 
-/* Returns the rate in Hz of the simulated controller that made a recording, and the run's duration;
- * 0 if the recording's instants are not those of a simulator. */
+/* Returns the rate, in Hz, of the simulated controller that made a recording, and the duration of
+ * the run. Returns 0 if the recording was not made by a simulator. */
 static double rate_of(const struct recording *recording, double *seconds)
 {
     const int64_t *times = recording->times;
     const size_t last = recording->count - 1;
     const int64_t apart = last == 0 ? 0 : times[1] - times[0];
     for (size_t k = 1; k <= last; k++) {
-        /* Compare to the nanosecond, because a period such as 1/3 s is not a whole number of
+        /* Compares to the nanosecond, because a period such as 1/3 s is not a whole number of
          * nanoseconds. */
         const int64_t error = times[k] - times[k - 1] - apart;
         if (error < -1 || error > 1)
@@ -255,8 +256,8 @@ static double rate_of(const struct recording *recording, double *seconds)
     return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
 }
 
-/* Creates options that set all of the program's parameters: two words each, stored in `text`.
- * Returns false if memory runs out. */
+/* Creates options that set all of the program's parameters. Each consists of two words, which are
+ * stored in `text`. Returns false if memory runs out. */
 static bool param_options(const struct frob_program *program, const struct buffer *settings,
                           struct buffer *text, const char **options)
 {
@@ -320,7 +321,7 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
         ok = true;
     while (ok && recording_read_on(driven))
         continue;
-    /* The name is only for messages; the file is not read again. */
+    /* The name is only for messages, because the file is not read again. */
     driven->name = "the run in the simulator";
     if (record.data != NULL)
         unlink(record.data);
@@ -358,8 +359,8 @@ static size_t first_difference(const struct signals *signals, enum side side,
 }
 
 /* Checks that the simulator reproduces the recording. It does not if the world or the seed is
- * different, or if somebody pressed keys; then the run of an edited program could not be compared
- * with the recording. */
+ * different, or if somebody pressed keys. In these cases, the run of an edited program could not be
+ * compared with the recording. */
 static bool repeats(const struct attempt *a, what_if_command command, const char *file,
                     const struct recording *recording, const struct signals *signals)
 {

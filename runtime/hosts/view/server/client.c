@@ -23,8 +23,8 @@ static bool is_for_picture(const char *request)
     return strncmp(request, "picture ", 8) == 0;
 }
 
-/* Drops older requests of a kind (instants or pictures) of which only the newest matters, because
- * the cursor has moved on. */
+/* Drops the older requests of a kind (instants or pictures), because the cursor has moved on and
+ * only the newest request matters. */
 static void drop_older(struct client *client, bool (*is_such)(const char *request))
 {
     for (size_t i = client->count; i-- > 0;) {

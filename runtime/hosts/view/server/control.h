@@ -12,14 +12,14 @@
  *   hold N X   if X is 1, button N is held until 0.3 s after the last such command; if X is 0,
  *              it is released immediately
  *
- * A command may begin with a timestamp, as `at MS COMMAND`: MS is from the last beat that the page
- * received. If that beat is more than CONTROL_LATE_MS old, the command is refused, because it
- * waited in a connection or a process that had stopped, and its page says so. A `stop` is never
- * late.
+ * A command may begin with a timestamp, as `at MS COMMAND`: MS is the time in the last beat that
+ * the page received. If that beat is more than CONTROL_LATE_MS old, the command is refused,
+ * because it waited in a connection or a process that had stopped. The page reports this. A `stop`
+ * is never late.
  *
- * If there are several pages, one operates, at first the oldest; only it may send commands other
- * than `stop` and `take`. No command blocks: each writes a word or two to the memory shared with
- * the host. */
+ * If there are several pages, only one operates, at first the oldest. Only this page may send
+ * commands other than `stop` and `take`. No command blocks: each writes a word or two to the
+ * memory shared with the host. */
 #ifndef FROB_VIEW_CONTROL_H
 #define FROB_VIEW_CONTROL_H
 
@@ -32,11 +32,11 @@
 #define CONTROL_TOO_LATE "the request came too late and was ignored"
 
 struct control {
-    struct ring *ring; /* NULL: the run is over, and cannot be controlled */
+    struct ring *ring; /* the ring; NULL if the run is over and cannot be controlled */
     bool stopping, paused;
     double speed;
-    double events;  /* rate limit: number of events allowed now */
-    double since_s; /* time of the last update of `events` */
+    double events;  /* number of events that the rate limit currently allows */
+    double since_s; /* time at which `events` was last updated */
     uint32_t late;  /* the last known value of ring_late */
 };
 
@@ -45,10 +45,10 @@ void control_start(struct control *control, struct ring *ring);
 /* Returns whether a request is one of these commands. */
 bool control_is(const char *request);
 
-/* Removes the timestamp from a command. Returns NULL, or why the command is refused. */
+/* Removes the timestamp from a command. Returns NULL, or the reason why the command is refused. */
 const char *control_in_time(const char **request);
 
-/* Executes a command. Returns NULL, or why it is refused. */
+/* Executes a command. Returns NULL, or the reason why it is refused. */
 const char *control_do(struct control *control, const char *request, bool operates);
 
 /* Returns whether the host has dropped events since the last call, because it was frozen. */
@@ -58,8 +58,8 @@ bool control_was_late(struct control *control);
 void control_state(const struct control *control, bool operates, struct buffer *message);
 
 /* Appends a beat. It contains the time, in ms. For a live run, it also contains the number of
- * seconds for which the host has been silent, and the state of the run: as the host reports it
- * (ring.h), or `gone` if the process has ended without a report. */
+ * seconds for which the host has been silent, and the state of the run. That is the state that the
+ * host has reported (ring.h), or `gone` if the process has ended without a report. */
 void control_beat(const struct control *control, bool host_has_ended, struct buffer *message);
 
 #endif

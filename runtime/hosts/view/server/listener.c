@@ -46,7 +46,8 @@ int listener_open(int *port)
 int listener_accept(int listener)
 {
     const int on = 1, number = set_flags(accept(listener, NULL, NULL));
-    /* Otherwise an answer waits for the acknowledgement of the beat before it, up to 40 ms. */
+    /* Without this, an answer waits up to 40 ms for the acknowledgement of the beat before
+     * it. */
     if (number >= 0)
         setsockopt(number, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     return number;

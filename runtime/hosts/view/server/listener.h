@@ -1,8 +1,9 @@
 /* listener.h -- the socket that pages connect to.
  *
- * libwebsockets keeps accepting connections while any are waiting. A client that opens connections
- * fast enough prevents it from reading accepted connections, and so locks out every page. This
- * listener accepts a few connections, and then lets the server read all that have sent data. */
+ * libwebsockets keeps accepting connections while any are waiting. Therefore a client that opens
+ * connections fast enough prevents it from reading accepted connections, which locks out every
+ * page. This listener accepts a few connections, and then lets the server read all that have sent
+ * data. */
 #ifndef FROB_VIEW_LISTENER_H
 #define FROB_VIEW_LISTENER_H
 

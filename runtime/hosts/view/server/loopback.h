@@ -1,8 +1,8 @@
-/* loopback.h -- the names by which a computer addresses itself: `localhost`, `127.0.0.1` and
- * `[::1]`, with or without a port.
+/* loopback.h -- recognizes the names by which a computer addresses itself: `localhost`,
+ * `127.0.0.1` and `[::1]`, with or without a port.
  *
  * A request for any other host name comes from another site's page, whose name was made to resolve
- * to this computer (DNS rebinding). Any port is allowed, because behind `ssh -L` it is the port of
+ * to this computer (DNS rebinding). Any port is allowed, because with `ssh -L` it is the port at
  * the other end. */
 #ifndef FROB_VIEW_LOOPBACK_H
 #define FROB_VIEW_LOOPBACK_H
@@ -14,7 +14,8 @@
  * not contain a NUL. */
 bool loopback_is_host(const char *text, size_t length);
 
-/* Returns whether the header `Origin` names a page of this computer: `http://` and such a host. */
+/* Returns whether the header `Origin` names a page on this computer: `http://` followed by such a
+ * host. */
 bool loopback_is_origin(const char *text, size_t length);
 
 #endif

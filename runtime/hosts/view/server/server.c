@@ -27,25 +27,27 @@ struct server {
     unsigned long connections;
     struct worker worker;
     struct control control;
-    unsigned long operator; /* number of the page that took control */
-    pid_t host;             /* process id of the run's host */
+    unsigned long operator; /* number of the page that last took control */
+    pid_t host;             /* process id of the host of the run */
     bool host_has_ended, was_visited;
-    bool has_terminal; /* a user can read the address in a terminal, and end the run with Ctrl-C */
-    long leaving;      /* beats since the request to end */
+    bool has_terminal; /* whether a user can read the address in a terminal, and end the run with
+                        * Ctrl-C */
+    long leaving;      /* number of beats since the request to end */
     lws_sorted_usec_list_t again;
-    long idle; /* beats since the last page was closed, or the run ended */
+    long idle; /* number of beats since the last page was closed, or since the run ended */
 };
 
 /* Data that libwebsockets keeps for each connection. */
 struct connection {
-    struct client *client;  /* of a WebSocket connection */
-    const char *rest, *end; /* of a request for a file: the bytes that remain to be sent */
+    struct client *client;  /* for a WebSocket connection */
+    const char *rest, *end; /* for a request for a file: the bytes that remain to be sent */
 };
 
 static struct lws_context *serving;
 static volatile sig_atomic_t ending, asked_to_end;
 
-/* The answering thread may be running an endless program; then the alarm ends the process. */
+/* The alarm ends the process even if the answering thread is running a program that does not
+ * end. */
 static void end(int number)
 {
     (void)number;
@@ -146,7 +148,7 @@ static int on_http(struct lws *wsi, enum lws_callback_reasons reason, void *user
         strangers_hear(&server_of(wsi)->strangers, wsi);
         return connection == NULL || connection->rest == NULL ? 0 : send_file(wsi, connection);
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
-        return -1; /* a WebSocket with an unknown protocol */
+        return -1; /* this is a WebSocket with an unknown protocol */
     default: return lws_callback_http_dummy(wsi, reason, user, in, length);
     }
 }
@@ -186,7 +188,8 @@ static void tell_run(struct server *server)
     }
 }
 
-/* Returns the page that operates the run: the last one that took control, or else the oldest. */
+/* Returns the page that operates the run: the last one that took control or, if none did, the
+ * oldest one. */
 static struct client *operator_of(const struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++)
@@ -215,8 +218,8 @@ static void close_client(struct lws *wsi, struct connection *connection)
     tell_run(server);
 }
 
-/* Passes requests to the worker, at most one of each page at a time, so that no page delays
- * others. */
+/* Passes requests to the worker. Only one request from each page is in progress at a time, so that
+ * no page delays others. */
 static void ask(struct server *server)
 {
     for (size_t i = 0; i < server->client_count; i++) {
@@ -449,8 +452,8 @@ static const struct lws_protocols protocols[] = {
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
 
-/* Checks at each beat of a live run whether the viewer must end, because no page is open any more,
- * the host has requested it, or the host has ended. */
+/* Checks, at each beat of a live run, whether the viewer must end because no page is open, because
+ * the host has requested it, or because the host has ended. */
 static bool is_to_end(struct server *server, bool is_over)
 {
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
@@ -553,8 +556,8 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
     } else {
         control_start(&server.control, view->live.ring);
         server.has_terminal = isatty(STDERR_FILENO) == 1;
-        /* Leave SIGINT to a live run, whose page stays open after it. Ignore Ctrl-Z, which cannot
-         * suspend the robot and must not suspend its Stop button. */
+        /* Leaves SIGINT to a live run, whose page stays open after it. Ignores Ctrl-Z, which
+         * cannot suspend the robot and must not suspend its Stop button. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
         if (view->live.ring != NULL)
             signal(SIGTSTP, SIG_IGN);

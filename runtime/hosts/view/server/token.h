@@ -6,10 +6,11 @@
 
 #define TOKEN_LENGTH 32 /* hexadecimal digits */
 
-/* Creates a token from the operating system's random numbers. Returns false if there are none. */
+/* Creates a token from the operating system's random numbers. Returns false if they are not
+ * available. */
 bool token_make(char token[TOKEN_LENGTH + 1]);
 
-/* Returns whether `text` is the token, in constant time. */
+/* Compares `text` with the token, in constant time. */
 bool token_is(const char *token, const char *text);
 
 #endif

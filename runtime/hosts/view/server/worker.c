@@ -4,8 +4,8 @@
 #include <string.h>
 #include <time.h>
 
-#define LOOK_NS 4000000 /* how often to check a run for new instants */
-#define WORK_S 0.005    /* how long to work before checking for requests */
+#define LOOK_NS 4000000 /* interval at which to check a run for new instants */
+#define WORK_S 0.005    /* time for which to work before checking for requests */
 
 /* Waits until there is a request, or until it is time to check for instants. The caller holds the
  * lock. */

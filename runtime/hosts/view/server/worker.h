@@ -1,8 +1,8 @@
 /* worker.h -- the thread that answers requests, so that a slow answer does not delay the server's
  * urgent messages.
  *
- * While it runs, only this thread uses the view. Requests and answers are exchanged here, guarded
- * by one lock, which is held only briefly. */
+ * While the thread runs, only it uses the view. The functions below exchange requests and answers
+ * with it. They are guarded by a single lock, which is held only briefly. */
 #ifndef FROB_VIEW_WORKER_H
 #define FROB_VIEW_WORKER_H
 
@@ -27,7 +27,8 @@ struct worker {
     pthread_cond_t asked;
     struct job waiting[WORKER_JOBS], done[WORKER_JOBS];
     size_t waiting_count, done_count;
-    /* Number of requests whose answers have not been taken; used only by the thread that asks. */
+    /* The number of requests whose answers have not been taken yet. Only the requesting thread
+     * uses it. */
     size_t jobs;
     struct buffer news;
     bool has_news;
@@ -38,10 +39,10 @@ struct worker {
 bool worker_start(struct worker *worker, struct view *view, void (*wake)(void));
 void worker_end(struct worker *worker);
 
-/* Returns whether there is room for a request. */
+/* Returns whether there is space for a request. */
 bool worker_is_free(const struct worker *worker);
 
-/* Queues a request, for which there must be room; the worker frees it. */
+/* Queues a request, for which there must be space. The worker frees it. */
 void worker_ask(struct worker *worker, unsigned long who, char *request);
 
 /* Takes an answer, which the caller frees. Returns false if there is none. */

@@ -13,7 +13,7 @@ const noteHeight = 20;
 /** Minimum number of page pixels per image pixel for drawing image pixels with sharp edges. */
 const largePixels = 3;
 
-/** Describes a frame that the recording names but does not contain. */
+/** Describes a frame that the recording mentions but does not contain. */
 function loss({ number, k, changed }: NonNullable<Picture["lost"]>): string {
   return (
     `frame ${number}, of instant ${k}, ` +
@@ -64,7 +64,7 @@ export function startCamera(store: Store, host: HTMLElement): void {
     if (at) return at;
     return shown.chosen ? age : `${age}, as the camera saw it`;
   };
-  /** Describes the pixel at a position, with its colour in a program's terms. */
+  /** Describes the pixel at a position, with its colour in the form that programs use. */
   const under = ({ width = 0, height = 0, by = 1 }: Picture, [px, py]: Point): string | null => {
     const x = Math.round((px - left) / scale),
       y = Math.round((py - top) / scale);

@@ -62,8 +62,8 @@ export interface Echo {
   readonly pose: Pose;
 }
 
-/** Draws the cone of each sonar up to its last echo, and an arc there. A cone without an echo
- * has no arc. */
+/** Draws the cone of each sonar up to its last echo, with an arc at the echo. A cone without
+ * an echo has no arc. */
 export function drawEchoes(pen: Pen, robot: Robot, echoes: readonly Echo[]): void {
   const { context } = pen;
   for (const { sonar, range, pose } of echoes) {

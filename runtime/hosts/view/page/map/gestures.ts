@@ -1,4 +1,4 @@
-// Panning and zooming the map with a mouse, fingers or keys. A short press is a click.
+// Pans and zooms the map with a mouse, fingers or keys. A short press is a click.
 import type { View } from "./view";
 import type { Point } from "./world";
 

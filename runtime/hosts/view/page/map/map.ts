@@ -99,7 +99,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
     }
   };
 
-  /** Marks where the robot touched an object until now. */
+  /** Marks the places where the robot has touched an object so far. */
   const drawContacts = (now: number) => {
     const arm = 4;
     context.beginPath();

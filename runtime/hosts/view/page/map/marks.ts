@@ -1,5 +1,5 @@
-// The program's drawing at an instant: the cells of the probe `draw`, each of which contains
-// a mark in Frob's syntax.
+// Reads and draws the program's drawing at an instant. It consists of the cells of the probe
+// `draw`, each of which contains a mark in Frob's syntax.
 import type { Signal } from "../protocol";
 import { isDark } from "../theme";
 import { formatNumber } from "../values";
@@ -73,7 +73,7 @@ class Reader {
     const parts: Value[] = [];
     if (this.words[this.at] === "{")
       for (this.at++; this.at < this.words.length; ) {
-        this.at += 2; // skip the field's name and the equals sign; fields are in order
+        this.at += 2; // skips the field's name and the equals sign, because fields are in order
         parts.push(this.whole());
         if (this.take() === "}") break;
       }
@@ -144,7 +144,7 @@ export function points(shape: Shape): readonly Point[] {
   }
 }
 
-/** Returns the shape with its points moved; angles and lengths do not change. */
+/** Returns the shape with its points moved. Angles and lengths do not change. */
 export function moved(shape: Shape, move: (p: Point) => Point): Shape {
   switch (shape.is) {
     case "line":
@@ -194,7 +194,7 @@ export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: 
   return { marks, readings };
 }
 
-// Okabe and Ito's colours, adapted for light and for dark backgrounds.
+// Okabe and Ito's colours, adapted to light and dark backgrounds.
 const colours: Readonly<Record<string, readonly [string, string]>> = {
   Red: ["#d03b00", "#ff7043"],
   Orange: ["#c98500", "#e69f00"],
@@ -276,7 +276,7 @@ export function drawShape(
   stroke(2);
 }
 
-/** Creates a list of numbers on top of the map; returns the function that updates it. */
+/** Creates a list of numbers on top of the map. Returns the function that updates it. */
 export function readingsList(host: HTMLElement): (readings: readonly Reading[]) => void {
   const list = document.createElement("dl");
   list.id = "readings";

@@ -1,4 +1,5 @@
-// The robots' shapes, and the positions and directions of their sonars, as in the simulator.
+// The shapes of the robots, and the positions and directions of their sonars, as in the
+// simulator.
 import type { Point } from "./world";
 
 export interface Sonar {

@@ -67,8 +67,9 @@ export function blend(from: string, to: string, share: number): string {
   return `#${mixed.join("")}`;
 }
 
-/** The colour of a floor with this reflectance: the theme's floor colour if it reflects all light.
- * On a dark page, bright and dark are exchanged, so that lines on the floor stand out. */
+/** The colour of a floor with this reflectance. A floor that reflects all light has the theme's
+ * floor colour. On a dark page, bright and dark are exchanged, so that lines on the floor stand
+ * out. */
 function shade(reflectance: number): string {
   return blend(colour("black-floor"), colour("floor"), reflectance);
 }
@@ -178,8 +179,8 @@ function drawObjects(pen: Pen, world: World): void {
   for (const lamp of world.lamps) drawLamp(pen, lamp);
 }
 
-/** Draws the boxes and balls where they are. If that is not known, as in a recording, draws them at
- * the start, with dashed edges. */
+/** Draws the boxes and balls at their current places. If these are not known, as in a recording,
+ * draws them at their initial places, with dashed edges. */
 export function drawMovable(pen: Pen, world: World, objects: Instant["objects"]): void {
   const dash = objects ? [] : [3, 4];
   const at = (number: number, start: Pose): Pose => {

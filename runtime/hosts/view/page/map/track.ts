@@ -1,13 +1,13 @@
-// The path of a robot: its corners, and the time at which the robot passed each. In a live run, the
-// path grows: the viewer sends all corners since the last one, even for instants that the page has
-// not shown.
+// The path of a robot: its corners, and the time at which the robot passed each of them. In a live
+// run, the path grows: the viewer sends all corners since the last one, even for instants that the
+// page has not shown.
 import type { Extent } from "./view";
 import type { Point } from "./world";
 
 export class Track {
   points: Point[] = [];
   times: number[] = [];
-  /** The instant of the last corner, at which the path is continued. */
+  /** The instant of the last corner, from which the path is continued. */
   next = 0;
   /** The index of this corner. Points after it are provisional. */
   private corner = -1;
@@ -18,7 +18,7 @@ export class Track {
   extend(from: number, points: readonly Point[], times: readonly number[], next: number): void {
     if (from !== this.next && from !== 0) return;
     const kept = from === 0 ? 0 : this.corner + 1;
-    // The new part starts with a corner that is known already.
+    // The new part starts with a corner that is already known.
     const skipped = kept === 0 ? 0 : 1;
     this.points.length = this.times.length = kept;
     this.points.push(...points.slice(skipped));
@@ -29,7 +29,7 @@ export class Track {
     else if (kept === 0) this.corner = this.points.length - 1;
   }
 
-  /** Returns the number of points passed by this time. */
+  /** Returns the number of points that the robot has passed by this time. */
   passed(time: number): number {
     let low = 0,
       high = this.times.length;
@@ -53,7 +53,7 @@ export class Track {
     return [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])];
   }
 
-  /** Returns the time at which the path was nearest to a point. */
+  /** Returns the time at which the path was closest to a point. */
   nearest([x, y]: Point): number | undefined {
     let best = Infinity,
       time: number | undefined = this.times[0];

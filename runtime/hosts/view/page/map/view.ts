@@ -1,5 +1,5 @@
-// Which part of the world the map shows: everything, the surroundings of the robot, or a part that
-// the user has chosen.
+// Determines which part of the world the map shows: everything, the surroundings of the robot, or
+// a part that the user has chosen.
 import type { Point } from "./world";
 
 /** Margin around everything, in metres. */
@@ -7,7 +7,8 @@ const margin = 0.35;
 /** Pixels per metre. */
 const leastScale = 0.5,
   mostScale = 2000;
-/** Width of the surroundings that the map shows at first when it follows the robot, in metres. */
+/** The initial width of the surroundings that the map shows when it follows the robot, in
+ * metres. */
 const surroundings = 4;
 
 /** The bounding box of points. */

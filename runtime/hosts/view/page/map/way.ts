@@ -1,5 +1,5 @@
-// Draws the path of a robot, from light at the start to dark at the shown instant, with a mark
-// every few seconds.
+// Draws the path of a robot. The colour changes from light at the start to dark at the shown
+// instant, and there is a mark every few seconds.
 import { colour } from "../theme";
 import { formatNumber } from "../values";
 import { niceStep } from "../ticks";
@@ -7,14 +7,14 @@ import { blend, type Pen } from "./scene";
 import type { Track } from "./track";
 import type { Point } from "./world";
 
-/** Number of pieces, each of one colour. */
+/** Number of pieces, each with a colour of its own. */
 const pieces = 48;
 /** Approximate number of time marks. */
 const marks = 6;
 /** Minimum distance between a mark and the robot or the previous mark, in pixels. */
 const markSpace = 26;
 
-/** Omits points that are less than half a pixel from the one before. */
+/** Omits points that are less than half a pixel away from the previous one. */
 function thinned(pen: Pen, points: readonly Point[]): Point[] {
   const all: Point[] = [];
   let last: Point | undefined;
@@ -27,7 +27,7 @@ function thinned(pen: Pen, points: readonly Point[]): Point[] {
   return all;
 }
 
-/** Draws the path up to `time`, where it ends at the robot, and the rest in a faint colour. */
+/** Draws the path up to `time`, which ends at the robot, and the rest in a faint colour. */
 export function drawWay(
   pen: Pen,
   track: Track,
@@ -77,7 +77,8 @@ export function drawTimes(
     const pixel = view.toPixel(at);
     if (apart(pixel, view.toPixel(robot)) < markSpace || apart(pixel, last) < markSpace) continue;
     last = pixel;
-    // Put the label on the right of the path, away from a wall that the robot follows on its left.
+    // Puts the label on the right of the path, away from a wall that the robot follows on its
+    // left.
     const heading = Math.atan2(at[1] - before[1], at[0] - before[0]);
     const [x, y] = [pixel[0] + 18 * Math.sin(heading), pixel[1] + 14 * Math.cos(heading) + 4];
     pen.disc(at, 3.2, colour("panel"));

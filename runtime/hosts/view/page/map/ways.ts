@@ -1,5 +1,5 @@
-// The paths of all robots, and the requests for them: the path by odometry, and, in a live
-// simulated run, the true paths.
+// Requests and stores the paths of all robots: the path according to odometry and, in a
+// live simulated run, the true paths.
 import type { Store } from "../store";
 import { placed, type Pose } from "./pose";
 import { Track } from "./track";
@@ -20,7 +20,7 @@ export class Ways {
 
   constructor(
     private readonly store: Store,
-    /** The numbers of the signals with the position by odometry. */
+    /** The numbers of the signals that contain the position according to odometry. */
     private readonly x: number,
     private readonly y: number,
     private readonly start: Pose,
@@ -46,7 +46,7 @@ export class Ways {
     while (this.true.length < robots) this.true.push(new Track(this.extent));
     this.loadBelieved(this.believed.next);
     if (robots > 0) this.loadTrue(0);
-    // Request the path of one other robot at a time, because there may be hundreds.
+    // Requests the path of one other robot at a time, because there may be hundreds.
     if (robots > 1) this.loadTrue(1 + (this.turn++ % (robots - 1)));
   }
 

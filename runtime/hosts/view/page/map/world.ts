@@ -9,7 +9,7 @@ export interface World {
   readonly walls: readonly { readonly points: readonly Point[]; readonly thickness: number }[];
   readonly solids: readonly (readonly Point[])[];
   readonly circles: readonly Disc[];
-  /** Boxes and balls, which robots can push, at the start. */
+  /** The initial places of boxes and balls, which robots can push. */
   readonly boxes: readonly Box[];
   readonly balls: readonly Disc[];
   readonly cones: readonly Disc[];

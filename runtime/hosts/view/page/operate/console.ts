@@ -7,7 +7,7 @@ import { formatNumber } from "../values";
 /** Interval at which a held button is reported, in ms: the host releases it after 300 ms without a
  * report. */
 const renewal = 100;
-/** Minimum interval between values sent while a knob is turned, in ms. */
+/** Minimum interval between the values that are sent while a knob is turned, in ms. */
 const pace = 50;
 const steps = 200;
 
@@ -114,7 +114,7 @@ function knob(control: Control, touch: (x: number) => void): Shown {
   host.append(name, value, slider);
   draw();
   const show = (cell: string) => {
-    // Do nothing while the user is turning the knob.
+    // Does nothing while the user is turning the knob.
     if (timer !== undefined || slider.matches(":active")) return;
     slider.value = cell;
     draw();
@@ -128,10 +128,10 @@ function note(text: string): Shown {
   return { host, show: nothing, release: nothing };
 }
 
-/** Null if the page does not show this kind. */
+/** Null if the page does not show controls of this kind. */
 function make(store: Store, control: Control, number: number): Shown | null {
   const touch = (x: number) => void store.command(`touch ${number} ${x} 0`);
-  // Without contact, the host releases the button automatically.
+  // If contact is lost, the host releases the button automatically.
   const hold = (x: number) => {
     if (x > 0 || !store.contact.isLost) store.command(`hold ${number} ${x}`);
   };
@@ -166,7 +166,7 @@ export function startConsole(store: Store, host: HTMLElement): void {
   };
   host.append(...seen.map((each) => each.host));
 
-  // Follow the program's input, whoever changed it, but not while a change is pending.
+  // Follows the program's input, whoever has changed it, but not while a change is pending.
   const follow = () => {
     store.program.console.forEach((control, number) => {
       const cell = store.newest?.cells[control.signal];

@@ -56,7 +56,7 @@ export function startLive(store: Store): Stop {
   single.onclick = () => store.command("step");
   speed.onchange = () => {
     store.command(`speed ${speed.value}`);
-    speed.blur(); // return the keyboard focus to the page
+    speed.blur(); // returns the keyboard focus to the page
   };
   operate.onclick = () => store.command("take");
   startKeyboard(store, type);
@@ -76,7 +76,7 @@ export function startLive(store: Store): Stop {
             ? "No new instant"
             : "Live";
     follow.ariaPressed = String(following && silent === "nobody");
-    // Disable controls whose command cannot be executed now.
+    // Disables controls whose commands cannot be executed at the moment.
     for (const each of [element("pace"), type, operate]) each.inert = isLost;
     element("pace").hidden = !run?.paces || !run.operates;
     hold.textContent = run?.paused ? "Continue" : "Pause";

@@ -2,11 +2,11 @@
 // confirmed it.
 import type { Store } from "../store";
 
-/** How long the host may take to acknowledge a stop, in ms. */
+/** Maximum time that the host may take to acknowledge a stop, in ms. */
 const patience = 500;
 const period = 50;
 
-/** Texts for a run that is over or ending. */
+/** Texts for a run that is over, or that is ending. */
 const fates = {
   "at rest": "Stopped.",
   told: "A stop command was sent to the robot, but it may still be moving.",
@@ -27,7 +27,8 @@ const labels: Readonly<Record<State, string>> = {
 };
 
 export class Stop {
-  /** When the user requested the stop, by the page's clock; null: not requested. */
+  /** The time at which the user requested the stop, according to the page's clock; null if it was
+   * not requested. */
   private asked: number | null = null;
   /** Whether the stop was sent on the current connection. */
   private isSent = false;

@@ -20,7 +20,7 @@ export interface Body {
   readonly traces: readonly Trace[];
   /** Requests the data for the visible range. */
   load(): void;
-  /** Requests the data that has arrived since the last request, if the plot follows a live run. */
+  /** Requests data that has arrived since the last request, if the plot follows a live run. */
   grow(): void;
   /** Draws the plot with a new height, or with new colours. */
   build(height: number): void;

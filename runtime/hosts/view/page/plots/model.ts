@@ -10,8 +10,8 @@ export interface Plot {
   isXy: boolean;
 }
 
-/** The key of an axis: the unit of a signal, or the names of its values. Signals with the same key
- * share an axis. */
+/** The key of an axis: the unit of its signals, or the names of their values. Signals with the same
+ * key share an axis. */
 export function axisOf(signal: Signal | undefined): string {
   if (!signal) return "";
   if (signal.kind === "bool") return "Bool";
@@ -31,8 +31,8 @@ export function newPlot(signals: number[]): Plot {
   return { id: ++count, signals, fixed: null, isXy: false };
 }
 
-// The text of plots in addresses: plots are separated by `;`, their signals by `,`. An XY plot
-// starts with `xy:`, and a fixed range follows as `@LOW..HIGH`.
+// The text that describes plots in addresses: plots are separated by `;`, and their signals by
+// `,`. An XY plot starts with `xy:`. A fixed range has the form `@LOW..HIGH`, at the end.
 
 export function spell(plots: readonly Plot[], program: Program): string {
   const name = (number: number) => encodeURIComponent(program.signals[number]?.name ?? "");

@@ -6,12 +6,12 @@ import type { Plot } from "./model";
 import { Strip } from "./strip";
 import { drawTimeAxis, timeAxisHeight } from "./time_axis";
 
-/** Minimum height of a plot of numbers, and of a plot of truth values or names. */
+/** Minimum heights of a plot of numbers, and of a plot of truth values or names. */
 const leastHigh = 60,
   leastLow = 44;
 /** Maximum height of a plot of truth values or names. */
 const mostLow = 90;
-/** Maximum number of plots at which there is room for a hint on how to add one. */
+/** Maximum number of plots with which there is space for a hint on how to add one. */
 const hinted = 1;
 
 export function startPlots(store: Store, host: HTMLElement): void {
@@ -37,7 +37,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
     drawTimeAxis(store, axis);
     strips.forEach((strip) => strip.load());
   };
-  /** Shares the height of the panel among the plots. */
+  /** Divides the height of the panel among the plots. */
   const layOut = () => {
     if (host.clientWidth === 0) return;
     const all = store.plots.flatMap((plot) => strips.get(plot) ?? []);

@@ -1,5 +1,5 @@
-// Requests for the points of plots. Each user, such as a plot, has at most one pending request for
-// a signal, so that a page with many plots does not request more than it can draw.
+// Requests for the points of plots. Each requester, such as a plot, has at most one pending
+// request for a signal, so that a page with many plots does not request more than it can draw.
 import type { Series } from "../protocol";
 
 export interface SeriesWanted {
@@ -25,8 +25,8 @@ export class SeriesRequests {
 
   constructor(private readonly ask: (question: string) => void) {}
 
-  /** If several requests are made while one is pending, only the last is sent; the others get no
-   * answer. */
+  /** If several requests are made while one is pending, only the last one is sent, and the others
+   * get no answer. */
   request(user: string, wanted: SeriesWanted, then: (series: Series) => void): void {
     const key = `${user} ${wanted.signal}`;
     const slot = this.slots.get(key);

@@ -3,7 +3,8 @@ import type { Signal } from "../protocol";
 import { niceStep } from "../ticks";
 import { formatNumber, formatPoint } from "../values";
 
-/** Whether the values of a signal are truth values or names, which need only a low plot. */
+/** Whether the values of a signal are truth values or names, for which a low plot is
+ * sufficient. */
 export function isNamed(signal: Signal): boolean {
   return signal.kind === "bool" || signal.kind === "mode" || signal.kind === "sum";
 }
@@ -38,7 +39,8 @@ function shorten(name: string): string {
   return name.length > 10 ? `${name.slice(0, 9)}…` : name;
 }
 
-/** Returns the labelled positions on an axis of some pixels: of names, or of round numbers. */
+/** Returns the positions to label on an axis with this number of pixels. They represent names
+ * or round numbers. */
 export function splitsOf(
   named: Signal | undefined,
   [low, high]: readonly [number, number],
@@ -53,7 +55,7 @@ export function splitsOf(
   );
 }
 
-/** Labels the positions on an axis. */
+/** Labels these positions on an axis. */
 export function labels(signal: Signal | undefined, splits: readonly number[]): string[] {
   return splits.map((x) =>
     signal && isNamed(signal) ? shorten(formatPoint(signal, x)) : formatNumber(x),

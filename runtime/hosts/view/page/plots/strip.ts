@@ -21,7 +21,7 @@ function button(text: string, title: string, act: () => void): HTMLButtonElement
   return made;
 }
 
-/** The name and the value of a signal. */
+/** The name of a signal, with its value. */
 class Entry {
   readonly element = document.createElement("span");
   readonly name: HTMLButtonElement;

@@ -106,7 +106,7 @@ export class TimePlot implements Body {
 
   private isOld = false;
 
-  /** Rebuilds the plot when it is drawn next. */
+  /** Rebuilds the plot the next time it is drawn. */
   forget(): void {
     this.isOld = true;
   }

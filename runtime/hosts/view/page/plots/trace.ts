@@ -3,7 +3,8 @@
 import type { Series, Signal } from "../protocol";
 import type { Store } from "../store";
 
-/** Maximum number of points in a request for the newest data, large enough for all of it. */
+/** Maximum number of points in a request for the newest data. It is large enough for all of that
+ * data. */
 const mostPoints = 100_000;
 
 type Values = (number | null)[];
@@ -40,11 +41,11 @@ export class Trace {
     });
   }
 
-  /** Requests the data that has arrived since the last request, if the plot follows a live run. */
+  /** Requests data that has arrived since the last request, if the plot follows a live run. */
   grow(width: number): void {
     if (this.store.series.awaits(this.user, this.number)) return;
-    // Data of the whole run grows without limit; load it again in the plot's resolution. In a fast
-    // run, most of it is new.
+    // The data of the whole run grows without limit, so it is loaded again at the plot's
+    // resolution. In a fast run, most of it is new in any case.
     const [start, end] = this.store.range;
     const isNew = (this.times.at(-1) ?? start) < start + (end - start) / 2;
     if (this.times.length > 8 * width || isNew) {
@@ -66,7 +67,7 @@ export class Trace {
     const last = this.times.at(-1) ?? -Infinity;
     const isNew = (_: unknown, i: number) => (series.times[i] ?? 0) > last;
     const times = [...this.times, ...series.times.filter(isNew)];
-    // Keep one point before the visible range, because its step extends into the range.
+    // Keeps one point before the visible range, because its step extends into the range.
     const first = Math.max(0, times.findIndex((time) => time > from) - 1);
     const joined = (before: Values, more: Values) =>
       [...before, ...more.filter(isNew)].slice(first);
@@ -80,8 +81,8 @@ export class Trace {
     return this.values.every((value) => value === null);
   }
 
-  /** Returns the value that the signal has at a time: its last value before that time; for an
-   * event, the nearest value within `close` seconds. */
+  /** Returns the value that the signal has at a time, which is its last value before that time. For
+   * an event, returns the nearest value within `close` seconds. */
   at(seconds: number, close: number, values = this.values): number | null {
     let low = 0,
       high = this.times.length;

@@ -8,7 +8,7 @@ import type { Plot } from "./model";
 import { around, splitsOf } from "./scales";
 import { Trace } from "./trace";
 
-/** Number of requested columns; the data of shorter runs is complete. */
+/** Number of columns to request. The data of shorter runs is complete. */
 const columns = 4000;
 const bottom = 20,
   top = 8,
@@ -34,7 +34,7 @@ export class XyPlot implements Body {
   private readonly canvas = document.createElement("canvas");
   private readonly still = document.createElement("canvas").getContext("2d");
   private height = 100;
-  /** For each vertical signal: its times and points, and the same from the other recording. */
+  /** The times and points of each vertical signal, and the same from the other recording. */
   private points: Points[] = [];
   private others: Points[] = [];
 
@@ -71,7 +71,7 @@ export class XyPlot implements Body {
       let i = 0,
         j = 0;
       return times.flatMap((time) => {
-        // Both signals hold their values until the next instant.
+        // Both signals keep their values until the next instant.
         while ((across.times[i + 1] ?? Infinity) <= time) i++;
         while ((trace.times[j + 1] ?? Infinity) <= time) j++;
         const x = xs[i],
@@ -123,7 +123,7 @@ export class XyPlot implements Body {
     context.textAlign = "left";
   }
 
-  /** Names the horizontal axis; the header names the other signals. */
+  /** Names the signal on the horizontal axis; the header names the other signals. */
   private drawName(context: CanvasRenderingContext2D, x: Axis): void {
     const [across] = this.traces;
     const { name = "", unit = "" } = across?.signal ?? {};

@@ -7,9 +7,9 @@ export interface SavedRun {
   readonly contacts: Contacts["all"];
   readonly times: readonly number[];
   readonly dts: readonly number[];
-  /** For each signal: the instants at which its cell changes, each followed by the cell. */
+  /** For each signal, the instants at which its cell changes, each followed by the cell. */
   readonly cells: readonly (readonly (number | string)[])[];
-  /** The values of the other recording or the edited program; null where there is none. */
+  /** The values of the other recording or the edited program; null if there is none. */
   readonly others?: readonly (readonly (number | string | null)[])[];
   readonly whatIf?: WhatIf;
   /** For a simulated run: the true state of the robots at each instant. */
@@ -18,7 +18,7 @@ export interface SavedRun {
   readonly objects: readonly (number | Instant["objects"])[];
 }
 
-/** Maximum number of instants of a saved page. */
+/** Maximum number of instants in a saved page. */
 export const mostInstants = 20_000;
 
 async function through(bytes: BlobPart, stream: GenericTransformStream): Promise<ArrayBuffer> {

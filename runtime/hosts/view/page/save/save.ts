@@ -1,4 +1,5 @@
-// Saves the run with the page as one file, which opens without a viewer.
+// Saves the run together with the page as one file, which can be opened
+// without a viewer.
 import type { Kept } from "../kept";
 import { spell } from "../plots/model";
 import type { Instant } from "../protocol";
@@ -83,7 +84,7 @@ async function build(run: SavedRun): Promise<Blob> {
     file("icon.svg"),
     pack(run),
   ]);
-  // A function, because `$` is special in replacement strings.
+  // This is a function because `$` is special in replacement strings.
   const whole = page
     .replace(
       /<link rel="icon"[^>]*>/,

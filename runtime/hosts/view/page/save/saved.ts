@@ -30,7 +30,7 @@ export class Saved implements Link {
       this.answer(run.claims, "");
       if (run.whatIf) this.answer(run.whatIf, "");
     });
-    // There is no viewer with which the page could lose contact.
+    // There is no viewer, so the page cannot lose contact with it.
     setInterval(() => this.answer({ is: "beat", time: 0 }, ""), 100);
   }
 
@@ -47,7 +47,7 @@ export class Saved implements Link {
   }
 
   ask(question: string): void {
-    // Like a viewer, never answer before the caller has finished.
+    // As with a viewer, answers never arrive before the caller has finished.
     queueMicrotask(() => this.answer(this.answerTo(question), question));
   }
 

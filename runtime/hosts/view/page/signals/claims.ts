@@ -29,8 +29,8 @@ function inShort(claims: readonly Claim[], isLive: boolean): string {
   return `no assertion violated${isLive ? " so far" : ""}`;
 }
 
-/** Returns the next of `times` after the current time, or the previous one before it. Wraps around
- * at the ends. */
+/** Returns the first of `times` after the current time, or the last one before it. Wraps around at
+ * the ends. */
 function nextOf(times: readonly number[], now: number, isForward: boolean): number | undefined {
   const sorted = [...new Set(times)].sort((a, b) => a - b);
   return isForward

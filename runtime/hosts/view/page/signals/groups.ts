@@ -1,11 +1,11 @@
-// How the list of signals is divided: the program's own signals first, those of the library last
-// and folded.
+// Divides the list of signals into groups. The program's own signals are first; those of the
+// library are last, and folded.
 import type { Program, Signal } from "../protocol";
 import { modeSignals } from "./modes";
 
 export type GroupName = "Output" | "Modes" | "Inside" | "Constants" | "Input" | "Library";
 
-/** In the order of the list. */
+/** In the order in which the list shows them. */
 export const groupNames: readonly GroupName[] = [
   "Output",
   "Modes",
@@ -15,7 +15,7 @@ export const groupNames: readonly GroupName[] = [
   "Library",
 ];
 
-/** Returns the group of each signal; null: the list does not show it. */
+/** Returns the group of each signal; null if the list does not show it. */
 export function grouped(program: Program): (GroupName | null)[] {
   const modes = new Set(modeSignals(program));
   const library = new Set(

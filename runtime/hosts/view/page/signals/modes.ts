@@ -60,8 +60,8 @@ interface Edge {
   readonly lane: number;
 }
 
-/** Computes the edges by the positions of their ends. Each gets the first lane that is free along
- * its length. */
+/** Computes the edges from the positions of their ends. Each edge gets the first lane that is free
+ * along its length. */
 function edges(
   transitions: readonly Transition[],
   order: readonly number[],

@@ -1,4 +1,4 @@
-// The list of all signals with their values; a click plots one.
+// The list of all signals with their values. A click plots a signal.
 import { grouped, groupNames, type GroupName } from "./groups";
 import { machineName, modesOf } from "./modes";
 import { canBeDragged } from "../plots/drag";
@@ -133,7 +133,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
         unfix(shown);
       }
       if (cell !== "" || groupOf[number] !== "Constants") shown.cell = cell;
-      // Change the existing text node: new nodes many times a second would leave a lot of garbage.
+      // Changes the existing text node, because creating new nodes many times a second would leave
+      // a lot of garbage.
       (value.firstChild as Text).data = formatCell(signal, cell);
       value.title = cell;
       row.classList.toggle("nothing", isNothing(signal, cell));

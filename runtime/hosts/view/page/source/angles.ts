@@ -1,13 +1,13 @@
 // Finds the signals that are angles or turn rates according to their types. The unit of a signal
-// does not show this, because radians are dimensionless. So this module reads the types from the
-// source text of the program.
+// does not show this, because radians are dimensionless. Therefore this module reads the types
+// in the source text of the program.
 import type { Program, Signal, Source } from "../protocol";
 
 const units: Readonly<Record<string, string>> = { Angle: "rad", AngularVelocity: "rad/s" };
 /** The unit of such a signal as the compiler knows it. */
 const plain: Readonly<Record<string, string>> = { rad: "", "rad/s": "1/s" };
 
-/** A name with its unit, on some lines of a file. */
+/** A name with its unit, which applies to some lines of a file. */
 interface Named {
   readonly file: string;
   readonly first: number;
@@ -67,8 +67,9 @@ function ofDefinition(signature: string, definition: string): [string, string][]
   ];
 }
 
-/** Maps each function that has a signature to the type of its result, or of the output of the
- * signal function that it returns; null if functions of the same name have different types. */
+/** Maps each function that has a signature to the type of its result, or, if it returns a signal
+ * function, of that function's output. The type is null if functions of the same name have
+ * different types. */
 type Results = ReadonlyMap<string, string | null>;
 
 function resultsOf(sources: readonly Source[]): Results {
@@ -102,7 +103,7 @@ function namesIn({ name: file, text }: Source, results: Results): Named[] {
     const unit = units[type.trim()];
     if (unit !== undefined) found.push({ file, first, last, name, unit });
   };
-  // Split the file into the parts that begin at the left margin: signatures and definitions.
+  // Splits the file into the parts that begin at the left margin: signatures and definitions.
   const starts = lines.flatMap((line, i) => (/^[\w(]/.test(line) ? [i] : []));
   let signature: { readonly name: string; readonly type: string } | null = null;
   starts.forEach((start, i) => {
@@ -131,7 +132,7 @@ function namesIn({ name: file, text }: Source, results: Results): Named[] {
 export function withRadians(program: Program): Program {
   const results = resultsOf(program.sources);
   const names = program.sources.flatMap((source) => namesIn(source, results));
-  /** The unit of a field, if all records agree on it. */
+  /** The unit of a field, if it is the same in all records. */
   const fields = new Map<string, string | null>();
   for (const { name, unit } of names)
     fields.set(name, (fields.get(name) ?? unit) === unit ? unit : null);

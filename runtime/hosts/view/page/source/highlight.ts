@@ -25,7 +25,7 @@ const marks: Readonly<Record<string, Decoration>> = Object.fromEntries(
   ["comment", "number", "type", "keyword", "operator"].map((name) => [name, mark(name)]),
 );
 
-/** Returns the nesting depth of comments after a text. */
+/** Returns the nesting depth of comments at the end of a text. */
 function depthAfter(text: string, depth: number): number {
   for (const [bracket] of text.matchAll(
     /--+(?![!#$%&*+./<=>?@\\^|~:-]).*|\{-|-\}|"(?:[^"\\\n]|\\.)*"/g,

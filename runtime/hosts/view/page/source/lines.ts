@@ -27,7 +27,7 @@ export interface LineValues {
 
 const mostChips = 12;
 
-/** The signals of a line, by instance. */
+/** The signals on a line, by instance. */
 type Instances = Map<string, number[]>;
 
 export class Lines {
@@ -88,8 +88,8 @@ export class Lines {
     }
   }
 
-  /** Returns whether an instance runs: then some signal has a value. An instance that contains only
-   * events, which have no value at most instants, counts as running. */
+  /** Returns whether an instance runs, in which case some signal has a value. An instance that
+   * contains only events, which have no value at most instants, counts as running. */
   private runs(instance: string): boolean {
     const { instant, program } = this.store;
     const members = this.members.get(instance) ?? [];
@@ -99,7 +99,8 @@ export class Lines {
     );
   }
 
-  /** Returns the index of the chosen instance, or else of the first that runs. */
+  /** Returns the index of the chosen instance or, if none was chosen, of the first one that
+   * runs. */
   private shown(instances: Instances): number {
     const chosen = this.chosen.get(Lines.key(instances));
     if (chosen !== undefined) return chosen;
@@ -109,7 +110,7 @@ export class Lines {
     );
   }
 
-  /** Returns the values on a line, as many as fit into `room` characters, but at least one. */
+  /** Returns as many values on a line as fit into `room` characters, but at least one. */
   values(file: string, line: number, room: number): LineValues | null {
     const instances = this.files.get(file)?.get(line);
     if (!instances) return null;

@@ -36,8 +36,8 @@ const look = EditorView.theme({
   ".token-operator": { color: "var(--operator)" },
   ".idle, .idle span": { color: "var(--dim) !important", fontWeight: "400 !important" },
   ".asked": { backgroundColor: "var(--picked)" },
-  // The values never make a line wrap: they take no space. If there is no room for them after the
-  // text, they cover its end.
+  // The values take no space, so they never make a line wrap. If there is not enough space after
+  // the text, they cover its end.
   ".values": {
     position: "sticky",
     right: "6px",
@@ -48,7 +48,7 @@ const look = EditorView.theme({
     whiteSpace: "nowrap",
     background: "linear-gradient(to right, transparent, var(--panel) 1.5ch)",
   },
-  // The values are almost transparent while the pointer is on the text.
+  // The values become almost transparent while the pointer is on the text.
   ".cm-line:hover .values:not(:hover)": { opacity: "0.15" },
   ".values button": {
     font: "12px var(--mono)",
@@ -212,10 +212,10 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       update();
     },
   };
-  /** The line of which all values are shown; 0: none. */
+  /** The line of which all values are shown; 0 if there is none. */
   let expanded = 0;
-  /** Returns the room for values after a text, in characters: the free space, or, if there is too
-   * little, less than half of the line, whose end the values then cover. */
+  /** Returns the space for values after a text, in characters. If the free space is too small, this
+   * is less than half of the line, and the values cover the end of the text. */
   const roomAfter = (line: number, text: string) => {
     const across = view.contentDOM.clientWidth / Math.max(1, view.defaultCharacterWidth) - 2;
     const free = text.length < across ? across - text.length : 0;
@@ -234,8 +234,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const [first, last] = inView();
     if (first < covered[0] || last > covered[1]) update();
   };
-  /** Returns whether the text has its original lines. If lines were added or removed, values would
-   * be next to other lines. */
+  /** Returns whether the text still has its original lines. If lines were added or removed, the
+   * values would be next to other lines. */
   const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
     if (!current) return;

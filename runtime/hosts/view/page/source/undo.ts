@@ -1,11 +1,12 @@
-// Undo and redo of changes to the edited program. Changes in quick succession are one step.
+// Undoes and redoes changes to the edited program. Changes in quick succession form one
+// step.
 import { Transaction, type ChangeSet, type Extension } from "@codemirror/state";
 import { EditorView, type KeyBinding } from "@codemirror/view";
 
 /** Maximum time between changes of one step, in ms. */
 const soon = 500;
 
-/** Each step as the changes that undo it, the newest first. */
+/** The steps, each given as the changes that undo it, newest first. */
 type Step = ChangeSet[];
 
 export function undoing(): { extension: Extension; keys: KeyBinding[] } {

@@ -1,5 +1,5 @@
-// What-if: runs the program with an edited text or other parameters, on the same inputs or again in
-// the simulator.
+// Answers what-if questions: runs the program with an edited text or other parameters, on the same
+// inputs or again in the simulator.
 import { ParamFields } from "./params";
 import type { Store } from "../store";
 
@@ -7,7 +7,7 @@ import type { Store } from "../store";
 const longest = 60_000;
 
 export interface Editor {
-  /** `text`: an edited text to continue with; null: the program's own. */
+  /** `text`: an edited text to continue with; null for the program's own text. */
   begin(text: string | null): void;
   text(): string;
   end(): void;

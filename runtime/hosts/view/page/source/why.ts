@@ -31,7 +31,7 @@ export class WhyPanel {
   /** The button that starts and ends explaining. */
   readonly button: HTMLButtonElement;
   readonly element = document.createElement("section");
-  /** The steps back so far; the last one is shown. */
+  /** The steps back so far, of which the last one is shown. */
   private way: Asked[] = [];
   /** Whether the cursor is moving to the instant of the last step. */
   private isMoving = false;
@@ -111,7 +111,7 @@ export class WhyPanel {
     this.store.show(why.file === "" ? null : { ...why, instance });
   }
 
-  // Returns a signal by its number.
+  // Returns a signal, given its number.
 
   private signal(number: number): Signal {
     const signal = this.store.program.signals[number];

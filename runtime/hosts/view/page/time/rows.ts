@@ -1,5 +1,5 @@
-// The rows of the timeline: the modes of state machines. For a program with few of them, also its
-// events and first outputs, so that the user can recognize parts of the run.
+// The rows of the timeline show the modes of state machines. If a program has few of them, they
+// also show its events and first outputs, so that the user can recognize parts of the run.
 import { grouped } from "../signals/groups";
 import { modeSignals } from "../signals/modes";
 import type { Program } from "../protocol";
@@ -10,7 +10,8 @@ export interface Row {
   readonly number: number;
 }
 
-/** If the timeline has at least this number of rows of modes, it shows no events and outputs. */
+/** If the timeline has at least this number of rows with modes, it does not show events and
+ * outputs. */
 const enough = 2;
 const mostEvents = 2;
 const mostLines = 2;

@@ -1,4 +1,4 @@
-// The time line of the whole run: modes as bands, the cursor, the mark, and the range of the plots.
+// The timeline of the whole run: modes as bands, the cursor, the mark, and the range of the plots.
 import { clear } from "../canvas";
 import { around } from "../plots/scales";
 import { machineName } from "../signals/modes";
@@ -11,9 +11,9 @@ import { rowsOf } from "./rows";
 
 const bandHeight = 16;
 const axisHeight = 20;
-/** Maximum distance, in pixels, from the pointer to an end of the plots' range to drag this end. */
+/** Maximum distance, in pixels, at which the pointer can grab an end of the plots' range. */
 const handle = 6;
-/** Maximum number of bands that leaves room for the rest of the page. */
+/** Maximum number of bands that leaves enough space for the rest of the page. */
 const mostBands = () => (innerHeight < 800 ? 4 : 6);
 /** Interval at which the bands of a live run are requested, in ms. */
 const bandsEvery = 500;
@@ -107,8 +107,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     context.stroke();
   };
 
-  /** Marks where the other program or recording differs: where a mode differs, or a value differs
-   * by more than 5 % of its range. */
+  /** Marks the times at which the other program or recording differs: its mode is different, or its
+   * value differs by more than 5 % of its range. */
   const drawDifferences = ({ times, values, others }: Series, kind: string, y: number) => {
     if (!others) return;
     const [low, high] = around([...values, ...others]);
@@ -165,7 +165,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
 
   const drawLine = (seconds: number, stroke: string, dash: number[]) => {
-    // Keep the whole line visible at the ends.
+    // Keeps the whole line visible at both ends.
     const x = Math.min(Math.max(place(seconds), 6), width - 6);
     shown.strokeStyle = stroke;
     shown.lineWidth = 2;
@@ -284,7 +284,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("extent", () => {
     const wait = program.live ? asked + bandsEvery - performance.now() : 0;
     if (wait <= 0) askForBands();
-    // Later, so that the last instants before a pause are shown too.
+    // This runs later, so that the last instants before a pause are also shown.
     else if (timer === 0) timer = window.setTimeout(askForBands, wait);
     if (!store.following) draw();
   });
