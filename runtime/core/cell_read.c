@@ -1,5 +1,6 @@
-/* Parses the text of a value by recursive descent, guided by the value's type. The recursion is as
- * deep as the type, not as the text, because parentheses are counted instead of nested. */
+/* Parses the text of a value by recursive descent, guided by the value's type. The recursion depth
+ * depends on the type rather than the text, because the parser counts parentheses instead of
+ * recursing on them. */
 #include <frob/cell.h>
 
 #include <errno.h>
@@ -88,7 +89,7 @@ static bool read_int(struct reader *r, int32_t *result)
     return true;
 }
 
-/* Matches the whole word, ignoring case, or reads nothing; `word` is in lower case. */
+/* Reads the whole word, ignoring case, or nothing. `word` must be in lower case. */
 static bool accept_word_in_any_case(struct reader *r, const char *word)
 {
     size_t length = 0;

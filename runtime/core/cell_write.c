@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Position of a value, which decides whether it needs parentheses. */
+/* The position of a value, which determines whether it needs parentheses. */
 enum place { ALONE, ARGUMENT };
 
 static const char *bytes(const void *base, size_t offset)
@@ -24,8 +24,8 @@ static bool reads_back(const char *digits, float x)
            (float)nextafter(read, -INFINITY) == x;
 }
 
-/* Writes the fewest digits that read back as the same float, whether or not the reader rounds to a
- * double first. */
+/* Writes the fewest digits from which the same float is read back, whether or not the reader
+ * rounds to a double first. */
 static void write_single(char *digits, size_t size, double x)
 {
     for (int precision = 1; precision <= 9; precision++) {
@@ -193,10 +193,11 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value, con
     }
 }
 
-/* Adds up the room for the texts of all constructors, although only one of them is written. */
+/* Adds up the space for the texts of all constructors, although only one of them is written. */
 size_t frob_cell_room(const struct frob_value *value)
 {
-    size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* a number, parentheses, separators */
+    size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* space for a number, parentheses and
+                                                        * separators */
     if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM || value->kind == FROB_ARRAY) {
         for (size_t i = 0; i < value->count; i++) {
             const struct frob_constructor *c = &value->constructors[i];

@@ -10,7 +10,8 @@ static void set_vector(void *input, const struct frob_value *value, const double
         frob_camera_set_number(input, value->constructors[0].fields[i].value, numbers[i]);
 }
 
-/* Sets `Just heading`, or `Nothing` for NaN, with 0 as its payload. */
+/* Sets the value to `Just heading`, or for NaN to `Nothing`, with 0 as its
+ * payload. */
 static void set_heading(void *input, const struct frob_value *value, double heading)
 {
     const int is_known = heading <= 4.0;

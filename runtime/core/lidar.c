@@ -39,7 +39,7 @@ static double number_at(const void *input, const struct frob_value *value)
     return x;
 }
 
-/* Sets a direction to this distance, unless it already has a smaller one. */
+/* Sets the distance in a direction, unless a smaller one has already been set. */
 static void offer(void *input, const struct frob_value *maybe, double distance)
 {
     const unsigned char is_just = just(maybe);
@@ -67,7 +67,8 @@ static void spread(void *input, const struct frob_constructor *ranges, double be
 static void set_ranges(void *input, const struct frob_constructor *ranges,
                        const struct frob_scan *scan)
 {
-    /* A little more than half, so that rounding leaves no direction between two rays empty. */
+    /* Slightly more than half, so that rounding does not leave a direction between two rays
+     * empty. */
     const double half_step = scan == NULL ? 0.0 : 0.500001 * scan->step_rad;
     for (size_t k = 0; k < ranges->count; k++)
         set_nothing(input, ranges->fields[k].value);

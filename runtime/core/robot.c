@@ -84,9 +84,9 @@ static void become_stale(struct frob_robot *robot)
     robot->stop_due_ns = INT64_MIN;
 }
 
-/* Handles a gap between two polls. Readings on the line then have an unknown age, and more of
- * them may arrive. The driver's poll would begin by sending a pending command, so this function
- * stops the robot first. */
+/* Handles a gap between two polls. After a gap, the age of readings on the line is unknown, and
+ * more of them may arrive. The driver's poll would begin by sending a pending command, so this
+ * function stops the robot first. */
 static enum frob_status note_gap(struct frob_robot *robot)
 {
     int64_t now = frob_now_ns(&robot->clock);
@@ -101,7 +101,7 @@ static enum frob_status note_gap(struct frob_robot *robot)
     return keep_still(robot);
 }
 
-/* Reports that the driver has given up or lost its line. Unless the line is lost, a last stop
+/* Reports that the driver has given up or lost its line. If the line is not lost, a last stop
  * command may still get through. */
 static enum frob_robot_state failed(struct frob_robot *robot, enum frob_status status)
 {

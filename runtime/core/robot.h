@@ -12,20 +12,19 @@
  *   }
  *
  * Guarantees, for every driver and every port:
- *   - Every number that moves the robot passes through one function, which lets
- *     only finite numbers within the robot's limits pass. If a number is not
- *     finite, it sets all of them to zero.
- *   - The first command is zero after each connection, and after the robot was
- *     stopped for one of the reasons below.
- *   - When the newest sensor reading is older than the patience, the robot is
- *     stopped, and the stop command is repeated ten times a second until readings
- *     and commands arrive again. frob_robot_halt has the same effect.
- *   - If the reading that the program used is older than the patience when the
- *     command arrives, the command is dropped and the robot stopped.
+ *   - Every number that moves the robot goes through one function, which passes on only finite
+ *     numbers within the robot's limits. If a number is not finite, it sets all of them to zero.
+ *   - After each connection, and after the robot was stopped for one of the reasons below, the
+ *     first command is zero.
+ *   - When the newest sensor reading is older than the patience, the robot is stopped, and the stop
+ *     command is repeated ten times a second until readings and commands arrive again.
+ *     frob_robot_halt has the same effect.
+ *   - If the reading that the program used is older than the patience when the command arrives, the
+ *     command is dropped and the robot stopped.
  *   - If the caller has not polled for longer than the patience (for example
  * because its process was stopped), the line contains old readings. Readings that arrive within one
- * more patience are ignored; the robot is stopped until then.
- * No function waits, allocates or makes a system call. */
+ * more patience are ignored; the robot is stopped until then. No function waits, allocates or makes
+ * a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
 
@@ -39,9 +38,10 @@ extern "C" {
 
 enum frob_robot_state {
     FROB_ROBOT_CONNECTING,
-    FROB_ROBOT_READY, /* readings are fresh: the program may step */
+    FROB_ROBOT_READY, /* readings are recent enough, so the program may step */
     FROB_ROBOT_STALE, /* readings are too old; the robot is stopped */
-    FROB_ROBOT_FAILED /* `status` has the reason; close the robot, and start again if you like */
+    FROB_ROBOT_FAILED /* the connection has failed; `status` contains the reason. The caller must
+                       * close the robot, and may start again */
 };
 
 /* Maximum size of a robot's output struct, in bytes. */
@@ -56,14 +56,16 @@ struct frob_robot {
     enum frob_robot_state state;
     enum frob_status status; /* status of the last call to the driver */
     bool at_rest;            /* no command since it was connected or halted */
-    bool rests_first;        /* replace the next command with zero */
-    int64_t stop_due_ns;     /* when to repeat the stop command while at rest */
+    bool rests_first;        /* whether to replace the next command with zero */
+    int64_t stop_due_ns;     /* time at which to repeat the stop command while the robot is at
+                              * rest */
     int64_t halted_ns;       /* time of the last frob_robot_halt */
-    int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN: none yet */
+    int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN if there was none yet */
     int64_t counts_from_ns;  /* readings before this time count as too old */
-    int64_t given_ns;        /* arrival of the reading for the next command; INT64_MAX: unknown */
+    int64_t given_ns;        /* arrival time of the reading for the next command; INT64_MAX if
+                              * unknown */
     uint32_t connections;
-    uint32_t stale; /* how often readings became too old */
+    uint32_t stale; /* how often readings have become too old */
     union {
         double aligned;
         unsigned char bytes[FROB_OUTPUT_MOST];
@@ -77,14 +79,14 @@ void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver
                       const double *settings, const struct frob_serial *serial,
                       const struct frob_clock *clock, int64_t patience_ns);
 
-/* Reads the bytes that have arrived, sends what is due, and checks the time. */
+/* Reads the bytes that have arrived, sends the commands that are due, and checks the time. */
 enum frob_robot_state frob_robot_poll(struct frob_robot *robot);
 
 /* Returns when to poll next, even if no byte arrives. */
 int64_t frob_robot_due_ns(const struct frob_robot *robot);
 
-/* Writes the latest reading to `input`. Call it only while the robot is READY. The next command
- * counts as computed from this reading. */
+/* Writes the latest reading to `input`. Call it only while the robot is READY. The next command is
+ * assumed to be computed from this reading. */
 void frob_robot_sense(struct frob_robot *robot, void *input);
 
 /* Sends the output, limited by frob_robot_limit. Drops it while the robot is not READY. */

@@ -16,8 +16,8 @@ static bool has_columns_inside(const struct frob_value *value)
     if (value->kind != FROB_PRODUCT)
         return false;
     product = &value->constructors[0];
-    /* The parts of arrays, tuples and records are separate columns; other types with one
-     * constructor are a single cell. */
+    /* The parts of arrays, tuples and records are in separate columns. Values of other types with
+     * one constructor are in a single cell. */
     return product->name == NULL || product->is_record;
 }
 
@@ -110,7 +110,8 @@ static void double_quotes(struct frob_text *text, size_t start)
     }
 }
 
-/* No cell contains a line feed: quoting is needed only for a comma, or for a quote in a label. */
+/* Cells do not contain line feeds, so a cell needs quotes only if it contains a comma, or a quote
+ * in a label. */
 static void add_cell(void *context, const char *name, const struct frob_value *value)
 {
     struct row *row = (struct row *)context;

@@ -37,10 +37,10 @@ extern "C" {
 /* A value that sources disagree on, that differs between models, or that a user may want to change.
  * Every setting is a number. */
 struct frob_setting {
-    const char *name; /* as on the command line: "baud" */
+    const char *name; /* the name on the command line: "baud" */
     double initial;   /* NAN: reported by the robot, or from the table of its model */
     double least, greatest;
-    const char *meaning; /* one line for the user, with the unit */
+    const char *meaning; /* a line for the user that states the unit */
 };
 
 struct frob_driver {
@@ -52,8 +52,8 @@ struct frob_driver {
     size_t setting_count;
 
     /* Offsets, in the output struct, of the doubles that move the robot. They are listed here so
-     * that one function can limit them all. A driver without them limits its commands itself, and
-     * makes the first one after each start and stop zero. */
+     * that one function can limit them all. A driver that lists none limits its commands itself,
+     * and makes the first command after each start and stop zero. */
     const size_t *drives;
     size_t drive_count;
 
@@ -61,24 +61,26 @@ struct frob_driver {
      * weakest model if none is connected. */
     double (*most)(const void *device, size_t i);
 
-    /* Starts to connect to the robot on a newly opened line. `settings` are `setting_count` values,
-     * in the order of the table. The settings, the line and the clock must stay valid until the
-     * next start. The device's memory is all zero before the first start. After the line has been
-     * lost, the memory is unchanged, so odometry continues from the last pose. The robot's motors
-     * are at rest until the first command. */
+    /* Starts to connect to the robot on a newly opened line. `settings` points to `setting_count`
+     * values, in the order of the table. The settings, the line and the clock must stay valid until
+     * the next start. The device's memory is all zero before the first start. After the line has
+     * been lost, the memory is unchanged, so odometry continues from the last pose. The robot's
+     * motors are at rest until the first command. */
     void (*start)(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock);
 
-    /* Reads the bytes that have arrived and writes what is due. Returns FROB_BUSY_CONNECTING until
-     * the robot can be commanded, then FROB_OK; FROB_TIMEOUT if no robot answers (start again or
-     * give up); FROB_LOST and FROB_REFUSED as defined in status.h. */
+    /* Reads the bytes that have arrived, and sends the commands that are due. Returns
+     * FROB_BUSY_CONNECTING until the robot can be commanded, and then FROB_OK. Returns FROB_TIMEOUT
+     * if no robot answers (start again or give up), and FROB_LOST and FROB_REFUSED as defined in
+     * status.h. */
     enum frob_status (*poll)(void *device);
 
     /* Returns when to poll the driver next, even if no byte arrives. INT64_MAX: only when a byte
      * arrives. If the time has passed, poll immediately. */
     int64_t (*due_ns)(const void *device);
 
-    /* Returns when the newest complete sensor reading arrived; INT64_MIN: never. */
+    /* Returns the time at which the newest complete sensor reading arrived; INT64_MIN if there was
+     * none. */
     int64_t (*sensed_ns)(const void *device);
 
     /* Fills in the robot's sensor readings. An event (an echo) is in the first input after its
@@ -95,11 +97,12 @@ struct frob_driver {
     /* Ends the session with the robot at rest. The line belongs to the caller and stays open. */
     void (*close)(void *device);
 
-    /* Returns a description of the robot for people: "Pioneer p3dx, AMRISim". */
+    /* Returns a description of the robot for people, such as "Pioneer p3dx, AMRISim". */
     const char *(*describe)(const void *device);
 
     /* Returns whether the robot was at rest in the newest complete sensor reading. NULL if its
-     * sensors cannot tell; then hosts wait as long as stopping may take. */
+     * sensors do not show this; in that case, hosts wait for the maximum time that stopping may
+     * take. */
     bool (*stands)(const void *device);
 };
 

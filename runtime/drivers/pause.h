@@ -1,8 +1,8 @@
 /* drivers/pause.h -- detects pauses in received bytes. A packet that began before a pause is
  * incomplete.
  *
- * No robot pauses within a packet, but the line may be unplugged or the robot turned off in the
- * middle of a packet. The bytes that the robot sends next must not be read as the rest of that
+ * Robots do not pause within a packet, but the line may be unplugged or the robot turned off in
+ * the middle of one. The bytes that the robot sends next must not be read as the rest of that
  * packet. */
 #ifndef FROB_DRIVERS_PAUSE_H
 #define FROB_DRIVERS_PAUSE_H
@@ -15,8 +15,8 @@
 /* Longer than the time between two bytes of a packet. */
 #define FROB_PAUSE_NS INT64_C(100000000)
 
-/* Call this when bytes have arrived: returns whether they follow a pause. `*heard_ns` is the time
- * of the previous bytes; it is set to the current time. */
+/* Returns whether bytes that have just arrived follow a pause. `*heard_ns` must be the time of
+ * the previous bytes; the function sets it to the current time. */
 static inline bool frob_after_pause(const struct frob_clock *clock, int64_t *heard_ns)
 {
     int64_t before_ns = *heard_ns;

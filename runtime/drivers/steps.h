@@ -25,15 +25,15 @@
 extern "C" {
 #endif
 
-/* Seconds without a command after which the accumulated error is dropped. */
+/* The time without a command, in seconds, after which the accumulated error is dropped. */
 #define FROB_STEPS_PAUSE_S 0.5
 
 /* State of one number of the protocol. All zero: the robot is at rest, with no accumulated
  * error. */
 struct frob_steps {
     double sent;    /* sent since `since_s`, in whole steps */
-    double missing; /* the wanted number minus `sent` */
-    double owed;    /* accumulated error before `since_s`, steps times seconds */
+    double missing; /* the commanded number minus `sent` */
+    double owed;    /* accumulated error before `since_s`, in steps times seconds */
     double since_s;
 };
 
@@ -52,7 +52,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
     }
     if (passed_s <= FROB_STEPS_PAUSE_S)
         next.owed = before->owed + before->missing * passed_s;
-    /* Compensate for the error over a period as long as the last command lasted. */
+    /* Compensates for the error over a period as long as the last command lasted. */
     if (next.owed != 0.0 && passed_s > 0.0)
         share = next.owed / passed_s;
     next.sent = fmin(fmax(round(wanted + share), floor(wanted)), ceil(wanted));
@@ -72,8 +72,8 @@ struct frob_wire_numbers {
     struct frob_steps number[2];
 };
 
-/* Computes the numbers for a forward speed and a turn rate. If a wheel would be too fast,
- * slows both wheels down. */
+/* Computes the numbers for a forward speed and a turn rate. If one wheel would be too fast, both
+ * are slowed down. */
 static inline struct frob_wire_numbers frob_wire_next(const struct frob_wire *wire,
                                                       const struct frob_wire_numbers *before,
                                                       double forward_m_s, double turn_rad_s,

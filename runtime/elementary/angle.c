@@ -25,7 +25,7 @@ static struct angle reduce_any(double x)
     int const exponent = (whole > -1 ? whole : -1) - 52;
     uint64_t const significand = (bits_of(x) & 0xfffffffffffffu) | 0x10000000000000u;
 
-    /* The 192 bits of 2/pi that start with the one of weight 2^(1 - exponent). The bits before it
+    /* The 192 bits of 2/pi, starting with the bit of weight 2^(1 - exponent). The bits before it
      * contribute only multiples of 4 to the product. */
     int const first = exponent - 2 + 64;
     int const word = first / 32;
@@ -49,8 +49,8 @@ static struct angle reduce_any(double x)
         }
     }
 
-    /* The two leading bits count quarter turns. The other bits are the remainder, in -1/2 to 1/2;
-     * it is made positive first. */
+    /* The two leading bits count quarter turns. The other bits are the remainder, between -1/2 and
+     * 1/2, which is made positive first. */
     unsigned quarter = fraction[WORDS - 1] >> 30;
     bool const above = (fraction[WORDS - 1] >> 29 & 1u) != 0;
     for (int i = WORDS - 1; i > 0; --i)
@@ -98,7 +98,7 @@ struct angle frob_reduce(double x)
         return a;
     }
     if (-0x1p20 < x && x < 0x1p20) {
-        /* Subtract n pi/2, with pi/2 split into three parts. The first two have 33 bits, so their
+        /* Subtracts n pi/2, with pi/2 split into three parts. The first two have 33 bits, so their
          * products with n are exact (W. J. Cody and W. Waite, Software Manual for the Elementary
          * Functions, 1980). */
         int const n = (int)(x * 0x1.45f306dc9c883p-1 + (x < 0.0 ? -0.5 : 0.5));

@@ -87,7 +87,7 @@ double frob_atan(double x)
 /* The angle of (x, y) for positive finite x and y. */
 static struct pair angle_of(double y, double x)
 {
-    /* Scale both so that the larger is close to 1. */
+    /* Scales both so that the larger one is close to 1. */
     double const up = fmax(x, y) > 1.0 ? 0x1p-500 : 0x1p+500;
     if (fmax(x, y) > 0x1p+400 || fmax(x, y) < 0x1p-400) {
         x *= up;

@@ -21,7 +21,7 @@ double frob_hypot(double x, double y)
     if (b == 0.0)
         return a;
 
-    /* Scale both so that they are close to 1. Bits of b that are lost do not affect the result. */
+    /* Scales both so that they are close to 1. Bits of b that are lost do not affect the result. */
     double up = 1.0;
     double down = 1.0;
     if (a > 0x1p+500) {

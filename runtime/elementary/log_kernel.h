@@ -11,9 +11,10 @@
 /* log(x); x must be positive and finite. */
 static inline struct pair log_pair(double x)
 {
-    /* Indexed by the seven leading bits of the significand: c, of at most nine bits, and -log(c),
-     * whose high part is a multiple of 2^-42. From the 53rd interval on m is halved, so that c and
-     * the logarithm are exactly 1 and 0 on both sides of x = 1, which avoids cancellation there. */
+    /* For each value of the seven leading bits of the significand: c, which has at most nine bits,
+     * and -log(c), whose high part is a multiple of 2^-42. From the 53rd interval on, m is halved,
+     * so that c and the logarithm are exactly 1 and 0 on both sides of x = 1, which avoids
+     * cancellation there. */
     static const struct {
         double c;
         struct pair minus_log;

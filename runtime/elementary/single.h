@@ -1,9 +1,9 @@
 /* Shared by the single-precision functions. Internal to the runtime; not installed.
  *
- * They compute with integers, which is the only fast and exact arithmetic on a small processor: 32
- * bits hold a float's 24 bits and eight more, and multiplying two such numbers takes one
- * instruction. A result is rounded to a float once, at the end, so its error is only slightly more
- * than half a unit in the last place, and its bits are the same on every machine.
+ * They compute with integers, which is the only fast and exact arithmetic on a small processor. An
+ * integer of 32 bits has room for a float's 24 bits and eight more, and one instruction multiplies
+ * two such integers. A result is rounded to a float once, at the end, so its error is only
+ * slightly more than half a unit in the last place, and its bits are the same on every machine.
  *
  * "Qn" in a comment means that an integer represents its value times 2^-n. */
 #ifndef FROB_ELEMENTARY_SINGLE_H
@@ -91,8 +91,8 @@ static inline float single_of(bool negative, struct scaled s)
     return single_of_bits(sign | (uint32_t)kept);
 }
 
-/* The square root of n, which is at least 2^62, with an error below one unit. Computed by sqrtf,
- * which is accurate to 23 bits, and one step of Newton's method. */
+/* The square root of n, which is at least 2^62, with an error below one unit. It is computed by
+ * sqrtf, which is accurate to 23 bits, and one step of Newton's method. */
 uint32_t frob_root_of_integer(uint64_t n);
 
 /* A logarithm to base 2: an integer, and a fraction of 62 bits. */

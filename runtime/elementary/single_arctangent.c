@@ -17,9 +17,8 @@ uint32_t frob_root_of_integer(uint64_t n)
 #define HALF_PI INT64_C(0x1921fb54442d1847)
 #define PI INT64_C(0x3243f6a8885a308d)
 
-/* 1 - atan(q)/q as a function of z = q^2, which is below 1/16; both are Q32. The polynomial, found
- * by interpolation at Chebyshev points, is close to the best of its degree; its error is below
- * 2^-36. */
+/* 1 - atan(q)/q as a function of z = q^2, which is below 1/16; both are Q32. The polynomial is
+ * near-minimax, from interpolation at Chebyshev points; its error is below 2^-36. */
 static uint32_t less_than_slope(uint32_t z)
 {
     return high(
@@ -49,7 +48,7 @@ static float first_quadrant(bool negative, bool behind, struct scaled y, struct 
         struct scaled const q = above.m < b
                                     ? scaled_of(((uint64_t)above.m << 32) / b, -smaller - 32)
                                     : scaled_of(((uint64_t)above.m << 31) / b, -smaller - 31);
-        int const drop = -q.e - 32; /* bits to drop for Q32 */
+        int const drop = -q.e - 32; /* number of bits to drop for Q32 */
         uint32_t const of_32 = drop < 32 ? q.m >> drop : 0;
         uint32_t const m = q.m - high(q.m, less_than_slope(high(of_32, of_32)));
         if (!steep && !behind)
@@ -168,7 +167,7 @@ float frob_hypotf(float x, float y)
         uint64_t n; /* a quarter of the sum of squares, in units of l's exponent */
         struct scaled root;
         if (drop > 32)
-            return larger; /* too small by less than 1/32 of a unit */
+            return larger; /* the result is too small by less than 1/32 of a unit */
         n = ((uint64_t)l.m * l.m >> 2) + (((uint64_t)s.m * s.m >> 2) >> drop);
         root.e = l.e + 1;
         if (n >> 62 == 0) {

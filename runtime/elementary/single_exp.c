@@ -4,8 +4,8 @@
 
 #include "single.h"
 
-/* 2^f - 1; both are Q32. The polynomial approximates (2^f - 1)/f. It was found by interpolation at
- * Chebyshev points and is close to the best of its degree; its error is below 2^-31. */
+/* 2^f - 1; both are Q32. The polynomial approximates (2^f - 1)/f. It is near-minimax, from
+ * interpolation at Chebyshev points; its error is below 2^-31. */
 static uint32_t power_less_one(uint32_t f)
 {
     static const uint32_t c[7] = { 0xb17217f9u, 0x3d7f7ba6u, 0x0e3589f8u, 0x02763464u,
@@ -46,7 +46,7 @@ float frob_expf(float x)
         return 1.0f;
     {
         struct scaled const s = scaled_of_single(x);
-        /* multiply by log2(e), Q31 with 32 additional bits */
+        /* multiplies by log2(e), Q31 with 32 additional bits */
         uint64_t const product = (uint64_t)s.m * 0xb8aa3b29u + high(s.m, 0x5c17f0bcu);
         return frob_power_of_two(false, x < 0.0f, product >> (-s.e - 1));
     }
@@ -57,9 +57,9 @@ float frob_expf(float x)
  * log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
 struct logarithm frob_log2_of(struct scaled x)
 {
-    /* Indexed by the five leading bits of m: 512 c, and -log2(c) as Q62. From the 15th interval on
-     * m is halved, so that both ends of the table have c = 1, which avoids cancellation on both
-     * sides of x = 1. */
+    /* For each value of the five leading bits of m: 512 c, and -log2(c) as Q62. From the 15th
+     * interval on, m is halved, so that c = 1 at both ends of the table, which avoids cancellation
+     * on both sides of x = 1. */
     static const struct {
         uint16_t c;
         int64_t minus_log;
@@ -103,7 +103,7 @@ struct logarithm frob_log2_of(struct scaled x)
     int64_t const unit = INT64_C(0x100000000); /* 1 in Q32 */
     uint32_t const i = (x.m >> 26) & 31u;
     int32_t k = x.e + 31 + (i >= 14 ? 1 : 0);
-    /* Exact, because m has 24 bits: Q40, then Q32. */
+    /* This is exact, because m has 24 bits: Q40, then Q32. */
     int64_t const r = ((int64_t)x.m * table[i].c - (INT64_C(1) << 40)) / 256;
     int32_t p = q[5];
     int64_t slope; /* log2(1 + r) / r, Q62 */

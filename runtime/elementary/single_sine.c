@@ -18,8 +18,8 @@ static const uint32_t two_over_pi[9] = { 0x00000000u, 0x00000000u, 0xa2f9836eu,
 
 /* Reduces x: multiplies its significand by the bits of 2/pi that matter modulo 4, as a 96-bit
  * integer (M. Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM Newsletter
- * 18, 1983). No float is closer to a multiple of pi/2 than 2^-30, so enough bits of the remainder
- * are left. */
+ * 18, 1983). The distance of a float from a multiple of pi/2 is never less than 2^-30, so enough
+ * bits of the remainder are left. */
 static struct angle angle_of(float x)
 {
     struct scaled const s = scaled_of_single(x);
@@ -30,7 +30,7 @@ static struct angle angle_of(float x)
     if (fabsf(x) < 0x1.921fb6p-1f)
         return a; /* pi/4 */
     {
-        /* 96 bits of 2/pi that start with the one of weight 2^(1 - e), most significant word first.
+        /* 96 bits of 2/pi, starting with the bit of weight 2^(1 - e), most significant word first.
          * The bits before it contribute only multiples of 4 to the product. */
         int const first = s.e - 2 + 64;
         int const word = first / 32;
@@ -67,7 +67,7 @@ static struct angle angle_of(float x)
 /* The square of a remainder, Q32. */
 static uint32_t square_of(struct scaled rest)
 {
-    int const drop = -rest.e - 32; /* bits to drop for Q32 */
+    int const drop = -rest.e - 32; /* number of bits to drop for Q32 */
     uint32_t const y = drop < 32 ? rest.m >> drop : 0;
     return high(y, y);
 }
@@ -92,8 +92,8 @@ static struct scaled cosine_of_rest(struct scaled rest)
     return scaled_of(UINT64_C(0x100000000) - high(p, z), -32);
 }
 
-/* The sine of an angle. An odd number of quarter turns turns the sine of the remainder into a
- * cosine; two quarter turns change the sign. */
+/* The sine of an angle. If the number of quarter turns is odd, uses the cosine of the remainder
+ * instead of its sine. Two quarter turns change the sign. */
 static float sine_of(struct angle a)
 {
     bool const is_cosine = (a.quarter & 1u) != 0;

@@ -32,15 +32,15 @@ struct frob_serial_operations {
     enum frob_status (*wait)(void *port, int64_t until_ns);
 
     /* Changes the bit rate after all written bytes have been transmitted. Returns FROB_UNSUPPORTED
-     * and does nothing if the port cannot: the rate is fixed, or another device sets it, such as a
-     * bridge behind TCP. */
+     * and does nothing if the port cannot change the rate, because it is fixed or because another
+     * device sets it, such as a bridge behind TCP. */
     enum frob_status (*set_rate)(void *port, uint32_t bits_per_s);
 
     /* Discards bytes that have arrived and were not read. */
     enum frob_status (*discard)(void *port);
 };
 
-/* Maximum time that a write waits for room; shorter than any deadline of the host. */
+/* Maximum time for which a write waits for space. It is shorter than any deadline of the host. */
 #define FROB_WRITE_PATIENCE_NS INT64_C(20000000)
 
 /* An open line: a port's functions and its memory. */

@@ -17,9 +17,10 @@ enum frob_status {
     FROB_NOT_FOUND,       /* no such device */
     FROB_DENIED,          /* no permission to open it */
     FROB_IN_USE,          /* another program has it open */
-    FROB_UNSUPPORTED,     /* the port cannot do this: a rate, for example */
-    /* The robot answered, but the driver cannot drive it, or it left the mode in which it can be
-     * driven. */
+    FROB_UNSUPPORTED,     /* the port cannot do this; for example, it does not support this
+                           * rate */
+    /* The robot answered, but the driver cannot drive it, or the robot has left the mode in
+     * which it can be driven. */
     FROB_REFUSED
 };
 

@@ -1,4 +1,4 @@
-"""Sets what pyproject.toml cannot: the version, and the tag of the wheel.
+"""Sets the version and the tag of the wheel, which pyproject.toml cannot set.
 
 The wheel contains frobc, so it is specific to one kind of machine, but works with any version of
 Python.
@@ -12,8 +12,8 @@ from setuptools.command.bdist_wheel import bdist_wheel
 
 
 def version() -> str:
-    """Returns the version in dune-project: in a checkout that file is two folders up,
-    and wheel.sh copies it next to this one.
+    """Returns the version in dune-project. In a checkout, that file is two folders up; wheel.sh
+    copies it next to this file.
     """
     here = Path(__file__).resolve().parent
     for folder in (here, here.parent.parent):

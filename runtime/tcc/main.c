@@ -1,9 +1,9 @@
 /* frob-tcc -- the C compiler that frobc uses if no other is installed.
  *
  * It is a driver for libtcc that accepts the options which frobc passes to gcc. It does not need
- * the files of a C development environment: the headers are Frob's own (share/frobc/tcc/include),
- * and instead of the development files of the C library it uses the libraries that its own process
- * has loaded.
+ * the files of a C development environment: it uses Frob's own headers (share/frobc/tcc/include)
+ * and, instead of the development files of the C library, the libraries that its own process has
+ * loaded.
  *
  *     frob-tcc [-c | -shared] [-I FOLDER] [-D NAME[=VALUE]] -o RESULT FILE... [-lm]
  *
@@ -67,8 +67,8 @@ static void fail(const char *format, ...)
 }
 
 /* Sets a path below the folder of the installation, which is PREFIX if this program is
- * PREFIX/lib/frobc/frob-tcc. In a build, this program is BUILD/default/runtime/tcc/frob-tcc, and
- * the installation is in BUILD/install/default. */
+ * PREFIX/lib/frobc/frob-tcc. During a build, this program is BUILD/default/runtime/tcc/frob-tcc,
+ * and the installation is in BUILD/install/default. */
 static void installed(char path[static LONGEST_PATH], const char *below)
 {
     static const char *const places[] = { "", "/../install/default" };
@@ -146,7 +146,7 @@ static bool starts_with(const char *text, const char *start_)
     return strncmp(text, start_, strlen(start_)) == 0;
 }
 
-/* Whether an option has no effect on libtcc. */
+/* Returns whether an option has no effect on libtcc. */
 static bool is_ignored(const char *option)
 {
     static const char *const beginnings[] = { "-O", "-std=", "-f", "-W", "-g" };
@@ -166,7 +166,8 @@ static void define(TCCState *compiler, char *definition)
     tcc_define_symbol(compiler, definition, equals == NULL ? "1" : equals + 1);
 }
 
-/* The part of an option after its first two characters, or the next argument. */
+/* Returns the part of an option after its first two characters or, if there is none, the next
+ * argument. */
 static char *value(int argc, char **argv, int *k)
 {
     char *option = argv[*k];

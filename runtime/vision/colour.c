@@ -6,8 +6,8 @@
 
 static const double turn = 6.283185307179586;
 
-/* Steps along one side of the colour hexagon. With 127 steps, sums of three products with bytes fit
- * in 16 bits. */
+/* The number of steps along one side of the colour hexagon. With 127 steps, sums of three products
+ * with bytes fit in 16 bits. */
 enum { STEPS = 127 };
 
 /* Clamps x to low … high; returns low if x is NaN. */
@@ -84,8 +84,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
         return colours;
     side_of(range->hueFrom, colours.from);
     side_of(range->hueTo, colours.to);
-    /* With the same half-line at both ends the opposite hue would match too, so end one step
-     * later. */
+    /* If both ends were the same half-line, the opposite hue would also match, so this ends one
+     * step later. */
     if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
         side_of(range->hueTo + turn / (6 * STEPS), colours.to);
     for (int32_t i = 0; i < 3; i++)

@@ -25,8 +25,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range);
 void frob_match_row(const struct frob_image *image, int32_t y, int32_t left, int32_t right,
                     const struct frob_colours *colours, uint8_t *mask);
 
-/* Finds the next run in a mask of `count` bytes, from *end on: columns *start … *end - 1. Returns
- * false if there is none. Set *end to 0 before the first call. */
+/* Finds the next run in a mask of `count` bytes, starting at *end. The run consists of the
+ * columns *start … *end - 1. Returns false if there is none. *end must be 0 in the first call. */
 bool frob_next_run(const uint8_t *mask, int32_t count, int32_t *start, int32_t *end);
 
 #endif

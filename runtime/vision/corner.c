@@ -132,7 +132,7 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
                 result->score = scores[x];
             }
     }
-    /* Repeat with the corner in the middle, where more of it is visible. */
+    /* Repeats with the corner in the middle, where more of it is visible. */
     for (int32_t i = 0; i < 3 && result->score > 0; i++) {
         const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
         if (x < margin || y < margin || x >= image->width - margin || y >= image->height - margin ||

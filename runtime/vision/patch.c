@@ -10,8 +10,8 @@ enum { SIDE = FROB_PATCH_SIDE, ROOM_SIDE = 160 };
 
 static const double middle = (SIDE - 1) / 2.0;
 
-/* Returns whether the position of each sample, rounded, is a valid number; the limits are far
- * beyond any image. */
+/* Returns whether the rounded position of each sample is a valid number. The limits are far outside
+ * any image. */
 static bool is_place(const struct frob_placement *p)
 {
     return p->x > -1e6 && p->x < 1e6 && p->y > -1e6 && p->y < 1e6 && p->angle > -1e6 &&
@@ -24,9 +24,9 @@ static int32_t column_of(double x, int32_t most)
     return !(x > 0) ? 0 : x >= most ? most : (int32_t)x;
 }
 
-/* Computes the first column (or row) of the part to copy, and the number of columns, which must fit
- * in the room. If the whole part does not fit, chooses its middle, where the search for the patch
- * starts. */
+/* Computes the first column (or row) of the part to copy, and the number of columns (or rows),
+ * which must fit in the buffer. If the whole part does not fit, chooses its middle, where the
+ * search for the patch starts. */
 static void take_part(double place, double around, int32_t size, int32_t *from, int32_t *count)
 {
     const double most = ROOM_SIDE / 2 - 1, reach = around < most ? around : most;
@@ -63,7 +63,7 @@ bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
     return true;
 }
 
-/* The same as frob_grey_at, without its checks if all four pixels are in the room. */
+/* The same as frob_grey_at, but without its checks if all four pixels are in the buffer. */
 static double grey_at(const struct frob_greys *g, double x, double y)
 {
     const double column = x - g->left, row = y - g->top;

@@ -4,8 +4,8 @@
 
 #include <frob/vision.h>
 
-/* The brightness of a part of an image: in the image itself if it is grey; for a colour image,
- * converted once into the room, around a position. */
+/* The brightness of a part of an image around a position. If the image is grey, it is in the image
+ * itself. If the image is in colour, it is converted once and stored in a buffer. */
 struct frob_greys {
     const struct frob_image *image;
     int32_t left, top, width, height; /* the part that is available as bytes */

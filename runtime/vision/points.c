@@ -44,7 +44,7 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
 }
 
 /* Newton's method, starting at the position itself. Beyond the largest radius that the model can
- * produce, it folds over and has no inverse. */
+ * produce, the model folds over and has no inverse. */
 void frob_undistort(const struct frob_camera *c, const struct frob_vec2 *point,
                     struct frob_vec2 *result)
 {

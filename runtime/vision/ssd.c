@@ -16,7 +16,7 @@ enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
 /* A patch at one level, and the data computed from it once. */
 struct model {
-    int32_t side, cell; /* samples per side; each is the mean of cell by cell samples */
+    int32_t side, cell; /* samples per side, each of which is the mean of cell by cell samples */
     int32_t freedom;
     double values[FROB_PATCH_SIZE]; /* minus their mean */
     double power;                   /* the sum of their squares */
@@ -95,8 +95,8 @@ static void find_steps(struct model *t)
     }
 }
 
-/* Cholesky factorization. The factor of a direction that is nearly a combination of the others is
- * set to 0. */
+/* Performs the Cholesky factorization. Sets the factor of a direction that is nearly a combination
+ * of the others to 0. */
 static void factorize(struct model *t)
 {
     for (int32_t k = 0; k < t->freedom; k++)
@@ -120,8 +120,8 @@ static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_
     t->side = SIDE / t->cell;
     t->freedom = freedom;
     t->power = reduce(patch, t->cell, t->values);
-    /* Also rejects NaN. A standard deviation of 0.01 is not contrast, and values around 1e6 are not
-     * brightness. */
+    /* This also rejects NaN. A standard deviation of 0.01 is not contrast, and values around 1e6
+     * are not brightness. */
     if (!(t->power > 0.1 && t->power < 1e15))
         return false;
     find_steps(t);
@@ -171,7 +171,7 @@ static double move(const struct model *t, const double step[FREEDOMS],
     place->scale = scale < from->scale / 2   ? from->scale / 2
                    : scale > from->scale * 2 ? from->scale * 2
                                              : scale;
-    /* Convert the turn and the growth to the motion of a sample at the rim of the patch. */
+    /* Converts the turn and the growth to the motion of a sample at the rim of the patch. */
     return fabs(x) + fabs(y) + SIDE / 2 * (fabs(turn) + fabs(growth - 1));
 }
 

@@ -7,7 +7,7 @@
 enum {
     CUT = 31,
     LIKE = 10 /* percent */,
-    TEXTURE = 10 /* per pixel of the window, in 1/16 */
+    TEXTURE = 10 /* per pixel of the window, in units of 1/16 */
 };
 
 static int32_t limited(int32_t least, int32_t x, int32_t most)

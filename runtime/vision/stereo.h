@@ -20,18 +20,18 @@ struct frob_stereo_rows {
     int32_t texture[FROB_IMAGE_SIDE + 32]; /* sums of the left image's gradients */
 };
 
-/* The number of 16-bit integers in the room for a region of this width. */
+/* The number of 16-bit integers in the buffer for a region of this width. */
 #define FROB_STEREO_ROOM(width, disparities, window) \
     (((size_t)(width) + (window)) * 2 * (size_t)(disparities))
 
-/* Divides the room into the arrays, and adds up the rows above the first one. Returns false if
+/* Divides the buffer into the arrays, and adds up the rows above the first one. Returns false if
  * there is nothing to match because of the formats, the sizes or an empty view. */
 bool frob_stereo_begin(struct frob_stereo_rows *rows, const struct frob_image *left,
                        const struct frob_image *right, const struct frob_stereo *how,
                        uint16_t *room, size_t room_size);
 
-/* Computes the disparities of row y of the view, in 1/16 pixels; -1 if unknown. Call it for the
- * rows in order, from the first to the last. */
+/* Computes the disparities of row y of the view, in 1/16 pixels; -1 if unknown. Must be called for
+ * all rows in order, from the first to the last. */
 void frob_stereo_row(struct frob_stereo_rows *rows, int32_t y, int16_t *disparities);
 
 #endif

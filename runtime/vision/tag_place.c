@@ -1,10 +1,11 @@
 /* tag_place.c -- computes the pose of a square in space from its four corners in an image.
  *
  * Four corners determine a homography, whose columns are two sides and the centre of the square (as
- * in Zhang, "A flexible new technique for camera calibration", 2000). From far away a square tilted
- * in one direction looks nearly the same as one tilted in the opposite direction (Schweighofer and
- * Pinz, "Robust pose estimation from a planar target", 2006). So both poses are refined by least
- * squares, and the one with the smaller distances to the observed corners is chosen. */
+ * in Zhang, "A flexible new technique for camera calibration", 2000). From far away, a square that
+ * is tilted in one direction looks nearly the same as one that is tilted in the opposite direction
+ * (Schweighofer and Pinz, "Robust pose estimation from a planar target", 2006). Therefore both
+ * poses are refined by least squares, and the one with the smaller distances to the observed
+ * corners is chosen. */
 #include "points.h"
 
 #include <frob/lens.h>
@@ -170,8 +171,8 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
     return sum;
 }
 
-/* Levenberg-Marquardt: steps that do not reduce the error are made shorter and closer to the
- * steepest descent. */
+/* The Levenberg-Marquardt method: steps that do not reduce the error are made shorter and closer to
+ * the steepest descent. */
 static double improve(struct pose *p, const double x[4], const double y[4])
 {
     double a[FREEDOM][FREEDOM], b[FREEDOM], damping = 0;

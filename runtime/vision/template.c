@@ -11,7 +11,8 @@
 
 enum { COLUMNS = 160, ROWS = 120, REACH = 6, SIDE = FROB_PATCH_SIDE };
 
-/* A region, reduced to cells with their mean brightness. A cell's sides are about `size` pixels. */
+/* A region, reduced to cells with their mean brightness. A cell's sides have approximately `size`
+ * pixels. */
 struct cells {
     double left, top, size;
     int32_t columns, rows;
@@ -21,7 +22,7 @@ struct cells {
 /* A cell of the template; its position is relative to the middle cell. */
 struct part {
     int32_t column, row;
-    int32_t value; /* in 1/16, minus the mean */
+    int32_t value; /* brightness in 1/16, minus the mean */
 };
 
 static void reduce(const struct frob_image *image, const struct frob_view *view, double size,

@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 enum frob_create_opcode {
-    FROB_CREATE_START = 128, /* from any mode to Passive */
+    FROB_CREATE_START = 128, /* changes from any mode to Passive */
     FROB_CREATE_SAFE = 131,
     FROB_CREATE_FULL = 132,
     FROB_CREATE_LEDS = 139,

@@ -48,12 +48,13 @@ static const uint8_t streamed[] = {
 #define SILENCE_NS INT64_C(1000000000)
 #define ANSWER_NS INT64_C(500000000)
 #define MOST_ATTEMPTS 3
-/* Number of consecutive frames that must report a different mode before the driver believes them,
- * because a frame's checksum is a single byte. */
+/* The number of consecutive frames that must report a different mode before the driver assumes
+ * that the mode has changed. A single frame is not sufficient, because its checksum has only one
+ * byte. */
 #define OUT_OF_MODE_FRAMES 2
-/* For this long after the stream was requested, frames may still come from an earlier session, or
- * from the time between START and the change of mode, because a radio link or a busy adapter may
- * delay them. */
+/* The time after requesting the stream during which frames may still come from an earlier session,
+ * or from the time between START and the change of mode, because a radio link or a busy adapter
+ * may delay them. */
 #define OLD_FRAMES_NS (ANSWER_NS / 2)
 
 static int64_t ns(double seconds)
@@ -64,7 +65,8 @@ static int64_t ns(double seconds)
 static enum frob_status write(struct frob_create *d, const uint8_t *bytes, size_t size)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
-    /* If there is no room, bytes are lost; the zeros before the next command repair that. */
+    /* If there is no space for the bytes, they are lost. The zeros before the next command repair
+     * that. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -123,7 +125,7 @@ static enum frob_status begin_stream(struct frob_create *d, int64_t now_ns)
     return status == FROB_OK ? ask_for_stream(d, now_ns) : status;
 }
 
-/* Takes the next step of connecting if it is due. The robot needs a pause after a change of
+/* Performs the next step of connecting if it is due. The robot needs a pause after a change of
  * mode. */
 static enum frob_status connect_further(struct frob_create *d, int64_t now_ns)
 {
@@ -157,8 +159,8 @@ static bool drives_in(const struct frob_create *d, unsigned mode)
                                                             : FROB_CREATE_MODE_SAFE);
 }
 
-/* Handles a frame. If the robot cannot have reached its counts, the frame is damaged and
- * ignored. */
+/* Handles a frame. If the robot cannot have reached the frame's encoder counts, the frame is
+ * damaged, so it is ignored. */
 static void take(struct frob_create *d, const struct frob_create_sensors *sensors, int64_t now_ns)
 {
     if (!frob_create_odometry_add(&d->odometry, sensors->left_counts, sensors->right_counts, now_ns,
@@ -217,7 +219,8 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->sensed_ns = INT64_MIN;
     frob_create_stream_init(&d->stream, streamed, sizeof streamed,
                             settings[FROB_CREATE_HEADER_IN_SUM] != 0.0);
-    /* Ignores failure: a line with a fixed rate either has the right rate, or no frame arrives. */
+    /* Ignores a failure to set the rate: if the line has a fixed rate, either that rate is right,
+     * or no frames will arrive. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_CREATE_BAUD]);
     serial->operations->discard(serial->port);
 }
@@ -326,8 +329,9 @@ static enum frob_status command(void *device, const void *from)
     return status;
 }
 
-/* Stops immediately. If the driver does not hear the robot, it sends zeros and the stop command
- * again, because noise on the line may also have affected what the robot receives. */
+/* Stops the robot immediately. If the driver does not receive anything from the robot, it sends
+ * zeros and the stop command again, because noise on the line may also have affected what the
+ * robot receives. */
 static enum frob_status stop(void *device)
 {
     struct frob_create *d = (struct frob_create *)device;

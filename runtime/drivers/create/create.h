@@ -12,7 +12,7 @@
  * few zeros before each drive command: they complete an incomplete command, and zero is not an
  * opcode itself. Noise can start a command of up to 513 bytes (a song), during which the robot
  * ignores all commands. Therefore the driver sends 513 zeros when it connects, and when it stops a
- * robot that it does not hear.
+ * robot from which it does not receive anything.
  *
  * The driver requests only packets that some field of the input needs, so that frames stay short.
  * It omits packet 45, which has a bit for each light bumper, because the signals 46 to 51 contain
@@ -35,7 +35,7 @@ extern "C" {
 /* The driver. Its input and output are those of <frob/create.h>. */
 extern const struct frob_driver frob_create_driver;
 
-/* Settings, in the order of the driver's table. */
+/* Settings, in the order in which the driver's table lists them. */
 enum frob_create_setting {
     FROB_CREATE_BAUD,
     FROB_CREATE_IN_FULL,
@@ -50,7 +50,7 @@ enum frob_create_setting {
 
 /* Stages of connecting. The command of the current stage has been sent. */
 enum frob_create_step {
-    FROB_CREATE_RESTING, /* no command sent yet */
+    FROB_CREATE_RESTING, /* no command has been sent yet */
     FROB_CREATE_STARTED,
     FROB_CREATE_IN_MODE,
     FROB_CREATE_STREAMING,
@@ -63,16 +63,18 @@ struct frob_create {
     struct frob_clock clock;
     enum frob_create_step step;
     unsigned attempts;               /* number of attempts to connect */
-    int64_t step_ns;                 /* when the step's command was sent */
-    int64_t heard_ns;                /* when the last frame arrived, or the connection began */
+    int64_t step_ns;                 /* time at which the step's command was sent */
+    int64_t heard_ns;                /* time at which the last frame arrived or, before that, at
+                                      * which the connection began */
     int64_t byte_ns;                 /* when the last byte arrived */
-    int64_t sensed_ns;               /* when the last frame arrived; INT64_MIN: never */
+    int64_t sensed_ns;               /* time at which the last frame arrived; INT64_MIN if there was
+                                      * none */
     int64_t asked_ns;                /* when the stream was requested */
-    unsigned out_of_mode;            /* number of consecutive frames with a different mode */
-    bool refused;                    /* the robot is not in a mode in which it drives */
-    struct frob_wire_numbers speeds; /* the wheel speeds sent last */
-    uint8_t lights[4];               /* the LEDS command sent last */
-    int64_t lights_ns;               /* when it was sent */
+    unsigned out_of_mode;            /* number of consecutive frames that report a different mode */
+    bool refused;                    /* whether the robot is not in a mode in which it drives */
+    struct frob_wire_numbers speeds; /* the wheel speeds that were sent last */
+    uint8_t lights[4];               /* the LEDS command that was sent last */
+    int64_t lights_ns;               /* time at which it was sent */
     struct frob_create_stream stream;
     struct frob_create_sensors sensors;
     struct frob_create_odometry odometry;

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A wheel's maximum speed is 0.5 m/s, 1125 counts per second. The limit is somewhat higher, plus 64
- * counts for late frames. */
+/* A wheel's maximum speed is 0.5 m/s, which is 1125 counts per second. The limit is somewhat
+ * higher, and allows 64 more counts for late frames. */
 #define BELIEVED_COUNTS_PER_S 1500
 #define BELIEVED_COUNTS 64
 #define MOST_REFUSED 3
@@ -23,7 +23,7 @@ static void move(struct frob_create_odometry *o, int left, int right, double sep
     double left_m = left * FROB_CREATE_METRES_PER_COUNT;
     double right_m = right * FROB_CREATE_METRES_PER_COUNT;
     double way = 0.5 * (left_m + right_m), turned = (right_m - left_m) / separation_m;
-    /* The motion is along an arc: add its chord, in the mean direction. */
+    /* The motion is along an arc, so this adds the arc's chord, in the mean direction. */
     double chord = fabs(turned) < 1e-6 ? way : way * sin(0.5 * turned) / (0.5 * turned);
     o->x_m += chord * cos(o->heading_rad + 0.5 * turned);
     o->y_m += chord * sin(o->heading_rad + 0.5 * turned);

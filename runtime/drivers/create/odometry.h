@@ -1,9 +1,10 @@
 /* create/odometry.h -- the pose and speed of a Create, computed from its encoder counts.
  *
  * The counts wrap around, so the odometry adds up differences. A frame's checksum is a single byte,
- * so a damaged frame gets through now and then: the odometry rejects counts that the robot cannot
- * have reached since the last frame. After several consecutive rejections, it assumes that the
- * robot was restarted. It keeps the pose in that case, and also from one connection to the next. */
+ * so a damaged frame occasionally passes the check. Therefore the odometry rejects counts that the
+ * robot cannot have reached since the last frame. After several consecutive rejections, it assumes
+ * that the robot was restarted. In that case it keeps the pose, and it also keeps the pose between
+ * connections. */
 #ifndef FROB_DRIVERS_CREATE_ODOMETRY_H
 #define FROB_DRIVERS_CREATE_ODOMETRY_H
 
@@ -21,12 +22,12 @@ extern "C" {
 struct frob_create_odometry {
     bool known;
     uint16_t left_counts, right_counts;
-    int64_t taken_ns;       /* when the counts arrived */
+    int64_t taken_ns;       /* time at which the counts arrived */
     unsigned refused;       /* number of consecutive rejected frames */
     double x_m, y_m;        /* relative to the first pose, which points along x */
-    double heading_rad;     /* not reduced to one turn */
-    double left_m, right_m; /* distances of the wheels since measured_ns */
-    int64_t measured_ns;    /* start of the current measurement of speeds */
+    double heading_rad;     /* not reduced to a single turn */
+    double left_m, right_m; /* distances that the wheels have travelled since measured_ns */
+    int64_t measured_ns;    /* start time of the current measurement of speeds */
     double left_m_s, right_m_s;
 };
 

@@ -2,8 +2,8 @@
 
 size_t frob_create_packet_size(unsigned id)
 {
-    /* Sizes from packet 7 on. Packets 32 and 33 are unused; group 100 contains them with these
-     * sizes. */
+    /* Sizes of the packets from 7 on. Packets 32 and 33 are unused, but group 100 contains
+     * them with these sizes. */
     static const uint8_t sizes[] = {
         1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, /* 7 to 18 */
         2, 2, 1, 2, 2, 1, 2, 2, 2,          /* 19 to 27 */

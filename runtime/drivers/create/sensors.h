@@ -46,8 +46,7 @@ enum frob_create_packet_id {
 };
 
 /* The modes. In OFF and PASSIVE the robot ignores drive commands. At a cliff, a wheel drop or a
- * charger it switches from SAFE to PASSIVE. In a mode with any other value it does not drive
- * either. */
+ * charger it switches from SAFE to PASSIVE. It does not drive in modes with other values either. */
 enum frob_create_mode {
     FROB_CREATE_MODE_OFF = 0,
     FROB_CREATE_MODE_PASSIVE = 1,
@@ -65,7 +64,7 @@ struct frob_create_sensors {
     uint16_t cliff_signal[FROB_CREATE_CLIFFS]; /* intensity of the reflected infrared light */
     bool virtual_wall;
     uint8_t overcurrent; /* one bit for each motor */
-    uint8_t infrared;    /* character received by the sensor on top; 0: none */
+    uint8_t infrared;    /* character that the sensor on top has received; 0 if there is none */
     uint8_t buttons; /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
     uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
     uint16_t battery_mv;
@@ -83,8 +82,8 @@ size_t frob_create_packet_size(unsigned id);
  * field. */
 bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_create_sensors *sensors);
 
-/* Returns how far a wheel turned between two readings, in counts: the difference modulo 2^16, which
- * is right if it is below 2^15 (a distance of 14 m). */
+/* Returns how far a wheel has turned between two readings, in counts. This is the difference modulo
+ * 2^16, which is correct if it is below 2^15 (a distance of 14 m). */
 int frob_create_count_step(uint16_t before, uint16_t now);
 
 #ifdef __cplusplus

@@ -5,9 +5,9 @@
  *     13  N  ID DATA  ID DATA ...  SUM
  *
  * with the requested packets in the requested order. N is the number of bytes between N and SUM.
- * SUM is chosen so that the sum of the frame is 0 modulo 256. For a Create 2 the sum includes the
- * header 13 (libcreate), for a Create 1 it does not (the example in its manual), so this is a
- * setting. This module does no I/O and does not allocate. */
+ * SUM is chosen so that the sum of the frame is 0 modulo 256. For a Create 2, the sum includes the
+ * header 13 (according to libcreate). For a Create 1, it does not (according to the example in its
+ * manual). Therefore this is a setting. This module does no I/O and does not allocate. */
 #ifndef FROB_CREATE_STREAM_H
 #define FROB_CREATE_STREAM_H
 
@@ -19,23 +19,23 @@ extern "C" {
 
 enum {
     FROB_CREATE_HEADER = 19,
-    FROB_CREATE_MAX_IDS = 52, /* each single packet once */
-    /* Fits in 15 ms at 115200 baud, and in the ring below. */
+    FROB_CREATE_MAX_IDS = 52, /* contains each single packet once */
+    /* A frame of this size can be sent in 15 ms at 115200 baud, and fits in the ring below. */
     FROB_CREATE_MAX_FRAME = 172
 };
 
 /* The requested packets, and the bytes received last.
  *
- * The receiver searches for a frame backwards from each byte: the bytes are a frame if the header,
- * the length, every id and the sum are right. So the bytes before a frame, whatever they are, never
- * hide it, and every good frame is found as soon as its last byte arrives. */
+ * The receiver searches for a frame backwards from each byte. Bytes are a frame if the header, the
+ * length, every id and the sum are correct. Therefore bytes before a frame never hide it, and every
+ * valid frame is found as soon as its last byte arrives. */
 struct frob_create_stream {
     uint8_t ids[FROB_CREATE_MAX_IDS];
     uint8_t id_count;
     uint8_t frame_size;  /* including header, N and SUM */
     bool header_in_sum;  /* true for a Create 2 */
     uint8_t window[256]; /* ring buffer of received bytes */
-    uint8_t next;        /* where the next byte goes; wraps around with the ring */
+    uint8_t next;        /* index of the next byte, which wraps around at the end of the ring */
     uint8_t sum;         /* sum of the last frame_size bytes, modulo 256 */
 };
 

@@ -7,18 +7,18 @@
 enum {
     OVERHEARING_MS = 150, /* longer than the time between two SIPs */
     SYNC_PATIENCE_MS = 250,
-    SYNC_ATTEMPTS = 2,  /* attempts at each rate */
+    SYNC_ATTEMPTS = 2,  /* number of attempts at each rate */
     ROUNDS = 3,         /* number of passes over all rates */
-    CLOSING_MS = 200,   /* if a SIP arrives in its second half, CLOSE was lost */
-    STEP_MS = 20,       /* between the commands that open a session */
+    CLOSING_MS = 200,   /* if a SIP arrives in the second half of this time, CLOSE was lost */
+    STEP_MS = 20,       /* pause between the commands that open a session */
     SWITCHING_MS = 100, /* the robot's delay between HOSTBAUD and the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
     CONFIG_ATTEMPTS = 3,
-    AFTER_RATE = 6 /* the first opening step after those that switch the rate */
+    AFTER_RATE = 6 /* the first opening step after the steps that switch the rate */
 };
 
-/* In the order in which robots are usually found. */
+/* The rates, in the order in which they are most likely. */
 static const uint32_t rates[] = { 9600, 38400, 19200, 115200, 57600 };
 enum { RATE_COUNT = sizeof rates / sizeof rates[0] };
 
@@ -33,7 +33,7 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     if (status == FROB_OK)
         d->rate = rate;
     d->rate_fixed = status == FROB_UNSUPPORTED;
-    /* If the line has a fixed rate, try that rate. */
+    /* If the line has a fixed rate, tries only that rate. */
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
 
@@ -63,8 +63,8 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 
 /* A robot outside a session receives nothing but SYNC, because it echoes other packets or ends the
  * connection. A robot in a session reads SYNC0 as PULSE, and would resume the speed at which its
- * watchdog stopped it; so it receives zero speeds first. Its SIPs prove that it is in a session;
- * bytes that are not packets prove nothing. */
+ * watchdog stopped it, so the driver sends zero speeds first. SIPs prove that the robot is in a
+ * session; bytes that are not packets prove nothing. */
 static enum frob_status overheard(struct frob_pioneer *d)
 {
     bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
@@ -97,12 +97,12 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
     return rates[d->tried % RATE_COUNT];
 }
 
-/* A robot whose answer to SYNC2 was lost is in a session, but sends nothing before OPEN. So if no
- * robot has answered, CLOSE is sent first. */
+/* A robot whose answer to SYNC2 was lost is in a session, but sends nothing before OPEN. Therefore
+ * the driver first sends CLOSE if no robot has answered. */
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
-    /* If the line cannot change its rate, trust the rate in the settings. */
+    /* If the line cannot change its rate, trusts the rate in the settings. */
     if (d->rate_fixed && d->settings[FROB_PIONEER_BAUD] > 0.0)
         d->rate = (uint32_t)d->settings[FROB_PIONEER_BAUD];
     d->attempt = 1;
@@ -122,7 +122,7 @@ void frob_pioneer_connect(struct frob_pioneer *d)
     d->switch_failed = false;
     d->phase = FROB_PIONEER_SYNC;
     d->sync = 0;
-    d->attempt = SYNC_ATTEMPTS; /* so that the first poll starts with the first rate */
+    d->attempt = SYNC_ATTEMPTS; /* set so that the first poll starts with the first rate */
     d->until_ns = frob_now_ns(&d->clock);
 }
 
@@ -200,8 +200,8 @@ static bool switches(const struct frob_pioneer *d)
            baud_number(d->model.switch_rate) >= 0;
 }
 
-/* Skips the switch if the line cannot follow, because the robot would then be unreachable, in this
- * connection and in later ones. */
+/* Does not switch the rate if the line cannot follow, because the robot would then be unreachable
+ * in this connection and in later ones. */
 static enum frob_status send_hostbaud(struct frob_pioneer *d)
 {
     bool can = false;
@@ -290,7 +290,7 @@ static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2
         return type < 2 ? send_sync(d, (uint8_t)(type + 1)) : identified(d);
     }
     if (type <= 2)
-        return FROB_OK; /* the echo of a SYNC that was sent twice */
+        return FROB_OK; /* this is the echo of a SYNC that was sent twice */
     return end_session(d);
 }
 
@@ -353,8 +353,9 @@ static enum frob_status ask_config(struct frob_pioneer *d)
     return frob_pioneer_send(d, FROB_P2OS_CONFIG);
 }
 
-/* After its session a robot returns to the rate of its handshake, so try that rate if it is known.
- * Otherwise the robot is found as at the first connection, a little later. */
+/* When a session ends, the robot returns to the rate of its handshake, so this tries that rate
+ * first, if it is known. Otherwise, the driver searches for the robot as at the first
+ * connection. */
 static enum frob_status sync_after_close(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;

@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 struct frob_p2os_model {
-    const char *subclass; /* as the robot reports it, in lower case */
+    const char *subclass; /* the name that the robot reports, in lower case */
     double angle;         /* radians per unit of THPOS */
     double distance;      /* mm per unit of XPOS and YPOS */
     double speed;         /* mm/s per unit of a wheel's speed */

@@ -50,17 +50,18 @@ struct frob_p2os_packet {
     size_t length;       /* at least 1 */
 };
 
-/* Finds packets in a stream of bytes. After a bad packet the search continues one byte later,
- * after its FA. If bytes directly after a good packet look like an incomplete packet, the receiver
- * waits for the rest of it, because the data of a packet may itself look like a packet. Elsewhere,
- * an incomplete packet does not hide a good one after it. So a good packet after garbage is found
- * as soon as its last byte arrives, whatever length the garbage announces. There are two
- * exceptions: the garbage and the beginning of the good packet may have a valid checksum together,
- * and garbage that looks like a packet may directly follow a good packet. An all-zero receiver is
- * empty. */
+/* Finds packets in a stream of bytes. After a bad packet the search continues one byte later, after
+ * its FA. If bytes directly after a valid packet look like an incomplete packet, the receiver waits
+ * for the rest of it, because the data of a packet may itself look like a packet. Elsewhere, an
+ * incomplete packet does not hide a valid one after it. Therefore the receiver finds a valid packet
+ * after garbage as soon as its last byte arrives, regardless of the length in the garbage. There
+ * are two exceptions: the garbage and the beginning of the good packet may have a valid checksum
+ * together, and garbage that looks like a packet may directly follow a good packet. An all-zero
+ * receiver is empty. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
-    size_t start, end; /* range of bytes that are not yet examined, or incomplete */
+    size_t start, end; /* range of bytes that have not been examined yet, or that are an incomplete
+                        * packet */
     bool in_step;      /* `start` is directly after a good packet */
 };
 

@@ -9,8 +9,8 @@
 #define PI 3.14159265358979323846
 
 enum {
-    PAUSE_MS = 5,    /* between two commands; the AROS manual requires 3 to 5 */
-    REFRESH_MS = 100 /* how often an unchanged command is repeated */
+    PAUSE_MS = 5,    /* interval between two commands; the AROS manual requires 3 to 5 */
+    REFRESH_MS = 100 /* interval at which an unchanged command is repeated */
 };
 
 static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
@@ -97,7 +97,7 @@ static bool differ(const struct frob_wire_numbers *a, const struct frob_wire_num
     return number(a, 0) != number(b, 0) || number(a, 1) != number(b, 1);
 }
 
-/* Sends the wanted speeds: VEL, and RVEL after a pause; or VEL2. */
+/* Sends the wanted speeds: VEL and, after a pause, RVEL; or VEL2. */
 static enum frob_status send_first(struct frob_pioneer *d)
 {
     uint8_t packet[FROB_P2OS_COMMAND_MOST];
@@ -122,8 +122,9 @@ static enum frob_status send_second(struct frob_pioneer *d)
     return frob_pioneer_send_int(d, FROB_P2OS_RVEL, number(&d->sent, 1));
 }
 
-/* Minimum interval between commands. VEL and RVEL are 18 bytes; sent at every step of a program
- * they would saturate a slow line and queue up. A line of unknown rate may be slow. */
+/* Minimum interval between commands. VEL and RVEL have 18 bytes. If they were sent at every step
+ * of a program, they would saturate a slow line and accumulate in a queue. A line of unknown rate
+ * may be slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];

@@ -9,8 +9,9 @@
  * the line. A Pioneer that was stopped by its watchdog resumes its old speed at the next command,
  * and a Pioneer in a session reads SYNC0 as PULSE. If the robot sends packets, it is in a session,
  * so the driver sends it zero speeds and CLOSE. If the robot is silent, the driver sends nothing
- * before SYNC0. Once the robot can be commanded, the driver sends no PULSE: then only commands feed
- * the robot's watchdog, so the robot itself detects a host that has stopped commanding. */
+ * before SYNC0. Once the robot can be commanded, the driver does not send PULSE. Therefore only
+ * commands reset the robot's watchdog, and the robot itself detects that a host has stopped
+ * commanding. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 
@@ -27,7 +28,7 @@
 extern "C" {
 #endif
 
-/* Settings, in the order of the driver's table. */
+/* Settings, in the order in which the driver's table lists them. */
 enum frob_pioneer_setting {
     FROB_PIONEER_BAUD,
     FROB_PIONEER_SWITCH_BAUD,
@@ -59,7 +60,7 @@ enum frob_pioneer_phase {
     FROB_PIONEER_OPENING,     /* sending the commands that open a session */
     FROB_PIONEER_LISTENING,   /* waiting for the first SIP */
     FROB_PIONEER_CONNECTED,
-    FROB_PIONEER_SILENT, /* gave up: no robot answers */
+    FROB_PIONEER_SILENT, /* the driver has given up, because no robot answers */
     FROB_PIONEER_UNKNOWN /* the robot's model is unknown */
 };
 
@@ -69,8 +70,8 @@ struct frob_pioneer_sonar {
     bool fresh;       /* heard since the last input */
 };
 
-/* The state for one robot. All zero before the first start. After that the caller must not change
- * it: it contains data that helps to reconnect, such as the rate and the odometry. */
+/* The state for one robot. All zero before the first start. After that, the caller must not change
+ * it, because it contains data for reconnecting, such as the rate and the odometry. */
 struct frob_pioneer {
     const double *settings;
     struct frob_serial serial;
@@ -82,18 +83,18 @@ struct frob_pioneer {
     uint8_t attempt;    /* number of attempts in this phase */
     uint8_t tried;      /* number of bit rates tried so far */
     uint8_t step;       /* current step of opening */
-    bool still_open;    /* a SIP arrived after CLOSE */
-    int64_t heard_ns;   /* when the last byte arrived */
-    bool motors_seen;   /* the motors have been on in this session */
-    int64_t until_ns;   /* when the phase times out, or sends its next command */
+    bool still_open;    /* whether a SIP has arrived after CLOSE */
+    int64_t heard_ns;   /* time at which the last byte arrived */
+    bool motors_seen;   /* whether the motors have been on in this session */
+    int64_t until_ns;   /* time at which the phase times out or sends its next command */
     uint32_t rate;      /* current bit rate of the line */
-    uint32_t good_rate; /* rate at which a robot has answered; 0: unknown */
-    uint32_t sync_rate; /* rate of the last successful handshake; 0: unknown */
-    bool switch_failed; /* nothing was heard at the switched rate */
-    bool rate_fixed;    /* the line could not change to the last rate */
+    uint32_t good_rate; /* rate at which a robot has answered; 0 if unknown */
+    uint32_t sync_rate; /* rate of the last successful handshake; 0 if unknown */
+    bool switch_failed; /* whether nothing was received at the switched rate */
+    bool rate_fixed;    /* whether the line could not change to the last rate */
 
     struct frob_p2os_identity identity;
-    struct frob_p2os_model model; /* its factors may be replaced by settings */
+    struct frob_p2os_model model; /* the robot's model; settings may replace its factors */
     struct frob_p2os_robot_config config;
     bool has_config;
     uint8_t config_asked;
@@ -102,9 +103,9 @@ struct frob_pioneer {
 
     int64_t sensed_ns;
     struct frob_p2os_sip sip; /* the newest SIP */
-    bool has_counters;        /* a SIP has arrived in this session */
+    bool has_counters;        /* whether a SIP has arrived in this session */
     uint16_t x, y;            /* position counters of that SIP */
-    double turned_rad;        /* angle from the counters' axes to those of odometry */
+    double turned_rad;        /* angle from the axes of the counters to those of odometry */
     struct frob_pose odometry;
     struct frob_pioneer_sonar sonar[FROB_PIONEER_SONARS];
 
@@ -112,15 +113,15 @@ struct frob_pioneer {
     struct frob_wire_numbers wanted; /* the same speeds as VEL and RVEL, or as VEL2's left and
                                         right */
     struct frob_wire_numbers sent;   /* the numbers that the robot currently uses */
-    bool has_wanted;                 /* there is a command that has not been sent */
+    bool has_wanted;                 /* whether there is a command that has not been sent */
     bool second_pending;             /* RVEL must follow VEL after a pause */
-    int64_t sent_ns;                 /* INT64_MIN: nothing sent yet */
+    int64_t sent_ns;                 /* time of the last command; INT64_MIN if none was sent yet */
 };
 
 extern const struct frob_driver frob_pioneer_driver;
 
-/* Returns the last range of transducer `i` and its age. Returns false if it never heard an echo, or
- * if nothing was in range. */
+/* Returns the last range of transducer `i` and its age. Returns false if it has never received an
+ * echo, or if nothing was in range. */
 bool frob_pioneer_echo(const struct frob_pioneer *device, size_t i, double *range_m, double *age_s);
 
 #ifdef __cplusplus

@@ -66,9 +66,9 @@ void frob_pioneer_take_sip(struct frob_pioneer *d, const struct frob_p2os_sip *s
     }
 }
 
-/* Extrapolates the pose to the current time. Packets arrive only ten times a second, so without
- * this a program that steps more often would see the robot stop and jump. With the wheels' speeds
- * v_left and v_right, in the time t since the packet, the distance and the angle are
+/* Extrapolates the pose to the current time. Packets arrive only ten times a second. Without
+ * extrapolation, a program with more frequent steps would see the robot stop and jump. With the
+ * wheels' speeds v_left and v_right, in the time t since the packet, the distance and the angle are
  *   d = t (v_right + v_left) / 2,   a = t difference (v_right - v_left) / 2,
  * and the distance is along the heading at the middle of the turn. The next packet replaces the
  * estimate. */

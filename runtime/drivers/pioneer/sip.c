@@ -4,7 +4,7 @@
 
 #include "drivers/pioneer/protocol.h"
 
-/* Reads a body field by field. Past the end every field is 0, and `short_` is set. */
+/* Reads a body field by field. Past the end, every field is 0 and `short_` is set. */
 struct cursor {
     const uint8_t *at;
     size_t left;
@@ -34,7 +34,8 @@ static uint16_t u16(struct cursor *c)
     return (uint16_t)(low | high << 8);
 }
 
-/* Converts two's complement without an implementation-defined conversion. */
+/* Converts from two's complement without relying on an implementation-defined
+ * conversion. */
 static int16_t s16(struct cursor *c)
 {
     int32_t n = u16(c);

@@ -29,7 +29,7 @@ struct frob_p2os_sip {
     int16_t left, right; /* wheel speeds */
     uint8_t battery;     /* 0.1 V */
     bool left_stall, right_stall;
-    uint8_t rear_bumpers, front_bumpers; /* one bit for each bumper, from bit 0 */
+    uint8_t rear_bumpers, front_bumpers; /* one bit for each bumper, starting with bit 0 */
     uint16_t flags;
     uint8_t compass;
     uint8_t echo_count; /* a SIP contains only sonars with new readings */

@@ -40,14 +40,14 @@ static inline struct frob_wire frob_scout_wire(double separation_m)
 /* VM: velocities of the first and second axis, 0.1 inch/s. */
 struct frob_scout_packet frob_scout_velocities(long first, long second);
 
-/* CONF_SN: fires one sonar every rate * 4 ms, in the order that programs for the Scout use, front
- * first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */
+/* CONF_SN: fires one sonar every rate * 4 ms. The order is the usual one in programs for the
+ * Scout, front first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */
 struct frob_scout_packet frob_scout_sonars_on(unsigned rate);
 
 /* CONF_SN with an empty firing order. */
 struct frob_scout_packet frob_scout_sonars_off(void);
 
-/* CONF_TM: the robot stops after this many seconds without a command; 0 means never. */
+/* CONF_TM: makes the robot stop after this many seconds without a command. 0 means never. */
 struct frob_scout_packet frob_scout_watchdog(unsigned seconds);
 
 #ifdef __cplusplus

@@ -2,9 +2,10 @@
  *
  * The position fields wrap around, so the odometry adds up differences. The pose is zero, pointing
  * along x, at the place of the first state, and continues from one connection to the next. A
- * packet's checksum is a single byte, so a damaged state gets through now and then: positions that
- * the robot cannot have reached since the last state are rejected, unless it repeats them. Speeds
- * are measured over a fifth of a second, because one count is as much as 2.54 mm. */
+ * packet's checksum is a single byte, so a damaged state occasionally passes the check. Therefore
+ * the odometry rejects positions that the robot cannot have reached since the last state, unless
+ * the robot repeats them. Speeds are measured over a fifth of a second, because one count is as
+ * much as 2.54 mm. */
 #ifndef FROB_DRIVERS_SCOUT_ODOMETRY_H
 #define FROB_DRIVERS_SCOUT_ODOMETRY_H
 
@@ -16,14 +17,14 @@ extern "C" {
 
 struct frob_scout_place {
     double x_m, y_m;
-    double heading_rad; /* not reduced to one turn */
+    double heading_rad; /* not reduced to a single turn */
 };
 
 /* Initially all zero. */
 struct frob_scout_odometry {
-    bool known; /* the next fields are valid; they are from the last state */
+    bool known; /* whether the next fields are valid; they are from the last state */
     int x, y, heading;
-    int64_t taken_ns; /* when that state arrived */
+    int64_t taken_ns; /* time at which that state arrived */
     unsigned refused; /* number of consecutive rejected states */
     double axes_rad;  /* angle from the axes of these fields to those of the pose */
     struct frob_scout_place place, measured; /* current pose, and the pose at measured_ns */

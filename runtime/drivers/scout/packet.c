@@ -84,7 +84,7 @@ bool frob_scout_receive(struct frob_scout_receiver *r, uint8_t byte,
     r->next = (r->next + 1) & WINDOW_MASK;
     if (byte != FROB_SCOUT_END)
         return false;
-    /* Try the longest first: a shorter one could be part of its data. */
+    /* Tries the longest packet first, because a shorter one could be part of its data. */
     for (unsigned size = FROB_SCOUT_MAX_PACKET; size >= FROB_SCOUT_OVERHEAD; size--) {
         if (!is_packet(r, size))
             continue;

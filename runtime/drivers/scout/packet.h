@@ -48,7 +48,7 @@ enum frob_scout_type {
 enum {
     FROB_SCOUT_START = 0x01,
     FROB_SCOUT_END = 0x5C,
-    /* Maximum length of data. A state packet has 42 bytes. */
+    /* Maximum length of the data. A state packet has 42 bytes. */
     FROB_SCOUT_MAX_DATA = 62,
     FROB_SCOUT_OVERHEAD = 6,
     FROB_SCOUT_MAX_PACKET = FROB_SCOUT_MAX_DATA + FROB_SCOUT_OVERHEAD
@@ -71,18 +71,18 @@ unsigned frob_scout_get_u16(const uint8_t *bytes);
 int frob_scout_get_s16(const uint8_t *bytes);
 uint32_t frob_scout_get_u32(const uint8_t *bytes);
 
-/* Writes the packet as the bytes on the wire; returns their number. */
+/* Writes the packet as the bytes on the wire. Returns the number of bytes. */
 size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
                                uint8_t bytes[FROB_SCOUT_MAX_PACKET]);
 
 /* The bytes received last. Initially all zero.
  *
- * The receiver searches for a packet backwards from each byte that can be its last. So the bytes
- * before a packet, whatever they are, never hide it, and every good packet is found as soon as its
- * last byte arrives. */
+ * The receiver searches for a packet backwards from each byte that can be its last. Therefore
+ * bytes before a packet never hide it, and every valid packet is found as soon as its last byte
+ * arrives. */
 struct frob_scout_receiver {
     uint8_t window[128]; /* ring buffer; a power of two above FROB_SCOUT_MAX_PACKET */
-    unsigned next;       /* where the next byte goes */
+    unsigned next;       /* index of the next byte */
 };
 
 /* Handles a received byte. If it completes a packet, stores it in `packet` and returns true;

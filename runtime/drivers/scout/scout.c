@@ -56,8 +56,9 @@ static enum frob_status send_stop(struct frob_scout *d)
     return status == FROB_LOST ? status : send(d, frob_scout_plain(FROB_SCOUT_ST));
 }
 
-/* Returns when to request the state if no velocity is sent. Returns INT64_MAX (never) if the robot
- * moves and the host has stopped commanding it, so that the robot's watchdog stops it. */
+/* Returns the time at which to request the state if no velocity is sent. Returns INT64_MAX (never)
+ * if the robot moves and the host has stopped commanding it, so that the robot's watchdog stops
+ * it. */
 static int64_t ask_ns(const struct frob_scout *d)
 {
     int64_t at_ns = d->sent_ns + ns(d->settings[FROB_SCOUT_POLL_S]);
@@ -111,8 +112,8 @@ static void take_state(struct frob_scout *d, const struct frob_scout_packet *pac
                          FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
 }
 
-/* Handles an answer. If a command of connecting is refused, connecting fails. Velocities may be
- * refused now and then, while somebody presses the stop button. */
+/* Handles an answer. If a command of connecting is refused, connecting fails. The robot may
+ * occasionally refuse velocities, while somebody presses the stop button. */
 static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
     bool refused = packet->type == FROB_SCOUT_NAK;
@@ -168,7 +169,8 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->step = FROB_SCOUT_STOPPING;
     d->heard_ns = d->commanded_ns = frob_now_ns(clock);
     d->sensed_ns = INT64_MIN;
-    /* Ignores failure: a line with a fixed rate either has the right rate, or no answer arrives. */
+    /* Ignores a failure to set the rate: if the line has a fixed rate, either that rate is right,
+     * or no answers will arrive. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_SCOUT_BAUD]);
     serial->operations->discard(serial->port);
 }

@@ -7,8 +7,8 @@
  * the driver requests the state only as long as the host keeps commanding.
  *
  * Noise can start a packet of up to 259 bytes, and the robot ignores commands until the packet
- * ends. If the driver stops a robot that it does not hear, it therefore sends as many zeros, and
- * then the stop command again.
+ * ends. Therefore, if the driver stops a robot from which it does not receive anything, it sends
+ * this number of zeros and then the stop command again.
  *
  * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_SCOUT_SCOUT_H
@@ -28,7 +28,7 @@ extern "C" {
 /* The driver. Its input and output are those of <frob/scout.h>. */
 extern const struct frob_driver frob_scout_driver;
 
-/* Settings, in the order of the driver's table. */
+/* Settings, in the order in which the driver's table lists them. */
 enum frob_scout_setting {
     FROB_SCOUT_BAUD,
     FROB_SCOUT_WATCHDOG_S,
@@ -42,7 +42,7 @@ enum frob_scout_setting {
     FROB_SCOUT_SETTING_COUNT
 };
 
-/* Stages of connecting. The robot must answer the command of each. */
+/* Stages of connecting. The robot must answer the command of each stage. */
 enum frob_scout_step {
     FROB_SCOUT_STOPPING,
     FROB_SCOUT_WATCHDOG,
@@ -58,15 +58,17 @@ struct frob_scout {
     enum frob_scout_step step;
     bool refused;
     unsigned refusals;               /* number of consecutive velocities that the robot refused */
-    uint8_t awaited;                 /* type of the pending answer; 0: none */
-    int64_t sent_ns;                 /* when the last command was sent */
-    int64_t heard_ns;                /* when the last answer arrived, or the connection began */
+    uint8_t awaited;                 /* type of the pending answer; 0 if there is none */
+    int64_t sent_ns;                 /* time at which the last command was sent */
+    int64_t heard_ns;                /* time at which the last answer arrived or, before that, at
+                                      * which the connection began */
     int64_t byte_ns;                 /* when the last byte arrived */
     int64_t sensed_ns;               /* when the last state arrived */
-    int64_t commanded_ns;            /* when the host last commanded a velocity or a stop */
-    bool velocity_waits;             /* a velocity must be sent */
+    int64_t commanded_ns;            /* time at which the host last commanded a velocity or a
+                                      * stop */
+    bool velocity_waits;             /* whether a velocity must be sent */
     double forward_m_s, turn_rad_s;  /* that velocity */
-    struct frob_wire_numbers speeds; /* the wheel speeds sent last */
+    struct frob_wire_numbers speeds; /* the wheel speeds that were sent last */
     struct frob_scout_receiver receiver;
     struct frob_scout_state state;
     struct frob_scout_odometry odometry;

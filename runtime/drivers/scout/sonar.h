@@ -18,7 +18,7 @@ extern "C" {
 struct frob_scout_sonar {
     uint8_t reading_in[FROB_SCOUT_SONARS]; /* last readings, in inches */
     bool is_new[FROB_SCOUT_SONARS];        /* new, and not yet taken */
-    int64_t new_ns[FROB_SCOUT_SONARS];     /* when the last new reading arrived */
+    int64_t new_ns[FROB_SCOUT_SONARS];     /* time at which the last new reading arrived */
 };
 
 /* Adds the readings of a state that arrived at `now_ns`. All transducers fire once in

@@ -1,7 +1,8 @@
 /* scout/state.h -- the state packet, with which a Scout answers a command.
  *
  * The layout is the order in which Ndirect 2.6.13 reads the packet for models other than the Nomad
- * 200. The bits of the motor status are those of two ROS nodes for the Scout. The three velocity
+ * 200. The bits of the motor status are the ones that two ROS nodes for the Scout use. The three
+ *      velocity
  * fields are ignored, because sources interpret them in two ways (wheels, or forward and turn);
  * velocities are computed from odometry instead. */
 #ifndef FROB_SCOUT_STATE_H
@@ -48,8 +49,8 @@ struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *pa
  * 41 m.
  *
  * At 83.2 m the field exceeds its 15 bits. It is not documented whether it then continues at the
- * negative end or at zero, so the difference is taken modulo 2^15, which is right for both (and one
- * unit of 2.54 mm off if the robot has no -0). */
+ * negative end or at zero, so the difference is taken modulo 2^15, which is correct in both cases
+ * (but off by one unit of 2.54 mm if the robot does not use -0). */
 int frob_scout_position_step(int before, int now);
 
 /* Returns the change of the heading from one state to the next, in 0.1 degree, -1799 to 1800,

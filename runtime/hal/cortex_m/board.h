@@ -1,7 +1,7 @@
 /* hal/cortex_m/board.h -- a Cortex-M board: ARM's MPS2 with the image AN386 (a Cortex-M4), which
  * qemu emulates as `mps2-an386`.
  *
- * For another Cortex-M board keep startup.c and clock.c, which use only the processor's own
+ * For another Cortex-M board, keep startup.c and clock.c, which use only the processor's own
  * registers, and replace the constants below, serial.c and the linker script. The robot is
  * connected to UART 0; messages for people are written to UART 1.
  *
@@ -41,7 +41,7 @@ size_t board_stack_size(void);
 void board_on_tick(void);
 void board_on_receive(void);
 
-/* Called at a fault of the processor; main.c stops the robot here. */
+/* Called when the processor detects a fault; main.c stops the robot in this function. */
 void board_on_fault(void);
 
 #endif

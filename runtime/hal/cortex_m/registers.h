@@ -29,7 +29,7 @@ struct uart {
     volatile uint32_t state;     /* 1 transmitter full, 2 receiver full */
     volatile uint32_t control;   /* 1 transmit, 2 receive, 8 interrupt on receive */
     volatile uint32_t interrupt; /* write 2 to clear the receive interrupt */
-    volatile uint32_t divider;   /* clock / rate, at least 16 */
+    volatile uint32_t divider;   /* clock frequency / bit rate, at least 16 */
 };
 #define UART_0 ((struct uart *)0x40004000u)
 #define UART_1 ((struct uart *)0x40005000u)

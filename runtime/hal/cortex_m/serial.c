@@ -5,17 +5,17 @@
 
 enum { TRANSMITTER_FULL = 1, RECEIVER_FULL = 2 };
 enum { TRANSMIT = 1, RECEIVE = 2, RECEIVE_INTERRUPT = 8 };
-enum { RING = 1024 }; /* a power of two; large enough for any packet of any robot */
+enum { RING = 1024 }; /* a power of two, large enough for any packet of any robot */
 
-/* Only the interrupt changes `end`, only the program changes `start`. */
+/* Only the interrupt handler changes `end`, and only the program changes `start`. */
 static struct {
     volatile uint8_t bytes[RING];
     volatile uint32_t start, end;
 } ring;
 
-/* Clears the interrupt first: a byte that arrives after the last check then raises it again. In the
- * opposite order that byte's interrupt would be lost, and the receiver, which is then full, would
- * never raise another. */
+/* Clears the interrupt first, so that a byte that arrives after the last check raises it again. In
+ * the opposite order, the interrupt of this byte would be lost, and the receiver, which is then
+ * full, would never raise another. */
 void board_on_receive(void)
 {
     UART_0->interrupt = RECEIVER_FULL;

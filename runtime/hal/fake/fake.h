@@ -1,4 +1,4 @@
-/* hal/fake/fake.h -- for tests: a simulated clock, and a serial line in memory.
+/* hal/fake/fake.h -- a simulated clock and a serial line in memory, for tests.
  *
  * Time passes only when the code waits or a test advances it, so a test of an hour takes no time.
  * The test is the other end of the line: it sends bytes that arrive immediately or later, and reads
@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* Virtual time. Sleeping and waiting advance it. */
+/* Virtual time, which advances when the code sleeps or waits. */
 struct frob_fake_clock {
     int64_t now_ns;
 };
@@ -37,10 +37,11 @@ struct frob_fake_line {
     struct frob_fake_clock *clock;
     struct frob_fake_queue to_driver, from_driver;
     uint32_t rate;
-    bool lost;          /* set by the test: the cable is pulled */
-    bool blocked;       /* set by the test: writes find no room */
-    bool refuses_rates; /* set by the test: set_rate is unsupported */
-    uint32_t fastest;   /* set by the test: set_rate above this rate is unsupported; 0: no limit */
+    bool lost;          /* set by the test if the cable is pulled */
+    bool blocked;       /* set by the test if writes find no space */
+    bool refuses_rates; /* set by the test if set_rate is unsupported */
+    uint32_t fastest;   /* set by the test if set_rate above this rate is unsupported; 0: no
+                         * limit */
 };
 
 /* Opens a line that has no bytes in transit and uses this clock. */
@@ -49,8 +50,8 @@ void frob_fake_line_open(struct frob_fake_line *line, struct frob_fake_clock *cl
 /* Returns the driver's end of the line. */
 struct frob_serial frob_fake_serial(struct frob_fake_line *line);
 
-/* Sends bytes from the test's end. They arrive at the driver after `delay_ns`, but never before
- * bytes sent earlier. Bytes that do not fit are dropped. */
+/* Sends bytes from the test's end of the line. They arrive at the driver after `delay_ns`, but
+ * never before bytes that were sent earlier. Bytes that do not fit are dropped. */
 void frob_fake_send(struct frob_fake_line *line, const uint8_t *bytes, size_t count,
                     int64_t delay_ns);
 

@@ -4,7 +4,7 @@
 
 #include "hal/clock.h"
 
-/* Sleeping ends early if a signal arrives. */
+/* The sleep ends early if a signal arrives. */
 extern const struct frob_clock frob_posix_clock;
 
 #endif

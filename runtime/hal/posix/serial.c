@@ -104,7 +104,7 @@ static int open_terminal(int *fd, const char *device, uint32_t bits_per_s)
         *fd = -1;
         return error;
     }
-    /* Also keep out programs that do not lock the device. */
+    /* Also keeps out programs that do not lock the device. */
     ioctl(*fd, TIOCEXCL);
     if (frob_posix_set_terminal_rate(*fd, bits_per_s) != 0) {
         error = errno;
@@ -270,8 +270,8 @@ struct frob_serial frob_posix_serial(struct frob_posix_line *line)
     return result;
 }
 
-/* Waits until the written bytes have been transmitted, up to a limit. The kernel would wait for
- * half a minute for a line that accepts nothing. */
+/* Waits until the written bytes have been transmitted, up to a limit. If the line accepts no
+ * bytes, the kernel would wait for half a minute. */
 static void drain(const struct frob_posix_line *line)
 {
     int64_t end_ns = frob_now_ns(&frob_posix_clock) + DRAIN_PATIENCE_NS;

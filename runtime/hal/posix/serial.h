@@ -20,22 +20,23 @@ struct frob_posix_line {
     int fd; /* -1: not open */
     bool is_terminal;
     bool lost;
-    bool heard;              /* a byte has been received since the line was first opened */
-    unsigned char peer[128]; /* address of a TCP connection, a struct sockaddr */
+    bool heard;              /* whether a byte has been received since the line was first opened */
+    unsigned char peer[128]; /* address of a TCP connection, as a struct sockaddr */
     unsigned peer_length;
 };
 
-/* Opens the device. On failure nothing is open, and `message`, of size `room`, explains the problem
- * and how to fix it, in one line. Returns FROB_OK, FROB_NOT_FOUND, FROB_DENIED, FROB_IN_USE,
- * FROB_UNSUPPORTED (not a serial line, or not that rate), FROB_TIMEOUT (TCP) or FROB_LOST. */
+/* Opens the device. On failure, nothing is open, and `message`, whose size is `room`, contains a
+ * line that explains the problem and how to fix it. Returns FROB_OK, FROB_NOT_FOUND, FROB_DENIED,
+ * FROB_IN_USE, FROB_UNSUPPORTED (not a serial line, or not that rate), FROB_TIMEOUT (TCP) or
+ * FROB_LOST. */
 enum frob_status frob_posix_open(struct frob_posix_line *line, const char *device,
                                  uint32_t bits_per_s, char *message, size_t room);
 
 /* Uses an open socket as the line. */
 void frob_posix_adopt(struct frob_posix_line *line, int socket);
 
-/* Reopens a line that was open, at `device`, whose path may have changed. For TCP it connects to
- * the previous address: it looks up no name, and waits for at most half a second. */
+/* Reopens a line that was open, at `device`, whose path may have changed. For TCP, it connects to
+ * the previous address without looking up a name, and waits for at most half a second. */
 enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
                                    uint32_t bits_per_s);
 

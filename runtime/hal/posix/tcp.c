@@ -1,4 +1,5 @@
-/* A robot reached over TCP: its own computer, a serial server or a simulator. */
+/* A robot that is reached over TCP: its own computer, a serial server or a
+ * simulator. */
 #include "hal/posix/parts.h"
 
 #include <errno.h>
@@ -72,7 +73,7 @@ static int try_address(const struct sockaddr *address, socklen_t length, int pat
     if (connect(*fd, address, length) != 0)
         error = errno == EINPROGRESS ? finish(*fd, patience_ms) : errno;
     if (error == 0) {
-        /* Send packets immediately, and detect a dead peer. */
+        /* Sends packets immediately, and detects a dead peer. */
         setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
         setsockopt(*fd, SOL_SOCKET, SO_KEEPALIVE, &one, sizeof one);
         return 0;

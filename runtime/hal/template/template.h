@@ -2,7 +2,7 @@
  *
  * For a new board, copy this folder, and replace each function with code for the board.
  * docs/porting.md explains each function and in which order to try them. A board with one robot
- * needs one line and one clock, so the memory of both is static here. */
+ * needs only one line and one clock, so the memory of both is static here. */
 #ifndef FROB_HAL_TEMPLATE_H
 #define FROB_HAL_TEMPLATE_H
 

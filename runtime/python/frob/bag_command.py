@@ -1,10 +1,10 @@
-"""`python3 -m frob.bag_command BAG PROGRAM OUT.csv`: extracts the recording of a program from a ROS
-2 bag, for `frobc trace` and `frobc view`.
+"""`python3 -m frob.bag_command BAG PROGRAM OUT.csv`: extracts the recording of a program from a ROS 2
+bag, for `frobc trace` and `frobc view`.
 
 A bag is a folder of rosbag2, or one of its files (.db3 or .mcap). A program that runs as a ROS 2
-node publishes its instants: `NODE/columns` contains the beginning of its recording, and
-`NODE/instants` contains a number and a row for each instant. Files in MCAP format require the
-package mcap."""
+node publishes its instants: the topic `NODE/columns` contains the beginning of its recording, and
+the topic `NODE/instants` contains a number and a row for each instant. Files in MCAP format require
+the package mcap."""
 
 from __future__ import annotations
 

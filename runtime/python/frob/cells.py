@@ -21,7 +21,7 @@ DEEPEST = 200
 
 
 class CellError(ValueError):
-    """Raised for a text that is not a value."""
+    """Raised if a text is not a value."""
 
 
 def words(cell: str) -> List[str]:

@@ -3,7 +3,8 @@
 Each task is a shard of the runs (`frobc sweep --shard`). Workers that can see the client's folder
 for rows write to that folder, each into its own file. Other workers return their rows as the task's
 result, and the client writes them. If a worker is killed, the scheduler gives its task to another
-worker, which performs the missing runs. So the rows are the same on any mixture of machines."""
+worker, which performs the missing runs. Therefore the rows are the same on any combination of
+machines."""
 
 from __future__ import annotations
 
@@ -54,7 +55,7 @@ class Answer:
     """A worker's answer before the first run."""
 
     lack: str
-    """Why the worker cannot perform the runs; empty if it can."""
+    """The reason why the worker cannot perform the runs; empty if it can."""
     shares: bool
     """Whether the worker sees the client's folder."""
 

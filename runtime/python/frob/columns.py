@@ -52,7 +52,7 @@ def _numbers(name: str, leaf: shapes.Scalar, given: "NDArray[Any]") -> "NDArray[
         good = kind in "iuf"
     if good:
         return given
-    # Convert value by value, so that an error names its row. This also accepts a column of Python
+    # Converts value by value, so that an error names its row. This also accepts a column of Python
     # objects.
     return np.array(  # type: ignore[no-any-return]
         [_one(leaf, value, f"{name}, row {row}") for row, value in enumerate(given.tolist())],
@@ -188,7 +188,7 @@ def _of_floats(column: "NDArray[Any]") -> "NDArray[Any]":
         )
     if column.dtype.kind in "iu":
         return column.astype(np.int64) * 10**9  # type: ignore[no-any-return]
-    # Convert in two parts, because a float near 1.7e18 ns cannot represent single nanoseconds.
+    # Converts in two parts, because a float near 1.7e18 ns cannot represent single nanoseconds.
     whole = np.floor(column)
     parts = np.rint((column - whole).astype(np.float64) * 1e9)
     return whole.astype(np.int64) * 10**9 + parts.astype(np.int64)  # type: ignore[no-any-return]
@@ -208,7 +208,7 @@ def _of_dates(column: "NDArray[Any]") -> "NDArray[Any]":
 
 
 def listed_dt_of_time(given: Sequence[Any]) -> List[float]:
-    """Does the same without numpy, but returns seconds."""
+    """Does the same without numpy, and returns seconds."""
     ns: List[int] = []
     for row, value in enumerate(given):
         ns.append(_time_ns(value, row))

@@ -1,5 +1,5 @@
-"""Steps a program that drives a robot in the simulator, instant by instant, and can override some
-of its inputs and outputs."""
+"""Runs a program that drives a robot in the simulator, one instant at a time. Some of its inputs and
+outputs can be overridden."""
 
 from __future__ import annotations
 
@@ -97,9 +97,9 @@ class Drive:
         return self._sim
 
     def step(self, inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
-        """Runs one instant of the program, with these values in place of its own inputs and
-        outputs. Then runs the world to the program's next instant and reads the sensors. During an
-        outage of the world the program has no instants, so the next one comes after it."""
+        """Runs one instant of the program, with these values in place of its own inputs and outputs.
+        Then runs the world to the program's next instant and reads the sensors. During an outage
+        of the world, the program has no instants, so the next one is after the outage."""
         sim = self._running()
         now = self._time_ns(self._instant)
         self._put(inputs)

@@ -1,5 +1,5 @@
-"""The exceptions of this package. Each message says where the problem is, what causes it, and what
-to do."""
+"""The exceptions of this package. Each message describes the place and the cause of the problem, and
+what to do."""
 
 from __future__ import annotations
 

@@ -105,17 +105,17 @@ def falsify(
     `points` values during the run; it keeps each value until the next (`shape="constant"`) or
     changes linearly between them (`shape="linear"`). The margin of the assertion guides the search.
     `only` selects assertions by label, and `runs` is the maximum number of runs for each. Searches
-    with the same `seed` are identical. With `check_rate`, a violation counts only if it also occurs
-    with that many instants a second.
+    with the same `seed` are identical. If `check_rate` is given, a violation counts only if it also
+    occurs at that number of instants a second.
 
-    A program that drives a robot runs in the simulator, in `world` or else in the world that
-    `frobc run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and
+    A program that drives a robot runs in the simulator, in `world` or else in the world that `frobc
+    run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and
     `disturbances`, which are numbers of the world file, such as `{"sonar.noise": (0, 0.05)}`. There
     is one additional assertion: that the robot touches nothing.
 
     After each run, `progress` is called with the assertion's label, the number of its runs so far,
-    and the maximum number of runs. `ended` is called with the result of each search as soon as it
-    is complete.
+    and the maximum number of runs. `ended` is called with the result of each search as soon as the
+    search is complete.
     """
     _check("duration", duration, 1e-3, 1e6)
     _check("rate", rate, 0.1, 1e6)

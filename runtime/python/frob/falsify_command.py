@@ -31,7 +31,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         looked.clear()
         print(f"interrupted: {looked.interrupted()}", file=sys.stderr)
     except BrokenPipeError:
-        # The reader has closed the pipe, so there is no stream left to flush.
+        # The reader has closed the pipe, so there is no stream to flush.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG_USE
     except Exception as error:
@@ -103,7 +103,7 @@ def _run(options: argparse.Namespace, looked: _Looked) -> int:
         _tell(search, options)
         sys.stdout.flush()
 
-    # Print warnings as frobc does.
+    # Prints warnings in the same way as frobc.
     warnings.showwarning = lambda message, *_: print(message, file=sys.stderr)
     try:
         searches = falsify(

@@ -47,7 +47,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
     last occurrence, or the upper limit before the first one. The program always runs, and
     determines every column that the agent does not set.
 
-    `reward` takes a `Moment`. `done` takes a `Moment` and returns whether the episode has ended; by
+    `reward` takes a `Moment`. `done` takes a `Moment` and returns whether the episode has ended. By
     default, an episode ends at a collision. After `duration` seconds the episode is truncated.
     During an outage of the world (`[outage]`) the program has no instants, so a step can take as
     long as the outage. `limits` maps columns to their lowest and highest values."""
@@ -91,7 +91,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         code = self._drive.code
         code.params_with(self._params)
         self._action = list(_numbers(code.output_columns) if action is None else action)
-        # Leaves out keys typed on the console: they are integers, but not sensor readings.
+        # Leaves out keys typed on the console, which are integers but not sensor readings.
         inputs = (
             name
             for name, leaf in code.input_columns

@@ -16,7 +16,7 @@ FAILS = 3
 """The tag of the constructor `Fails` of a verdict."""
 
 FAR = 1e9
-"""The margin of certainty: larger than any difference that a search needs to consider."""
+"""The margin of a result that is certain: larger than any difference that a search needs to consider."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Subject:
         shown = shapes.columns(shapes.of_value(probes[0], {}), "probe") if probes else ()
         self.leaves = dict(shown)
 
-    # The assertions and parameters of a search
+    # The assertions and parameters of a search.
 
     def assertions(self) -> List[Claim]:
         return [claim for claim in self.claims if not claim.is_assumption]
@@ -95,7 +95,7 @@ class Subject:
         return min((self._first_failure(one, memory) for one in assumed), default=len(self.time))
 
     def voided(self, void: int) -> float:
-        """A penalty for a failed assumption: the earlier it fails, the larger."""
+        """A penalty for a failed assumption. The earlier the assumption fails, the larger it is."""
         return FAR * (1.0 - void / len(self.time)) if void < len(self.time) else 0.0
 
     def _first_failure(self, claim: Claim, memory: "NDArray[Any]") -> int:
@@ -119,7 +119,7 @@ class Subject:
         return output
 
     def _margin(self, claim: Claim, memory: "NDArray[Any]", void: int) -> float:
-        """The smallest margin of the run before the instant `void`."""
+        """Returns the smallest margin of the run before the instant `void`."""
         np = columns.numpy()
         if claim.margin is None:
             return FAR

@@ -167,7 +167,7 @@ def build(
         options += ["--robot", tools.path_text(robot, "robot")]
     for source in tools.paths(sources, "sources"):
         options += ["--with", tools.existing(source, "C file")]
-    # Use a new file name: the code of a loaded file must not change.
+    # Uses a new file name, because the code of a loaded file must not change.
     with tempfile.TemporaryDirectory(prefix="frob-") as folder:
         made = os.path.join(folder, "program.so")
         tools.run(["build", "--shared", *options, "-o", made, path])

@@ -2,8 +2,8 @@
 
 A margin is a number at each instant, positive if the condition is true and negative if it is false:
 the robustness of signal temporal logic (Donzé and Maler 2010) over the instants of a run, for the
-past-time operators of the module Past. A condition that compares no numbers has an infinite margin,
-and so does an operand that makes no difference.
+past-time operators of the module Past. A condition that does not compare numbers has an infinite
+margin, and so does an operand that does not affect the result.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ class Margin:
         self.columns: List[str] = sorted(_columns(self._formula))
 
     def over(self, nanoseconds: "Times", values: "Mapping[str, NDArray[Any]]") -> "Series":
-        """Computes the margin at each instant. `values` are the columns over a stretch without
-        gaps: while the signal function does not run, its assertion has no margin."""
+        """Computes the margin at each instant. `values` contains the columns over a stretch without
+        gaps, because an assertion has no margin while its signal function does not run."""
         return _over(self._formula, nanoseconds, values)
 
 
@@ -126,13 +126,13 @@ def _by(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "Series":
-    """The minimum over all instants more than q earlier: at each of them p was false, or the answer
-    has come since."""
+    """The minimum over all instants more than q earlier. At each of these, p must be false, or the
+    answer must have come since."""
     np = columns.numpy()
     count = len(ns)
     if q is None:
         return np.full(count, np.inf)  # type: ignore[no-any-return]
-    # Judge each instant at the first instant after its deadline.
+    # Judges each instant at the first instant after its deadline.
     asked, when = np.arange(count), np.searchsorted(ns, ns + q, side="right")
     asked, when = asked[when < count], when[when < count]
     first = np.full(count, np.inf)

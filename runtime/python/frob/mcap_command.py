@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from typing import Any, Dict, Iterator, List, Tuple
 
 LONGEST = 64
-"""Longer lists, such as images and maps, are omitted."""
+"""Lists that are longer than this, such as images and maps, are omitted."""
 
 
 class Unreadable(Exception):
@@ -39,7 +39,7 @@ def topic_name(topic: str) -> str:
 
 
 def decoded(schema: Any, channel: Any, message: Any, ros: Any, skipped: Dict[str, str]) -> Any:
-    """The content of a message, or None if its encoding is not supported."""
+    """The content of a message; None if its encoding is not supported."""
     if channel.message_encoding == "json":
         return json.loads(message.data)
     if channel.message_encoding == "cdr" and ros is not None:

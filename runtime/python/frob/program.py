@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CHUNK = 1 << 24
-"""Maximum number of instants per call to C: the C function counts in 32 bits, and cannot be
+"""Maximum number of instants per call to C, because the C function counts in 32 bits and cannot be
 interrupted.
 """
 
@@ -141,12 +141,14 @@ class Program:
         change.
 
         The type of `inputs` determines the type of the result. For an array with one column for
-        each input, it is an array; for a mapping of columns, named as in a trace, a dict of arrays;
-        for a DataFrame, a DataFrame; and for a list of values as `step` takes them, a list.
+        each input, the result is an array. For a mapping of columns, named as in a trace, it is a
+        dict of arrays; for a DataFrame, a DataFrame; and for a list of values such as `step` takes,
+        a list.
 
-        `dt` is the duration of a step in seconds, one for all steps or one for each. Alternatively,
-        `time` contains the time of each instant in seconds; the default is the inputs' column
-        `time`, if there is one. If `inputs` is an array, `out` may be an array for the outputs."""
+        `dt` is the duration of a step in seconds: a single number for all steps, or one for each
+        step. Alternatively, `time` contains the time of each instant in seconds; the default is the
+        inputs' column `time`, if there is one. If `inputs` is an array, `out` may be an array for
+        the outputs."""
         if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
             raise InputError("out: this is only supported if the inputs are an array")
         if isinstance(inputs, list):
@@ -232,9 +234,8 @@ class Program:
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
     def _steps(self, count: int, dt_ns: Any, memory: Any, output: Any = None) -> Any:
-        """Returns the outputs as bytes. All arrays are contiguous and have `count` elements, except
-        that `dt_ns` may be shorter: then all its elements but the first are the same, and are
-        reused."""
+        """Returns the outputs as bytes. All arrays are contiguous and have `count` elements. Only
+        `dt_ns` may be shorter, if all its elements except the first are equal; these are reused."""
         np = columns.numpy()
         code = self._code
         steps, has_params = code.steps()

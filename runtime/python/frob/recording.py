@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 
 
 class Columns(Dict[str, Any]):
-    """A table of columns by name, used if pandas is not installed. `attrs` is like that of a
-    DataFrame."""
+    """A table of columns by name, used if pandas is not installed. `attrs` has the same meaning as in
+    a DataFrame."""
 
     def __init__(self, columns: Dict[str, Any]) -> None:
         super().__init__(columns)
@@ -223,7 +223,7 @@ def _cells(text: str, dialect: Dialect) -> Iterable[List[str]]:
 
 
 def _times(seconds: List[Any], texts: Sequence[str], dialect: Dialect) -> Tuple[List[Any], int]:
-    """Counts times from the first row if floats cannot hold them; also returns the origin in ns."""
+    """Counts times from the first row if floats cannot represent them. Also returns the origin in ns."""
     if not any(isinstance(one, float) and abs(one) * 1e9 > times.IN_A_FLOAT for one in seconds):
         return seconds, 0
     exact = [times.of_text(dialect.cell(text)) for text in texts]
@@ -238,7 +238,7 @@ def _column(path: str, name: str, texts: Iterable[str], lines: int, dialect: Dia
     try:
         return [_float(text) for text in texts]
     except ValueError:
-        pass  # including CellError, which is reported for its row below
+        pass  # this includes CellError, which is reported for its row below
     if set(texts) <= {"true", "false"}:
         return [text == "true" for text in texts]
     values: List[Any] = []

@@ -74,7 +74,7 @@ class Space:
                 places = np.linspace(0.0, duration, self.points)
                 found[input_.name] = _values(input_, np.interp(time, places, shares))
             else:
-                # Add half a nanosecond, so that an instant on a boundary reliably belongs to the
+                # Adds half a nanosecond, so that an instant on a boundary reliably belongs to the
                 # next value.
                 index = ((time + 5e-10) * (self.points / duration)).astype(int)
                 values = _values(input_, shares)
@@ -96,9 +96,9 @@ class Space:
     def sketch(self, most: int, drawn: random.Random, is_restless: bool) -> "Sketch":
         """Draws a random point: parameters anywhere in their ranges, and inputs that change a few
         times. An input has at most `most` constant parts, or, if `is_restless`, as many parts as
-        there are control points. Half of the changes come early, so that they have the rest of the
-        run to take effect. Many values are at an end of their range, especially the last value of
-        each input, at which the run settles."""
+        there are control points. Half of the changes are early, so that they can take effect during
+        the rest of the run. Many values are at an end of their range, especially the last value of
+        each input, with which the run settles."""
 
         def value(at_end: float) -> float:
             return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()
@@ -177,22 +177,22 @@ WIDTH = 0.1
 """Initial step size of CMA-ES."""
 
 PATIENCE = 3
-"""Number of generations without progress after which CMA-ES ends."""
+"""Number of generations without progress after which CMA-ES stops."""
 
 
 class Over(Exception):
-    """A point has been found, or no runs are left."""
+    """Raised when a point has been found, or when no runs are left."""
 
 
 class Search:
     """Searches for a point with a negative value, in a limited number of runs.
 
-    The search first tries the corners. Then it tries random sketches: most inputs change only a few
-    times and are often at an end of their range, because such runs break programs with modes more
-    easily than restless ones, of which it tries a few too. After each round of sketches, CMA-ES
-    (Hansen) improves the best sketch that it has not worked on yet: its parameters, and the times
-    and values of its inputs. From round to round sketches may have more parts, up to the number of
-    control points.
+    The search first tries the corners. Then it tries random sketches, in which most inputs change
+    only a few times and are often at an end of their range. Such runs break programs with modes
+    more easily than restless ones, but it also tries a few restless ones. After each round of
+    sketches, CMA-ES (Hansen) improves the best sketch that it has not worked on yet: its
+    parameters, and the times and values of its inputs. In each round, sketches may have more parts
+    than in the previous one, up to the number of control points.
     """
 
     def __init__(self, space: Space, objective: Objective, runs: int, seed: int) -> None:
@@ -263,7 +263,8 @@ def need_packages(method: str) -> None:
 def cma() -> Any:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the warning that it cannot plot without matplotlib
+            warnings.simplefilter("ignore")  # this is the warning that it cannot plot without
+            # matplotlib
             import cma
     except ImportError:
         raise Error(

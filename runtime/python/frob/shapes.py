@@ -127,7 +127,7 @@ class Parts(Shape):
     def __init__(self, name: str, is_array: bool, labels: Sequence[str], parts: Sequence[Shape]):
         self.name = name
         self.is_array = is_array
-        self.labels = labels  # of a record; empty for other types
+        self.labels = labels  # name of a record; empty for other types
         self.parts = parts
         kind = f"a list of {len(parts)}" if is_array else f"a tuple of {len(parts)}"
         fields = ", ".join(labels)
@@ -258,7 +258,7 @@ class Sum(Shape):
 
 
 def clear(shape: Shape, memory: Buffer, base: int) -> None:
-    """Sets every slot to zero, so that slots that the current constructor does not use contain no
+    """Sets every slot to zero, so that slots that the current constructor does not use do not contain
     old values.
     """
     if isinstance(shape, Scalar):

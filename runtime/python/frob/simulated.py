@@ -23,7 +23,8 @@ SEED = "--seed"
 """The seed of the noise, which a search varies along with parameters and disturbances."""
 
 TOUCHES = Claim("touches nothing", False, shapes.Bool(0), None, "")
-"""The additional assertion of simulated runs; the simulator decides it, not the program."""
+"""The additional assertion of simulated runs, which the simulator decides rather than the
+program."""
 
 
 class World:
@@ -40,7 +41,7 @@ class World:
             )
 
     def text(self, values: Mapping[str, float]) -> str:
-        """Returns the file with these values for the varied numbers, which are named
+        """Returns the file with these values in place of the varied numbers, which are named
         `table.key`.
         """
         text = self._text
@@ -102,7 +103,7 @@ class Simulated(Subject):
 
     def __init__(self, code: library.Library, world: World, duration: float, rate: float) -> None:
         super().__init__(code, duration, rate)
-        # `time` and `nanoseconds` contain the instants of the last run only, which an outage
+        # `time` and `nanoseconds` contain only the instants of the last run, which an outage
         # reduces.
         self._all = self.time, self.nanoseconds
         self.world = world

@@ -1,4 +1,4 @@
-"""Runs a program in the simulator, as `frobc run` does."""
+"""Runs a program in the simulator in the same way as `frobc run`."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ def simulate(
 
     The default for `world` is the `world.toml` in the program's folder, or else the room that is
     installed with frobc. `params` are numbers in the parameters' units, or texts such as
-    `"20[cm]"`. `probe` names internal signals to record. With `until_done`, the run ends when the
-    program does. In addition to those of a recording, `attrs` has `summary`, the summary that
+    `"20[cm]"`. `probe` names internal signals to record. If `until_done` is true, the run ends when
+    the program ends. In addition to those of a recording, `attrs` has `summary`, the summary that
     `frobc run` prints, as a dict, and `picture` if it was requested. In a world with several robots
     the table is that of the first one, and `attrs["robots"]` has the tables of all.
     """
@@ -100,7 +100,7 @@ def _run(options: Sequence[str], duration: float, folder: str) -> Dict[str, str]
     record = os.path.join(folder, "run.csv")
     told = tools.run(["run", "--for", f"{duration:.9f}s", "--record", record, *options])
     lines = (line.split(": ", 1) for line in told.splitlines() if ": " in line)
-    # Omit the lines that name files, because those files are deleted before the table is returned.
+    # Omits the lines that name files, because those files are deleted before the table is returned.
     return {name: value for name, value in lines if name not in ("log", "picture")}
 
 

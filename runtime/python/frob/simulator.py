@@ -96,9 +96,9 @@ def _declared(lib: c.CDLL) -> c.CDLL:
 
 
 def world_path(program: str, world: Optional[tools.PathLike]) -> str:
-    """Finds the world as `frobc run` does: the given world, in the current folder, in the program's
-    folder, or among those installed with frobc; else `world.toml` in the program's folder; else the
-    default room."""
+    """Finds the world in the same way as `frobc run`. If a world is given, searches for it in the
+    current folder, in the program's folder, and among those installed with frobc. Otherwise uses
+    `world.toml` in the program's folder or, if there is none, the default room."""
     folder = os.path.dirname(program)
     own = os.path.join(tools.prefix(), "share", "frobc", "worlds")
     beside = os.path.join(folder, "world.toml")
@@ -158,8 +158,8 @@ class Simulator:
     def read(self, time_ns: int, memory: Any) -> bool:
         """Runs the physics up to this time, which must not go back, and reads the sensors.
 
-        During an outage of the world it commands a stop instead and returns False: the program then
-        has no instant."""
+        During an outage of the world, it commands a stop instead and returns False, because the
+        program has no instant."""
         with self._lock:
             sim = self._open()
             self._lib.frob_sim_advance(sim, time_ns)

@@ -1,4 +1,4 @@
-"""Performs many runs of a trial, as `frobc sweep` does, on this machine or on a cluster."""
+"""Performs many runs of a trial in the same way as `frobc sweep`, on this machine or on a cluster."""
 
 from __future__ import annotations
 
@@ -30,13 +30,14 @@ def sweep(
     """Performs the runs of a plan and returns a table with one row per run, in the plan's order.
 
     Without a client, this calls `frobc sweep` with `jobs` processes; the default is the number of
-    processors. With a `dask.distributed` client, its workers perform the runs, one shard after
-    another. Each worker's machine must then have the plan, the program and the worlds at the same
-    paths.
+    processors. If a `dask.distributed` client is given, its workers perform the runs, one shard
+    after another. Each worker's machine must then have the plan, the program and the worlds at
+    the same paths.
 
-    Rows are kept in the folder `rows`, or where `frobc sweep` keeps them next to the plan. Runs
-    that have a row are not repeated, so you can make the same call again after any interruption.
-    `attrs` has `summary`, the output of `frobc sweep`, and `picture` if it was requested.
+    Rows are stored in the folder `rows` or, by default, in the folder next to the plan that
+    `frobc sweep` uses. Runs that have a row are not repeated, so you can make the same call again
+    after any interruption. `attrs` has `summary`, the output of `frobc sweep`, and `picture` if
+    it was requested.
     """
     path = tools.existing(plan, "plan")
     if not isinstance(picture, bool):
@@ -64,7 +65,7 @@ def sweep(
             options += ["--picture", drawn]
         said = tools.run(["sweep", *options, "--rows", folder, "--table", told, path])
         table: "Table" = _read(told)
-        # Omit the lines that name files, because those files are deleted before the table is
+        # Omits the lines that name files, because those files are deleted before the table is
         # returned.
         lines = said.splitlines()
         table.attrs["summary"] = "\n".join(

@@ -9,7 +9,7 @@ import re
 from typing import Any, Optional
 
 MOST_NS = 4 * 10**18
-"""Maximum time; times since 1970 reach it in the year 2096."""
+"""Maximum time. Times since 1970 will reach it in the year 2096."""
 
 IN_A_FLOAT = 2**53
 """Maximum time at which a float of seconds still resolves nanoseconds."""
@@ -47,17 +47,18 @@ def of_value(value: Any) -> Optional[int]:
 
 
 MOST_DT = 1e9
-"""Maximum dt in seconds; a longer one counts as this, as in generated C."""
+"""Maximum dt in seconds. A longer one is treated as this, as in generated C."""
 
 
 def of_dt(seconds: float) -> int:
-    """Rounds a dt, which is not negative, to nanoseconds; halves to even, as generated C does."""
+    """Rounds a dt, which must not be negative, to nanoseconds. Rounds halves to even, as generated C
+    does."""
     return round(min(seconds, MOST_DT) * 1e9)
 
 
 def hint(seconds: Any) -> str:
-    """Returns a hint for the message about a time that is too large, in the words of `frobc`: that
-    it looks like a time since 1970 in a smaller unit, or an empty text.
+    """Returns a hint for the message about a time that is too large, in the words of `frobc`. The
+    hint says that it looks like a time since 1970 in a smaller unit, or is an empty text.
     """
     try:
         size = abs(float(seconds))

@@ -26,8 +26,8 @@ BESIDE = Path(__file__).resolve().parents[4]
 
 
 def frobc() -> str:
-    """Finds frobc: the path in FROBC if it is set, else the one in the wheel or the installation
-    that contains this package, else that on PATH.
+    """Finds frobc: the path in FROBC if it is set, otherwise the one in the wheel or the installation
+    that contains this package, otherwise the one on PATH.
     """
     named = os.environ.get("FROBC")
     found = named or str(INSTALLED / "bin" / "frobc")
@@ -108,7 +108,7 @@ def word(value: str, what: str) -> str:
 
 
 def words(given: Sequence[str], what: str) -> List[str]:
-    """Checks a list of strings; a single string represents a list of one."""
+    """Checks a list of strings. A single string is treated as a list of one."""
     return [word(one, what) for one in ([given] if isinstance(given, str) else paths(given, what))]
 
 

@@ -39,7 +39,7 @@ int __isinf(double x);
 int __finite(double x);
 int __signbit(double x);
 
-/* A float keeps its class when it is converted to double. */
+/* A float stays in the same class when it is converted to double. */
 #define isnan(x) (__isnan(x) != 0)
 #define isinf(x) (__isinf(x) != 0)
 #define isfinite(x) (__finite(x) != 0)
