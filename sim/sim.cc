@@ -15,7 +15,7 @@
 
 using namespace frob::sim;
 
-// A user-defined robot: its body, and the robot kind made from it.
+// A user-defined robot: its body, and the robot kind created from the body.
 struct Own {
     explicit Own(const frob_body &table) : body(table), kind(own_robot_kind(body)) {}
 

@@ -34,14 +34,14 @@ struct frob_imu;   /* <frob/imu.h> */
 struct frob_sim_settings {
     const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
     uint64_t seed;     /* seed of all noise */
-    /* If positive: measure the distance from a wall, and use this in place of `distance` in
-     * the world file's [measure]. 0: measure as the world file specifies. */
+    /* If positive, the distance from a wall is measured, and this replaces `distance` in the world
+     * file's [measure]. If 0, the world file specifies the measurement. */
     double wall_distance_m;
-    int picture; /* nonzero: record the data that frob_sim_picture draws */
+    int picture; /* nonzero to record the data that frob_sim_picture draws */
     /* The body of a user-defined robot, which `robot` names; else NULL. */
     const struct frob_body *body;
-    /* Nonzero: commands come from a firmware, which has already rounded them to whole steps. 0:
-     * the simulator rounds them as the robot's driver does, see drivers/steps.h. */
+    /* Nonzero if commands come from a firmware, which has already rounded them to whole steps. 0
+     * if the simulator must round them as the robot's driver does, see drivers/steps.h. */
     int served;
 };
 
@@ -56,13 +56,14 @@ void frob_sim_close(struct frob_sim *sim);
 size_t frob_sim_input_size(const struct frob_sim *sim);
 size_t frob_sim_output_size(const struct frob_sim *sim);
 
-/* Returns the robot that a world file names, or "" if it names none. Returns NULL on failure and
- * writes `message` as frob_sim_open does. */
+/* Returns the robot that a world file names, or "" if it does not name one. On failure, returns
+ * NULL and writes `message` as frob_sim_open does. */
 const char *frob_sim_world_robot(const char *world_file, char *message, size_t room);
 
-/* Reads the plan of a sweep. Sets `text` to the plan's contents, one line for each item (the
- * format is in plan/plan_file.h), and returns 1; if the plan has mistakes, sets it to one line
- * for each mistake and returns 0. The caller frees the text, which is NULL if memory runs out. */
+/* Reads the plan of a sweep. Sets `text` to the plan's contents, with one line for each item (the
+ * format is in plan/plan_file.h), and returns 1. If the plan contains mistakes, sets it to one
+ * line for each mistake and returns 0. The caller must free the text, which is NULL if memory runs
+ * out. */
 int frob_sim_read_plan(const char *plan_file, char **text);
 
 /* Number of robots in the world, all of the same kind. They are numbered from 0 in the order of
@@ -78,7 +79,7 @@ void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 void frob_sim_read(struct frob_sim *sim, void *input);
 void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
 
-/* Opens the camera of this name on all robots; call it before the physics runs. Returns the
+/* Opens the camera of this name on all robots. Must be called before the physics runs. Returns the
  * camera's number, or -1 if the world has no camera of this name. */
 int frob_sim_look_through(struct frob_sim *sim, const char *camera);
 
@@ -95,7 +96,7 @@ const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int 
  * and its newest scan. */
 int frob_sim_open_lidar(struct frob_sim *sim, const char *lidar);
 const char *frob_sim_lidar_name(const struct frob_sim *sim, size_t number);
-/* Position of this lidar on its robot: ahead of the centre, and to the left. */
+/* The position of this lidar on its robot: ahead of the centre, and to the left. */
 void frob_sim_lidar_seat(const struct frob_sim *sim, size_t number, double *ahead_m,
                          double *left_m);
 const struct frob_scan *frob_sim_scan(struct frob_sim *sim, size_t robot, int lidar,
@@ -107,9 +108,9 @@ int frob_sim_open_imu(struct frob_sim *sim, const char *imu);
 const char *frob_sim_imu_name(const struct frob_sim *sim, size_t number);
 const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu, int64_t time_ns);
 
-/* The parts of a robot's surface that touch an object now. */
+/* The parts of a robot's surface that currently touch an object. */
 struct frob_sim_bumps {
-    int left, right; /* the halves of its front; a contact at the middle counts for both */
+    int left, right; /* the halves of its front; a contact at the middle counts for both halves */
     int back;
 };
 
@@ -122,8 +123,8 @@ void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output)
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
-/* Whether the host has lost its robots at this time, according to the world's [outage]. The host
- * then skips the program's step and commands a stop. */
+/* Whether the host has lost its robots at this time, according to the world's [outage]. If so, the
+ * host must skip the program's step and command a stop. */
 int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
 
 /* The true pose of a robot in the world, and whether it touched an object during the last call of
@@ -149,7 +150,7 @@ struct frob_sim_summary {
     double time_s;     /* simulated time */
     double distance_m; /* distance along the path */
     /* Number of collisions with fixed objects, boxes, balls and other robots. A collision ends
-     * when the robot has touched nothing for half a second. */
+     * when the robot has not touched anything for half a second. */
     int collisions;
     double odometry_error_m; /* distance between the robot's true position and its odometry */
     int measured;            /* nonzero if the world file selects the
@@ -182,7 +183,7 @@ struct frob_sim_collision {
 };
 
 /* Reads the robot's collision at index `number`, counted from 0. Returns false if there is no such
- * collision; only the first five are kept. */
+ * collision. Only the first five are stored. */
 int frob_sim_collision_robot(const struct frob_sim *sim, size_t robot, size_t number,
                              struct frob_sim_collision *collision);
 

@@ -10,7 +10,7 @@
 namespace frob::sim {
 namespace {
 
-// Number of collisions to keep for each robot; all are counted.
+// The number of collisions that are stored for each robot; all are counted.
 constexpr std::size_t most_collisions = 5;
 
 const RobotKind &kind_of(const Scene &scene) {
@@ -80,7 +80,7 @@ void Simulation::watch(Member &member, const Body &body) {
                                      clearance(scene_, body.pose().position)});
 }
 
-// Takes all frames that are due at this step. They share one record of where everything is.
+// Takes all frames that are due at this step. They share one record of all positions.
 void Simulation::take_frames() {
     std::shared_ptr<const Moment> moment;
     for (Member &member : members_) {

@@ -23,7 +23,7 @@ struct Collision {
     std::int64_t time_ns;
     std::string with; // the object, for display
     Vec where;        // in world coordinates
-    double clearance; // from the robot's centre to the nearest fixed object, at that time
+    double clearance; // distance from the robot's centre to the nearest fixed object, at that time
 };
 
 // One robot, and the record of its run.
@@ -43,9 +43,9 @@ struct Member {
 
 class Simulation {
   public:
-    // Throws WorldFileError if a robot starts inside an object. `keeps_samples`: keep the samples
-    // that a picture needs. The robot is `own` if it is given, else the one that the scene names;
-    // `own` must outlive the simulation.
+    // Throws WorldFileError if a robot starts inside an object. `keeps_samples`: whether to store
+    // the samples that a picture needs. The robot is `own` if it is given, otherwise the one that
+    // the scene names; `own` must outlive the simulation.
     Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true,
                const RobotKind *own = nullptr);
 
@@ -61,8 +61,8 @@ class Simulation {
     void read(void *input, std::size_t robot = 0);
     void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
 
-    // Opens the camera of this name on all robots; call it before the physics runs. Returns the
-    // camera's number, or no value if the world has no such camera.
+    // Opens the camera of this name on all robots. Must be called before the physics runs. Returns
+    // the camera's number, or no value if the world has no such camera.
     std::optional<std::size_t> look_through(const std::string &name);
 
     // Returns the newest frame that has arrived from a robot's camera by now, or nullptr if none
@@ -71,7 +71,7 @@ class Simulation {
         return members_[robot].cameras[camera].newest(now_ns);
     }
 
-    // The same for lidars and inertial measurement units.
+    // The same functions for lidars and inertial measurement units.
     std::optional<std::size_t> open_lidar(const std::string &name);
     const frob_scan *newest_scan(std::int64_t now_ns, std::size_t lidar, std::size_t robot = 0) {
         return members_[robot].lidars[lidar].newest(now_ns);
@@ -120,15 +120,15 @@ class Simulation {
         return cameras.empty() ? nullptr : cameras.front().last();
     }
 
-    // The robot's estimate of its pose, by odometry that started at its true pose.
+    // The robot's estimate of its pose, according to odometry that started at its true pose.
     Pose believed(std::size_t robot = 0) const;
 
   private:
     Scene scene_;
     const RobotKind &kind_;
     World world_;
-    // Updates the quantity that the world file selects for measurement and returns its value;
-    // NaN if it selects none.
+    // Updates the quantity that the world file selects for measurement, and returns its value. NaN
+    // if the file does not select one.
     double measure(Member &member, std::int64_t time_ns, const Pose &pose);
     void take_frames();
     void watch(Member &member, const Body &body);

@@ -5,11 +5,11 @@
 // Runs the program in the simulator, on each of the world's robots, and then the bare physics of
 // that run: the same world in Box2D, its robots moved by the recorded velocities, and the same
 // sonar rays, but no controllers, sensors, noise or recording. It runs the bare physics in two
-// ways: with Box2D's own ray casts, one by one through the whole world; and as the simulator does,
-// which looks up the objects in each cone once (see ray_fan.h).
+// ways: with Box2D's own ray casts, each through the whole world; and in the way the simulator
+// does, which looks up the objects in each cone only once (see ray_fan.h).
 //
-// The runs take turns, and only the fastest round of each counts. Times are processor times, which
-// the machine's other work hardly affects. Prints the simulated seconds per second of each kind of
+// The runs take turns, and only the fastest round of each counts. Times are CPU times, which other
+// processes on the machine hardly affect. Prints the simulated seconds per second of each kind of
 // run, and their ratios, one `name: value` a line.
 #include <algorithm>
 #include <cmath>
@@ -94,8 +94,8 @@ double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
         .value_or(p3dx::sonar_farthest);
 }
 
-// Replays `motions`, which contain each robot's velocities, step after step. It adds up all ranges
-// so that the compiler cannot remove a ray.
+// Replays `motions`, which contains each robot's velocities, step by step. Adds up all ranges, so
+// that the compiler cannot remove a ray.
 template <typename Nearest>
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, Nearest nearest,
                    double &sum) {

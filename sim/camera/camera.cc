@@ -7,10 +7,11 @@
 namespace frob::sim {
 namespace {
 
-// Stream of noise for timing, separate from those of the robot's other sensors.
+// The stream of noise for timing, separate from those of the robot's other sensors.
 constexpr std::uint64_t timing_stream = 1u << 16;
 
-constexpr std::size_t most_waiting = 64; // limit on the frames in flight; the oldest are dropped
+constexpr std::size_t most_waiting = 64; // maximum number of frames in transit; the oldest ones are
+                                         // dropped
 
 std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5)); }
 
@@ -166,8 +167,8 @@ Moment Camera::moment_of(int y) const {
     return between(*exposure_->moments[next - 1], *exposure_->moments[next], share);
 }
 
-// Draws one row of the raster; rows are drawn in order. With a rolling shutter, each group of four
-// rows shows the world at its own time.
+// Draws one row of the raster. Rows are drawn in order. If the shutter is a rolling one, each group
+// of four rows shows the world at its own time.
 void Camera::draw_row(int y, float *to) {
     constexpr int few = 4;
     const auto look = [&](const Moment &moment) {

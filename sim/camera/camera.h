@@ -37,8 +37,8 @@ class Camera {
     // Returns the frame that `newest` returned last; nullptr before the first.
     const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
 
-    // Ground truth for the pixels of that frame, which must exist. It has no blur and no noise;
-    // with lens distortion each pixel gets the truth of the nearest pixel in the undistorted
+    // Ground truth for the pixels of that frame, which must exist. It has no blur and no noise.
+    // If the lens distorts, each pixel gets the truth of the nearest pixel in the undistorted
     // picture.
     Truth truth();
 

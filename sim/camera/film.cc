@@ -8,12 +8,12 @@
 namespace frob::sim {
 namespace {
 
-// noise stream of frame 0; add the frame's number
+// noise stream of frame 0, to which the frame's number is added
 constexpr std::uint64_t frame_stream = std::uint64_t{1} << 32;
-// largest exposure used; with more, everything would still be white
+// maximum exposure; if it were larger, everything would still be white
 constexpr double longest = 3e3;
-constexpr double strongest = 1e6; // largest noise used; with more, pixels would still be black or
-                                  // white with equal probability
+constexpr double strongest = 1e6; // maximum noise; if it were larger, pixels would still be black
+                                  // or white with equal probability
 
 // Nearly normal random numbers from 0 to 252, in an array so long that its reuse is not
 // noticeable. Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of
@@ -101,8 +101,8 @@ void Film::start(std::uint32_t number) {
     exposed_ = 0;
 }
 
-// Blurs along the rows first, then along the columns. Sums are added up in a fixed order, many
-// pixels side by side; the division comes last.
+// Blurs along the rows first, then along the columns. Adds up sums in a fixed order, for many
+// pixels side by side, and divides last.
 void Film::expose(const float *light) {
     const int y = exposed_++, rows = 2 * radius_ + 1;
     if (radius_ == 0) {

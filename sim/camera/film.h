@@ -19,8 +19,8 @@ class Film {
     // Adds its next row, from the top: red, green and blue of each pixel, 1 for white.
     void expose(const float *light);
 
-    // The pixels, once the last row has been exposed: three bytes a pixel, or one for grey. Valid
-    // until the next picture.
+    // The pixels, after the last row has been exposed: three bytes per pixel, or one if the
+    // picture is grey. Valid until the next picture.
     const std::uint8_t *pixels() const { return pixels_.data(); }
 
   private:
@@ -40,7 +40,7 @@ class Film {
     std::vector<float> dark_;
     std::vector<float> spread_; // ring buffer of the last rows, each blurred along the row
     std::vector<float> sums_;   // sums over these rows
-    std::vector<float> grey_;   // the sums converted to grey, one a pixel
+    std::vector<float> grey_;   // the sums converted to grey, one per pixel
     std::vector<std::uint8_t> pixels_;
 };
 

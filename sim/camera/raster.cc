@@ -9,9 +9,9 @@ namespace frob::sim {
 namespace {
 
 constexpr double nearest = 0.01;    // m: near clipping plane
-constexpr float farthest = 1000.0f; // m: textures are inaccurate beyond this depth
-constexpr double brightest = 1e3;   // limit on the light, 1 for white
-constexpr float below = 0.9999f;    // factor on 1 / depth that exceeds its rounding error
+constexpr float farthest = 1000.0f; // m: maximum depth at which textures are accurate
+constexpr double brightest = 1e3;   // maximum light, where 1 is white
+constexpr float below = 0.9999f;    // a factor for 1 / depth that exceeds its rounding error
 
 // A value that changes linearly along a row.
 struct Even {
@@ -341,7 +341,7 @@ void Raster::row(int y, float *to) {
     for (const std::size_t k : active_) cover(surfaces_[k], 1 + static_cast<std::int32_t>(k), y);
     for (std::size_t from = 0, end; from < width; from = end) {
         const std::int32_t number = numbers_[from];
-        for (end = from + 1; end + 4 <= width;) { // compare four at a time, since runs are long
+        for (end = from + 1; end + 4 <= width;) { // compares four at a time, because runs are long
             const std::int32_t *n = &numbers_[end];
             if (((n[0] ^ number) | (n[1] ^ number) | (n[2] ^ number) | (n[3] ^ number)) != 0) break;
             end += 4;

@@ -36,10 +36,10 @@ struct Chart {
 
 // Appearance of a flat surface.
 struct Finish {
-    Tint tint; // colour, with the surface's light applied
+    Tint tint; // the colour, including the surface's light
     Texture texture = Texture::plain;
-    const Print *print = nullptr; // a picture that replaces tint and texture; the chart then runs
-                                  // from 0 to 1
+    const Print *print = nullptr; // a picture that replaces tint and texture, with a chart from 0
+                                  // to 1
     double light = 1.0;           // light on the picture
     double width = 1.0;           // width of the picture in metres
 };
@@ -47,7 +47,7 @@ struct Finish {
 // Light on a surface with this normal: most of it comes from one side.
 double light_on(Point normal);
 
-// A lamp, and its light on a surface that faces it from 1 m away, 1 for white.
+// A lamp, and its light on a surface that faces it from 1 m away, where 1 is white.
 struct Shine {
     Point place;
     double light;
@@ -73,8 +73,8 @@ class Raster {
     // Sets the colour of pixels that no surface covers.
     void sky(Tint tint) { sky_ = tint; }
 
-    // Draws a flat convex polygon. With `lies_below` it does not hide earlier surfaces in the same
-    // plane.
+    // Draws a flat convex polygon. If `lies_below` is true, it does not hide earlier surfaces in
+    // the same plane.
     void polygon(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
                  bool lies_below = false);
 
@@ -141,7 +141,7 @@ class Raster {
     void paint(const Surface &surface, int y, int from, int count, float *to);
     void paint(const Ball &ball, int y, int from, int count, float *to);
 
-    // The factor from the light that a place was painted with to the light that it has.
+    // The factor that converts the light with which a place was painted to the light that it has.
     float relight(Point place, Point normal) const;
     void relight(std::int32_t number, int y, int from, int count, float *to) const;
 
@@ -164,13 +164,13 @@ class Raster {
     std::vector<Edge> edges_;
     std::vector<Vec> outline_;
     std::vector<std::size_t> order_,
-        active_; // surfaces sorted by first row; those that cross the current row, in the order of
-                 // drawing
+        active_; // surfaces sorted by first row, and those that cross the current row, in drawing
+                 // order
     std::size_t begun_ = 0;
     bool is_sorted_ = false;
 
-    // The current row: the nearest thing at each pixel (0 is the sky, n is surface n - 1, -n is
-    // ball n - 1), and its 1 / depth.
+    // The current row: for each pixel, the nearest thing (0 is the sky, n is surface n - 1, -n is
+    // ball n - 1) and its 1 / depth.
     std::vector<std::int32_t> numbers_;
     std::vector<float> inverses_;
     std::vector<float> u_, v_, per_metre_, brightness_; // for one run of pixels

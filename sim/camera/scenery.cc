@@ -83,7 +83,7 @@ void Scenery::add_cone(std::vector<Side> &sides, const Cone &cone, Thing thing) 
     for (std::size_t i = 0; i < foot.size(); ++i)
         add_side(sides, {at_height(foot[i], 0.0), at_height(foot[(i + 1) % foot.size()], 0.0), tip},
                  cone.look, thing);
-    // Make the stripes run around the cone.
+    // Makes the stripes run around the cone.
     for (std::size_t i = sides.size() - foot.size(); i < sides.size(); ++i)
         sides[i].chart.across = {0.0, 0.0, 1.0};
 }

@@ -1,5 +1,5 @@
-// The world as a camera sees it: walls, solids and boxes with their heights, balls, cones, posters,
-// other robots, the floor with everything on it, and the sky.
+// Draws the world as a camera sees it: walls, solids and boxes with their heights, balls, cones,
+// posters, other robots, the floor with everything on it, and the sky.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Moment {
     std::vector<Vec> balls;
 };
 
-// Interpolates between two moments: `share` 0 is a, 1 is b.
+// Interpolates between two moments; `share` 0 is a, and 1 is b.
 Moment between(const Moment &a, const Moment &b, double share);
 
 class Scenery {
@@ -53,8 +53,8 @@ class Scenery {
     void draw_poster(Raster &raster, const Poster &poster) const;
     void draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const;
 
-    // The look of a floor area with this reflectance: the given tint, or else the floor's tint
-    // scaled by the reflectance.
+    // The look of a floor area with this reflectance: the given tint or, if there is none, the
+    // floor's tint scaled by the reflectance.
     Look floor_look(double reflectance, const std::optional<Tint> &tint) const;
 
     const Scene &scene_;

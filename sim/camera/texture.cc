@@ -76,7 +76,7 @@ inline int whole(float x) {
     return n - (x < static_cast<float>(n) ? 1 : 0);
 }
 
-// The fraction of the pixel around x that lies beyond an edge at 0.
+// The fraction of the pixel around x that is beyond an edge at 0.
 inline float beyond(float x, float per_metre) {
     const float share = x * per_metre + 0.5f, positive = share > 0.0f ? share : 0.0f;
     return positive < 1.0f ? positive : 1.0f;
@@ -85,7 +85,7 @@ inline float beyond(float x, float per_metre) {
 // Distance to the nearest end of the unit interval that x is in: 0 to 0.5.
 inline float inside(float x) { return 0.5f - std::abs(x - static_cast<float>(whole(x)) - 0.5f); }
 
-// Light and dark stripes of 10 cm each, from -1 to 1; their edges are one pixel wide.
+// Light and dark stripes of 10 cm each, from -1 to 1. Their edges are one pixel wide.
 inline float wave(float x, float per_metre) {
     constexpr float width = 0.1f;
     const float within = 2.0f * width * inside(x * (0.5f / width)) - width / 2;

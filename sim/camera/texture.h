@@ -10,15 +10,16 @@
 
 namespace frob::sim {
 
-// A run of pixels along a row, projected onto a surface: coordinates u along it and v across it, in
-// metres, and the number of pixels per metre of surface.
+// A run of pixels along a row, projected onto a surface. It consists of the coordinates u along it
+// and v across it, in metres, and the number of pixels per metre of the surface.
 struct Run {
     int count;
     const float *u, *v, *per_metre;
 };
 
-// Brightness of a textured surface relative to its tint, about 1. Details finer than a pixel are
-// averaged. Everything is IEEE arithmetic in single precision, in the same order on every machine.
+// Computes the brightness of a textured surface relative to its tint, which is around 1. Averages
+// details that are finer than a pixel. All computations use single-precision IEEE arithmetic, in
+// the same order on every machine.
 class Patterns {
   public:
     // `longest`: maximum number of pixels in a run.

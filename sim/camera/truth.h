@@ -1,4 +1,4 @@
-// Ground truth of a frame: the depth of each pixel, and the thing it shows.
+// Ground truth of a frame: for each pixel, the depth and the thing that it shows.
 #pragma once
 
 #include <cstddef>

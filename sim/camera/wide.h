@@ -1,11 +1,11 @@
-// Loops that are worth compiling for newer processors too.
+// Compiles selected loops also for newer processors.
 //
 // FROB_WIDE in front of a function compiles it twice on platforms that can select a version when
 // the program is loaded: for every x86-64 processor, and for those with AVX2. The results are the
-// same, since neither version reorders or fuses floating-point operations.
+// same, because neither version reorders or fuses floating-point operations.
 #pragma once
 
-#include <cstddef> // tells which C library it is
+#include <cstddef> // defines which C library this is
 
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 #define FROB_WIDE __attribute__((target_clones("avx2", "default")))

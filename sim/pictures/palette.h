@@ -21,8 +21,8 @@ constexpr Colour hole_edge{140, 148, 163};
 constexpr Colour box{226, 183, 107};
 constexpr Colour box_edge{158, 117, 41};
 
-constexpr Colour early{150, 198, 231}; // start of the path
-constexpr Colour late{16, 74, 142};    // end of the path
+constexpr Colour early{150, 198, 231}; // the start of the path
+constexpr Colour late{16, 74, 142};    // the end of the path
 constexpr Colour believed{139, 95, 191};
 
 constexpr Colour robot{238, 108, 77};

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double label_size = 11.0;
 
-// Estimates the width of a text, because a canvas cannot determine it before it draws. Accurate
-// to a few per cent for DejaVu Sans.
+// Estimates the width of a text, because a canvas cannot determine it before drawing. The estimate
+// is accurate to a few per cent for DejaVu Sans.
 double text_width(const std::string &text, double size) {
     double widths = 0.0;
     for (const char c : text) {
@@ -28,7 +28,7 @@ double text_width(const std::string &text, double size) {
     return widths * size;
 }
 
-// Thins out points, because many samples share a column of pixels. Keeps the first, lowest, highest
+// Removes points, because many samples share a column of pixels. Keeps the first, lowest, highest
 // and last point of each column, so that no peak is lost.
 std::vector<std::vector<Vec>> thinned(const std::vector<Vec> &points) {
     std::vector<std::vector<Vec>> pieces(1);

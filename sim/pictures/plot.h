@@ -19,7 +19,7 @@ struct Series {
 struct Plot {
     std::string title; // includes the unit
     double low, high;  // visible range of values; the rest is clipped
-    double end_s;      // time goes from 0 to this
+    double end_s;      // end of the time axis, which starts at 0
     std::vector<Series> series;
     bool time_axis = false; // whether to label the time axis below the plot
 };
@@ -27,8 +27,8 @@ struct Plot {
 // Draws the plot into the rectangle. Labels go to the left of it and below it.
 void draw_plot(Canvas &canvas, const Plot &plot, Vec corner, Vec size);
 
-// The distance between ticks for which about `count` ticks fit into the range: 1, 2 or 5 times a
-// power of ten.
+// The distance between ticks with which approximately `count` ticks fit into the range: 1, 2 or
+// 5 times a power of ten.
 double tick_step(double range, int count);
 
 // Formats the number at a tick, with as many decimals as the step needs.

@@ -12,10 +12,10 @@ namespace frob::sim {
 struct Sample {
     std::int64_t time_ns;
     Pose pose;            // the true pose
-    Pose believed;        // pose by odometry, which starts at the true pose
+    Pose believed;        // pose according to odometry, which starts at the true pose
     double forward, turn; // m/s and rad/s, of the body
     double commanded_forward, commanded_turn;
-    double measured_distance; // m, from the wall, tape or ball; NaN if nothing is measured
+    double measured_distance; // m, distance from the wall, tape or ball; NaN if nothing is measured
     int collisions;           // number of collisions so far
 };
 
@@ -23,14 +23,14 @@ class Recorder {
   public:
     explicit Recorder(bool keeps_samples) : keeps_samples_(keeps_samples) {}
 
-    // Notes that the robot has reached this place, for `distance_driven`. Called even if no samples
-    // are kept.
+    // Records that the robot has reached this place, for `distance_driven`. Called even if no
+    // samples are stored.
     void arrive(Vec position);
     void add(const Sample &sample) { samples_.push_back(sample); }
     bool keeps_samples() const { return keeps_samples_; }
     const std::vector<Sample> &samples() const { return samples_; }
 
-    // Metres along the true path.
+    // The distance along the true path, in metres.
     double distance_driven() const { return distance_driven_; }
 
   private:

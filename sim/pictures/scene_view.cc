@@ -11,8 +11,8 @@ namespace {
 
 constexpr double margin = 0.25;                    // m, margin around everything
 constexpr std::int64_t ray_lasts_ns = 400'000'000; // one round of all transducers takes 320 ms
-constexpr std::size_t path_pieces = 64;            // number of pieces of the path, each of one
-                                                   // colour
+constexpr std::size_t path_pieces = 64;            // number of pieces of the path, each with a
+                                                   // colour of its own
 
 void include(Extent &extent, Vec p, double around) {
     extent.low = {std::min(extent.low.x, p.x - around), std::min(extent.low.y, p.y - around)};
@@ -83,7 +83,8 @@ void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corne
                 {11.0, palette::faint_ink, Anchor::end, false});
 }
 
-// The colour of a floor with this reflectance: the floor's own colour if it reflects all light.
+// The colour of a floor with this reflectance. A floor that reflects all light has its own
+// colour.
 Colour shade(double reflectance) {
     return blend(palette::black_floor, palette::floor, reflectance);
 }
@@ -112,8 +113,8 @@ Colour colour_of(Tint tint) {
     return {level(tint.red), level(tint.green), level(tint.blue)};
 }
 
-// Draws the balls where they are now, with dashed outlines where they started and dashed lines
-// along their paths.
+// Draws the balls at their current places, with dashed outlines at their initial places and
+// dashed lines along their paths.
 void draw_balls(View &view, const Simulation &simulation) {
     const std::vector<Vec> now = simulation.world().ball_places();
     for (std::size_t i = 0; i < now.size(); ++i) {
@@ -163,7 +164,7 @@ std::vector<Vec> corners(const Pose &pose, Vec size) {
     return result;
 }
 
-// Draws the boxes where they are now, with dashed outlines where they started.
+// Draws the boxes at their current places, with dashed outlines at their initial places.
 void draw_boxes(View &view, const Simulation &simulation) {
     const std::vector<Box> &boxes = simulation.scene().boxes;
     const std::vector<Pose> now = simulation.world().box_poses();
@@ -175,8 +176,8 @@ void draw_boxes(View &view, const Simulation &simulation) {
     }
 }
 
-// Draws the true path, from light at the start to dark at the end, and the path that odometry
-// reports.
+// Draws the true path, in a colour that changes from light at the start to dark at the end, and
+// the path according to odometry.
 void draw_path(View &view, const std::vector<Sample> &samples) {
     std::vector<Vec> believed;
     double error = 0.0;
@@ -212,8 +213,8 @@ void draw_times(View &view, const std::vector<Sample> &samples) {
         // The robot would cover this dot.
         if (length(s.pose.position - samples.back().pose.position) < 0.5) continue;
         const Vec at = view.place(s.pose.position);
-        // Put the label on the right of the path, away from a wall that the robot follows on its
-        // left.
+        // Puts the label on the right of the path, away from a wall that the robot follows on
+        // its left.
         const Vec right = {std::sin(s.pose.heading), std::cos(s.pose.heading)};
         view.canvas().circle(at, 3.2, {palette::paper, palette::late, 1.6, {}});
         view.canvas().text(at + Vec{16.0 * right.x, 14.0 * right.y + 4.0}, label,

@@ -1,4 +1,4 @@
-// The world from above, with the path that the robot drove.
+// Draws the world from above, with the path that the robot drove.
 #pragma once
 
 #include "canvas.h"
@@ -6,7 +6,7 @@
 
 namespace frob::sim {
 
-// The part of the world to show: all of it, and the whole path.
+// The part of the world to show: the whole world and the whole path.
 struct Extent {
     Vec low, high;
 };

@@ -12,7 +12,7 @@ class NearestHit : public b2RayCastCallback {
     float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override {
         if (fixture->GetBody() == ignored_) return -1.0f;
         nearest = share;
-        return share; // continue only for nearer objects
+        return share; // continues only for nearer objects
     }
 
     std::optional<float> nearest;
@@ -21,7 +21,8 @@ class NearestHit : public b2RayCastCallback {
     const b2Body *ignored_;
 };
 
-// Finds whether a nearby fixture overlaps this body, which has a single fixture.
+// Finds out whether a nearby fixture overlaps this body, which has a single
+// fixture.
 class Overlap : public b2QueryCallback {
   public:
     explicit Overlap(const b2Body &body) : body_(body) {}

@@ -17,7 +17,7 @@ constexpr double step_s = 0.005;
 
 class Body {
   public:
-    // The physics owns the body, which must outlive this object.
+    // The physics engine owns the body, which must outlive this object.
     explicit Body(b2Body &rigid) : rigid_(&rigid) {}
 
     // The true pose; heading in (-pi, pi].
@@ -27,7 +27,7 @@ class Body {
     // first object that it hits, other than the robot itself, or no value.
     std::optional<double> ray(Vec origin, double angle, double reach) const;
 
-    // Whether the robot overlaps any other object.
+    // Returns whether the robot overlaps any other object.
     bool overlaps() const;
 
     b2Body &rigid() { return *rigid_; }

@@ -1,6 +1,6 @@
-// A robot's body, its wheels, and the places of its sensors: the data about a robot that the
-// physics, the measurements and the picture need. The origin of the robot's frame is midway between
-// the driving wheels, with x forward and y left.
+// A robot's body, its wheels, and the places of its sensors. The physics, the measurements and the
+// picture need this data. The origin of the robot's frame is midway between the driving wheels,
+// with x forward and y left.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +25,9 @@ struct DriveLimits {
 struct RangeFinders {
     std::vector<Pose> seats;        // their positions and directions
     double half_angle;              // half the opening angle of each cone
-    std::size_t left, right;        // the two that point most to the sides
-    std::vector<std::size_t> front; // those that point ahead
-    const char *noun;               // their name in the picture, such as "sonar"
+    std::size_t left, right;        // the two transducers that point most to the sides
+    std::vector<std::size_t> front; // the transducers that point ahead
+    const char *noun;               // the transducers' name in the picture, such as "sonar"
 };
 
 struct Chassis {
@@ -35,15 +35,15 @@ struct Chassis {
     double mass;              // kg
     double inertia;           // kg m^2, about the origin
     Vec center;               // centre of the body
-    double radius;            // radius if the body is round; 0: it has an outline
+    double radius;            // radius of a round body; 0 if the body has an outline
     std::vector<Vec> outline; // convex, counter-clockwise, at most 8 corners
     double wheel_radius;      // m
     double wheel_separation;  // m
     double wheel_force;       // N, the maximum force of a wheel on the floor
-    double count;             // m of travel per encoder count; 0: continuous
-    double battery;           // V at the start, unless the world file sets it
+    double count;             // m of travel per encoder count; 0 if the encoder is continuous
+    double battery;           // V, the initial voltage, unless the world file sets it
     DriveLimits limits;
-    frob_wire wire;  // range and resolution of commands; step 0: no rounding
+    frob_wire wire;  // range and resolution of commands; a step of 0 means no rounding
     Vec left, right; // reference points for the distances to the sides
     RangeFinders range_finders;
     double height = 0.24;        // m, height of the body, for cameras
@@ -51,7 +51,7 @@ struct Chassis {
     double camera_height = 0.27; // m, its height, unless the world file sets it
 };
 
-// The outline of a body in the robot's frame; a polygon even for a round body.
+// The outline of a body in the robot's frame. It is a polygon even for a round body.
 std::vector<Vec> outline_of(const Chassis &chassis);
 
 } // namespace frob::sim

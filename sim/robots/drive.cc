@@ -9,9 +9,9 @@ namespace frob::sim {
 namespace {
 
 constexpr double tyre_grip = 60.0;   // N, the largest sideways force before the wheels skid
-constexpr double slip_lasts_s = 0.1; // how long a wheel's slip lasts before a new one is drawn
+constexpr double slip_lasts_s = 0.1; // duration of a wheel's slip before a new one is drawn
 constexpr double stall_after_s = 0.2;
-constexpr double standing = 0.02; // m/s; a slower wheel counts as stationary
+constexpr double standing = 0.02; // m/s; a wheel that is slower than this counts as stationary
 
 double approach(double from, double to, double most) {
     return from + std::clamp(to - from, -most, most);

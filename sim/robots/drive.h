@@ -18,7 +18,7 @@ class DifferentialDrive {
 
     // Sets the speed for the following steps: forward in m/s, turn counter-clockwise in rad/s. The
     // drive limits both. It also rounds them as the robot's driver does, unless a firmware has
-    // already done so. If either is not finite the robot stops.
+    // already done so. If either of them is not finite, the robot stops.
     void command(std::int64_t time_ns, double forward, double turn);
 
     // Applies the wheels' forces to the body for the next physics step.
@@ -39,8 +39,8 @@ class DifferentialDrive {
     struct Wheel {
         double setpoint = 0.0;   // m/s, the firmware's current target
         double measured = 0.0;   // m/s
-        double lost = 0.0;       // fraction of its travel lost to slip
-        double strained_s = 0.0; // s at full force without moving
+        double lost = 0.0;       // the fraction of its travel that is lost to slip
+        double strained_s = 0.0; // s, the time at full force without movement
     };
 
     void ramp();

@@ -27,7 +27,8 @@ class Odometry {
     Noise noise_;
     Pose pose_;
     Vec ahead_{1.0, 0.0};                     // unit vector of its heading
-    double left_way_ = 0.0, right_way_ = 0.0; // travel since the last count of each wheel
+    double left_way_ = 0.0, right_way_ = 0.0; // the distance that each wheel has
+                                              // travelled since its last count
 };
 
 } // namespace frob::sim

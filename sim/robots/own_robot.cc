@@ -27,8 +27,8 @@ std::vector<Vec> spots_of(const frob_body &table) {
     return spots;
 }
 
-// Resolution of the speed commands, if the table contains one: of forward and turn, or of each
-// wheel.
+// The resolution of the speed commands, if the table contains it: either of the forward speed
+// and the turn rate, or of each wheel's speed.
 frob_wire wire_of(const frob_body &table) {
     if (table.wheel_step_m_s > 0.0)
         return {true,

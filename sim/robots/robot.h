@@ -1,5 +1,5 @@
-// A simulated robot: the parts that all robots share. Each kind of robot is a subclass, which
-// handles the C structs of its controller's input and output.
+// The parts that all simulated robots share. Each kind of robot is a subclass, which handles the C
+// structs of its controller's input and output.
 #pragma once
 
 #include <cstdint>
@@ -29,15 +29,15 @@ class Robot {
     // first step.
     void sense(std::int64_t time_ns, const Body &body);
 
-    // Writes the sensor readings to the robot's input struct. Each event occurs in it once, at the
-    // first instant after it happened.
+    // Writes the sensor readings to the robot's input struct. Each event occurs in the input only
+    // once, at the first instant after it happened.
     virtual void read(std::int64_t time_ns, void *input) = 0;
 
     // Takes the controller's command at this instant from the robot's output struct.
     virtual void command(std::int64_t time_ns, const void *output) = 0;
 
-    // All echoes in order of arrival, for the picture. Without a picture the simulation calls
-    // `forget_echoes` regularly, so that they take no memory.
+    // All echoes in order of arrival, for the picture. If there is no picture, the simulation
+    // calls `forget_echoes` regularly, so that the echoes do not use up memory.
     virtual const std::vector<Echo> &echoes() const = 0;
     virtual void forget_echoes() = 0;
 
@@ -92,11 +92,12 @@ struct RobotKind {
     std::size_t input_size, output_size; // size of its C structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
-    // Has a lidar and an inertial measurement unit, unless the world file describes others.
+    // Whether it has a lidar and an inertial measurement unit if the world file does not describe
+    // any.
     bool equipped = false;
 };
 
-// The first kind is the default for worlds that name no robot.
+// The first kind is the default for worlds that do not name a robot.
 const std::vector<RobotKind> &robot_kinds();
 
 // Returns nullptr if there is no kind of this name.

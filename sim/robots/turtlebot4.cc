@@ -3,8 +3,8 @@
 namespace frob::sim::turtlebot4 {
 namespace {
 
-// From iRobot's model of the base: radius, wheels, and the limits of its controller. The mass is
-// that of the whole robot.
+// The radius, the wheels, and the limits of the controller are from iRobot's model of the base. The
+// mass is that of the whole robot.
 constexpr double radius = 0.171;           // m
 constexpr double wheel_radius = 0.03575;   // m
 constexpr double wheel_separation = 0.233; // m

@@ -17,9 +17,9 @@ class Contacts {
     // Contact points, in the robot's frame.
     const std::vector<Vec> &points() const { return points_; }
 
-    // Number of collisions with fixed objects, boxes, balls and other robots; a collision between
-    // two robots counts for both. A collision ends when the robot has touched nothing for half a
-    // second.
+    // The number of collisions with fixed objects, boxes, balls and other robots. A collision
+    // between two robots counts for both. A collision ends when the robot has not touched
+    // anything for half a second.
     int collisions() const { return collisions_; }
 
     // A collision that began at the last step: the object, and the place in the world.

@@ -16,8 +16,8 @@ struct Echo {
     Pose from;              // pose of the transducer in the world when it fired
 };
 
-// The distance to the nearest object in a transducer's cone, that is, the object heard first. Casts
-// `rays` rays.
+// The distance to the nearest object in a transducer's cone, whose echo arrives first. Casts `rays`
+// rays.
 std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer, double half_angle,
                                       double reach, int rays);
 

@@ -20,7 +20,7 @@ class FloorSensors {
         : places_(std::move(places)), spot_(spot), refresh_ns_(refresh_ns), settings_(settings),
           noise_(noise), seen_(places_.size()) {}
 
-    // Updates the readings; called after each physics step, with the time since the start.
+    // Updates the readings. Must be called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body, const Floor &floor);
 
     // The reading of each sensor: the reflectance of its spot, with noise; never negative.

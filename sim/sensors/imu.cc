@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gravity = 9.80665; // m/s^2
 constexpr double closest = 0.05;    // m: the field of a magnet is constant within this distance
-constexpr std::size_t most_waiting = 10000; // measurements that have not arrived
+constexpr std::size_t most_waiting = 10000; // measurements that have not arrived yet
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
@@ -30,8 +30,8 @@ Imu::Imu(const ImuSettings &settings, std::vector<Magnet> magnets, Noise noise, 
     for (double &bias : acceleration_bias_) bias = settings.acceleration_bias * noise_.normal();
 }
 
-// The horizontal field in the world is that of the Earth, which points along the x axis, and that
-// of the magnets:
+// The horizontal field in the world is the sum of the Earth's field, which points along the x
+// axis, and the fields of the magnets:
 //   B = (1, 0) + sum of strength * r / |r|^4, with r from the magnet to the robot.
 // The compass assumes that this field points along the x axis.
 double Imu::compass(const Pose &pose) {

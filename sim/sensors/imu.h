@@ -18,8 +18,8 @@ class Imu {
   public:
     Imu(const ImuSettings &settings, std::vector<Magnet> magnets, Noise noise, const Body &body);
 
-    // Measures if a measurement is due; called after each physics step, with the time since the
-    // start.
+    // Takes a measurement if one is due. Must be called after each physics step, with the time
+    // since the start.
     void advance(std::int64_t time_ns, const Body &body);
 
     // Returns the mean of the measurements that have arrived since the last call, with the heading

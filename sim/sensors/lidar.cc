@@ -12,7 +12,7 @@ namespace {
 
 constexpr double turn = 6.283185307179586;
 constexpr double widest_fan = turn / 4;    // a fan must be narrower than half a turn
-constexpr std::size_t most_waiting = 1000; // scans that have not arrived
+constexpr std::size_t most_waiting = 1000; // scans that have not arrived yet
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
@@ -51,7 +51,7 @@ std::vector<double> Lidar::measure(const Body &body) {
         const double middle = seat.heading + first_ + step_ * begin + half;
         const RayFan fan(body, seat.position, middle, half, settings_.farthest);
         for (int i = begin; i < end; ++i) {
-            // Draw the noise of all rays, so that an obstacle does not change the noise of other
+            // Draws the noise of all rays, so that an obstacle does not change the noise of other
             // rays.
             const double error = settings_.noise * noise_.normal();
             const bool is_lost = noise_.uniform() < settings_.dropout;

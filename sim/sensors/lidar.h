@@ -17,7 +17,8 @@ class Lidar {
   public:
     Lidar(const LidarSettings &settings, Noise noise);
 
-    // Takes a scan if one is due; called after each physics step, with the time since the start.
+    // Takes a scan if one is due. Must be called after each physics step, with the time since the
+    // start.
     void advance(std::int64_t time_ns, const Body &body);
 
     // Returns the newest scan that has arrived by now and drops the older ones; nullptr if none has

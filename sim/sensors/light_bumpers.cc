@@ -14,8 +14,8 @@ void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
         const Pose from = from_frame(body.pose(), bumpers.seats[i]);
         const std::optional<double> distance =
             nearest_in_cone(body, from, 0.0, create2::farthest_light, 1);
-        // Draw the noise even if nothing is in range, so that the noise of the other sensors stays
-        // the same.
+        // Draws the noise even if nothing is in range, so that the noise of the other sensors
+        // stays the same.
         const double gain = 1 + settings_.noise * noise_.normal();
         const double signal =
             distance ? gain * create2::light_constant / std::max(*distance * *distance, 1e-6) : 0.0;

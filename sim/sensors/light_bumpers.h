@@ -21,8 +21,8 @@ class LightBumpers {
     // Signals from left to right, 0 to 4095: a constant divided by the squared distance.
     const std::array<std::int32_t, 6> &signals() const { return signals_; }
 
-    // Echoes since the last call of `forget_echoes`, for the picture: about ten a second for each
-    // sensor.
+    // The echoes since the last call of `forget_echoes`, for the picture: approximately ten a
+    // second for each sensor.
     const std::vector<Echo> &echoes() const { return echoes_; }
     void forget_echoes() { echoes_.clear(); }
 

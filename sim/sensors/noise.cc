@@ -3,7 +3,7 @@
 namespace frob::sim {
 
 Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
-    // Mix the seed before adding the stream's number, so that no stream is a shifted copy of a
+    // Mixes the seed before adding the stream's number, so that no stream is a shifted copy of a
     // stream of a neighbouring seed.
     state_ = next() + stream;
     state_ = next();

@@ -19,8 +19,8 @@ class Noise {
     // Uniform in [0, 1), in steps of 2^-53.
     double uniform();
 
-    // A normal distribution with mean 0 and standard deviation 1, limited to ±4.9. Computed by
-    // additions alone, since libraries differ in the last bit of `log` and `cos`.
+    // A normal distribution with mean 0 and standard deviation 1, limited to ±4.9. It is computed
+    // only by additions, because libraries differ in the last bit of `log` and `cos`.
     double normal();
 
     // 64 random bits.

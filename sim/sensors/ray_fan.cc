@@ -6,7 +6,8 @@
 namespace frob::sim {
 namespace {
 
-// Box2D computes in floats. Objects are skipped only if they miss the ray by more than this margin.
+// Box2D computes with floats, so objects are skipped only if they miss the ray by more than this
+// margin.
 constexpr double slack = 0.01; // m
 
 b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
@@ -33,7 +34,7 @@ class RayFan::Gather : public b2QueryCallback {
 
 RayFan::RayFan(const Body &body, Vec origin, double heading, double half_angle, double reach)
     : origin_(origin) {
-    // The sector lies within the triangle whose far side touches its arc.
+    // The sector is within the triangle whose far side touches the sector's arc.
     const double side = reach / std::cos(half_angle);
     const Vec left = origin + side * direction(heading + half_angle);
     const Vec right = origin + side * direction(heading - half_angle);

@@ -11,12 +11,12 @@ namespace frob::sim {
 
 class RayFan {
   public:
-    // Prepares the rays of a body's sensor that start at `origin`, are at most `half_angle` (less
-    // than a right angle) off `heading`, and not longer than `reach`. Valid until the world's
-    // next step.
+    // Prepares the rays of a body's sensor that start at `origin`, deviate from `heading` by at
+    // most `half_angle` (less than a right angle), and are at most `reach` long. Valid until the
+    // world's next step.
     RayFan(const Body &body, Vec origin, double heading, double half_angle, double reach);
 
-    // The same result as Body::ray, to the last bit.
+    // Returns the same result as Body::ray, to the last bit.
     std::optional<double> ray(double angle, double reach) const;
 
   private:

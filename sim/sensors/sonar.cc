@@ -25,7 +25,8 @@ void Sonar::fire(Array &array, std::int64_t time_ns, const Body &body) {
     const Pose from = from_frame(body.pose(), seats_.seats[transducer]);
     const std::optional<double> truth =
         nearest_in_cone(body, from, seats_.half_angle, ring_.farthest, settings_.rays);
-    // Draw the noise even if the echo is lost, so that the noise of later echoes stays the same.
+    // Draws the noise even if the echo is lost, so that the noise of later echoes stays the
+    // same.
     const double error = settings_.noise * noise_.normal();
     const bool lost = noise_.uniform() < settings_.dropout;
     if (!truth || lost) return;

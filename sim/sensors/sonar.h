@@ -21,10 +21,11 @@ class Sonar {
     Sonar(const RangeFinders &seats, const SonarRing &ring, const SonarSettings &settings,
           Noise noise);
 
-    // Fires and listens; called after each physics step, with the time since the start.
+    // Fires and listens. Must be called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body);
 
-    // Returns this transducer's echo that has arrived since the last call, if there is one.
+    // Returns the echo of this transducer that has arrived since the last call, if there is
+    // one.
     std::optional<double> take(std::size_t transducer);
 
     // Moves the echoes of all transducers to the events of a robot's input.
@@ -49,7 +50,7 @@ class Sonar {
         const SonarArray *transducers;
         std::int64_t next_ping_ns;
         std::size_t turn = 0;
-        std::int64_t arrival_ns = never; // arrival of the echo in flight
+        std::int64_t arrival_ns = never; // arrival time of the echo in flight
         Echo echo{};
     };
 

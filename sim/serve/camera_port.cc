@@ -18,7 +18,7 @@
 namespace frob::serve {
 namespace {
 
-constexpr std::size_t most_asked = 8192; // limit on the bytes of a request
+constexpr std::size_t most_asked = 8192; // maximum size of a request in bytes
 constexpr std::size_t most_clients = 16;
 constexpr int quality = 90;
 const std::string boundary = "frame";

@@ -30,8 +30,8 @@ class CameraPort {
     struct Client {
         int socket = -1;
         std::string asked;   // the part of its request received so far
-        int camera = -1;     // index of the camera it receives; -1: not yet known
-        bool leaves = false; // close the connection once everything has been sent
+        int camera = -1;     // index of the camera that it receives; -1 if it is not known yet
+        bool leaves = false; // whether to close the connection when everything has been sent
         std::string waiting; // data still to be sent
         void receive(const CameraPort &port);
         void flush();

@@ -15,7 +15,7 @@ class Connection {
     // The device that a client opens: a path, or `tcp:ADDRESS:PORT`.
     virtual std::string device() const = 0;
 
-    // Descriptor to poll for input; -1 if there is none now.
+    // Descriptor to poll for input; -1 if there is currently none.
     virtual int descriptor() const = 0;
 
     // Whether a client is connected.
@@ -24,8 +24,8 @@ class Connection {
     // Returns the bytes that have arrived. Never blocks.
     virtual Bytes read() = 0;
 
-    // Sends the bytes. Those that cannot be sent immediately are lost, as on a line without a
-    // reader.
+    // Sends the bytes. Any bytes that cannot be sent immediately are lost, as on a line
+    // without a reader.
     virtual void write(const Bytes &bytes) = 0;
 
     // The bit rate that the client has set; 0 if the connection has none.

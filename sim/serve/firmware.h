@@ -1,6 +1,6 @@
-// A robot's onboard computer: it receives and sends bytes over the line, and moves the robot. It
-// does no I/O and reads no clock: the caller passes the time in nanoseconds since the start, so
-// that tests can run it as fast as they like.
+// Simulates a robot's onboard computer, which receives and sends bytes over the line, and moves
+// the robot. It does not perform I/O or read a clock. The caller passes the time in nanoseconds
+// since the start, so that tests can run it at any speed.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ class Firmware {
     // Receives a byte. The caller must have called `advance` with the time of its arrival.
     virtual void receive(std::uint8_t byte) = 0;
 
-    // Drops a partly received command, because the client has left or paused.
+    // Drops a partially received command, because the client has left or paused.
     virtual void forget() {}
 
-    // When to call `advance` next.
+    // The time at which to call `advance` next.
     virtual std::int64_t next_ns() const = 0;
 
     // The line's current rate, bits per second.

@@ -1,7 +1,7 @@
-// frob-serve -- a simulated robot at the other end of a serial line.
+// frob-serve -- simulates a robot at the other end of a serial line.
 //
-// Exit status: 0 when the duration is over or after SIGINT or SIGTERM, with a summary as frob-sim
-// prints it; 2 for usage errors.
+// Exit status: 0 when the duration is over or after SIGINT or SIGTERM, after printing a summary
+// like that of frob-sim; 2 for usage errors.
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -67,7 +67,7 @@ struct SimulationCloser {
 };
 using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 
-// Returns null after an error, which it has reported.
+// Returns null after an error, which it has already reported.
 Simulation open_simulation(const Options &options, const OwnRobot &own) {
     char message[8192];
     frob_sim_settings settings{};

@@ -108,7 +108,7 @@ Options read_options(int argc, char **argv) {
             throw WrongUse("a robot in ROS 2 has no serial line: remove --tcp and --link");
         return o;
     }
-    // For a user-defined robot, its board determines the rate.
+    // The board of a user-defined robot determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)

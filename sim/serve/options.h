@@ -18,13 +18,14 @@ struct Options {
     double duration_s = 0.0; // 0: until interrupted
     std::uint32_t rate = 0;  // the line's initial rate; 0: the robot's usual rate
     bool paced = true;       // whether bytes take as long as on a real line
-    std::string log;         // file for the log of commands; empty: none
-    std::string link;        // symbolic link to the device; empty: none
+    std::string log;         // file for the log of commands; empty if there is none
+    std::string link;        // symbolic link to the device; empty if there is none
     double wall_distance_m = 0.0;
-    std::string own; // shared object with a user-defined robot; empty: none
+    std::string own; // shared object with a user-defined robot; empty if there is none
     // For a robot in ROS 2:
-    std::string node;     // executable of the node; empty: the robot has a serial line
-    bool stamped = false; // velocities are of the type TwistStamped
+    std::string node;     // executable of the node; empty if the robot has a serial
+                          // line
+    bool stamped = false; // whether velocities are of the type TwistStamped
     std::vector<std::string> ros_arguments;
 };
 

@@ -5,7 +5,8 @@ namespace {
 
 constexpr std::uint8_t mark_1 = 0xFA, mark_2 = 0xFB;
 constexpr std::size_t least_count = 3,
-                      most_count = 206; // largest packet of a client; larger ones are dropped
+                      most_count = 206; // maximum size of a client's packet; larger packets
+                                        // are dropped
 constexpr std::uint8_t positive = 0x3B, negative = 0x1B;
 
 unsigned checksum(const std::uint8_t *body, std::size_t length) {

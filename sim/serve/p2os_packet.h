@@ -1,5 +1,5 @@
-// The packets of Pioneer robots, from the robot's side. Written from the manuals and independently
-// of the driver, so that each tests the other.
+// The packets of Pioneer robots, from the robot's side. This code was written from the manuals and
+// independently of the driver, so that each of them tests the other.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class P2osBody {
   public:
     explicit P2osBody(std::uint8_t type) : bytes_{type} {}
     P2osBody &u8(int value);
-    P2osBody &u16(int value); // negative values in two's complement
+    P2osBody &u16(int value); // writes negative values in two's complement
     P2osBody &text(const std::string &text);
     Bytes packet() const { return p2os_packet(bytes_); }
 
@@ -39,7 +39,7 @@ class P2osReader {
   public:
     std::optional<P2osCommand> take(std::uint8_t byte);
 
-    // Drops a partly received packet.
+    // Drops a partially received packet.
     void forget() { packet_.clear(); }
 
   private:

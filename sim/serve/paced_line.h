@@ -20,7 +20,7 @@ class PacedLine {
     // is none.
     bool take(std::int64_t time_ns, std::uint8_t &byte, std::int64_t &arrived_ns);
 
-    // When the next byte arrives; INT64_MAX if none is in transit.
+    // The time at which the next byte arrives; INT64_MAX if none is in transit.
     std::int64_t next_ns() const;
 
     std::size_t travelling() const { return bytes_.size(); }
@@ -33,7 +33,7 @@ class PacedLine {
     };
     bool paced_;
     std::deque<Travelling> bytes_;
-    std::int64_t free_ns_ = 0; // when the line can carry the next byte
+    std::int64_t free_ns_ = 0; // time at which the line can carry the next byte
 };
 
 } // namespace frob::serve

@@ -19,8 +19,8 @@ constexpr std::int64_t servo_period_ns = 20 * ms;
 constexpr std::int64_t watchdog_ns = 2000 * ms;
 constexpr std::int64_t handshake_patience_ns = 10'000 * ms;
 constexpr std::int64_t sonar_turn_ns = 320 * ms; // time in which each transducer fires once
-constexpr std::size_t backlog = 200;             // bytes; if more are still to be sent, a SIP is
-                                                 // skipped
+constexpr std::size_t backlog = 200;             // maximum number of bytes to send; if there are
+                                                 // more, a SIP is skipped
 
 constexpr double no_echo_m = 5.0;
 constexpr double counts_per_turn = 4096.0;
@@ -114,8 +114,8 @@ const PioneerModel *PioneerFirmware::find_model(const std::string &subclass) {
     return nullptr;
 }
 
-// Reads the sensors, also between SIPs while the robot moves. Keeps all echoes, so that none is
-// lost between two SIPs.
+// Reads the sensors. While the robot moves, it also reads them between SIPs. Stores all echoes, so
+// that none is lost between two SIPs.
 void PioneerFirmware::look() {
     frob_pioneer_input now{};
     frob_sim_read(sim_, &now);
@@ -129,7 +129,8 @@ double PioneerFirmware::heading() const {
     return std::remainder(sensed_.odometry.heading - origin_heading_, 2.0 * pi);
 }
 
-// Reads the sensors. A transducer that has heard no echo in its turn reads the farthest range.
+// Reads the sensors. A transducer that has not received an echo in its turn reads the farthest
+// range.
 void PioneerFirmware::listen() {
     look();
     for (std::size_t i = 0; i < echoes_.size(); ++i) {
@@ -275,7 +276,7 @@ void PioneerFirmware::obey(const P2osCommand &command) {
             rate_ = rates[static_cast<std::size_t>(n)];
         break;
     }
-    default: // PULSE, and commands that this robot does not support
+    default: // for PULSE, and for commands that this robot does not support
         break;
     }
 }

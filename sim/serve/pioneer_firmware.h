@@ -17,7 +17,7 @@
 
 namespace frob::serve {
 
-// Units of a model's measurements, from its parameter file.
+// The units of a model's measurements, from its parameter file.
 struct PioneerModel {
     const char *subclass;
     double distance_mm; // one unit of XPOS and YPOS
@@ -53,7 +53,7 @@ class PioneerFirmware : public Firmware {
     void send_encoders();
     void send_io();
     bool has_room() const;
-    double heading() const; // since SETO, which resets the odometry
+    double heading() const; // counters since SETO, which resets the odometry
 
     // A packet that the client can request: never sent, sent once, or sent with each SIP.
     enum class Asked { no, once, stream };
@@ -76,7 +76,7 @@ class PioneerFirmware : public Firmware {
 
     bool motors_ = false, sonar_on_ = true;
     PioneerMotion motion_;
-    double left_m_ = 0.0, right_m_ = 0.0; // distances of the wheels by their encoders
+    double left_m_ = 0.0, right_m_ = 0.0; // distances of the wheels according to their encoders
     Asked encoders_ = Asked::no, io_ = Asked::no;
     int digital_out_ = 0;
     double origin_x_ = 0.0, origin_y_ = 0.0, origin_heading_ = 0.0;
@@ -84,7 +84,7 @@ class PioneerFirmware : public Firmware {
     struct Echo {
         bool fresh = false; // not yet reported in a SIP
         double range_m = 5.0;
-        std::int64_t at_ns = 0; // when the transducer last had a result
+        std::int64_t at_ns = 0; // time at which the transducer last had a result
     };
     std::array<Echo, 16> echoes_{};
 };

@@ -8,8 +8,8 @@
 namespace frob::serve {
 namespace {
 
-// Limits for MOVE and HEAD. These commands brake slowly enough for the body, whose own limits are a
-// little higher, and do not exceed these speeds unless the client sets others.
+// Limits for MOVE and HEAD. These commands brake slowly enough for the body, whose own limits are
+// slightly higher, and do not exceed these speeds unless the client sets others.
 constexpr double braking = 0.2, turn_braking = 1.0; // m/s^2, rad/s^2
 constexpr double move_speed = 0.3, head_turn = 1.0;
 constexpr double there = 0.002, faces = 0.004; // m, rad
@@ -28,7 +28,7 @@ double angle_between(double from, double to) { return std::remainder(to - from, 
 
 void PioneerMotion::Axis::want(double value) { wanted = std::clamp(value, -most, most); }
 
-// Moving away from zero is speeding up; moving towards it is braking.
+// Moving away from zero counts as speeding up, and moving towards it as braking.
 void PioneerMotion::Axis::approach(double elapsed_s) {
     const bool brakes = wanted * told < 0 || std::fabs(wanted) < std::fabs(told);
     const double acceleration = brakes ? down : up;

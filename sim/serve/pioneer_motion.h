@@ -7,7 +7,7 @@
 
 namespace frob::serve {
 
-// The robot's heading by odometry, and its speeds.
+// The robot's heading according to odometry, and its speeds.
 struct PioneerState {
     double heading;     // in [-pi, pi]
     double speed, turn; // measured, m/s and rad/s
@@ -21,7 +21,7 @@ class PioneerMotion {
     void set_speed(double speed);            // VEL
     void set_turn(double turn);              // RVEL, ROTATE
     void move(double distance);              // MOVE: drive this distance, then stop
-    void face(double heading);               // HEAD: turn to this heading, measured by odometry
+    void face(double heading);               // HEAD: turn to this heading according to odometry
     void face_by(double angle, double from); // DHEAD: turn by an angle from the heading; DCHEAD:
                                              // from the heading setpoint
     void stop();                             // STOP: stop with the set decelerations
@@ -47,7 +47,7 @@ class PioneerMotion {
     struct Axis {
         double top;              // the robot's limit
         double most;             // the client's limit
-        double up = 0, down = 0; // accelerations; 0: not limited
+        double up = 0, down = 0; // accelerations; 0 if they are not limited
         double wanted = 0, told = 0;
         void want(double value);
         void approach(double elapsed_s);

@@ -13,7 +13,7 @@
 namespace frob::serve {
 namespace {
 
-// The memory of pages that no image reaches is never allocated.
+// Pages of this memory that no image reaches are never allocated.
 constexpr std::size_t memory_size = std::size_t{ROS_IMAGE_SLOTS} * ROS_IMAGE_MOST;
 
 } // namespace

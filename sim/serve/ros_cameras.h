@@ -1,5 +1,5 @@
 // The cameras of a simulated robot in ROS 2. Their images are too large for the socket to the node,
-// so they go through shared memory (runtime/hosts/ros_robot/images.h).
+// so they are passed through shared memory (runtime/hosts/ros_robot/images.h).
 #pragma once
 
 #include <cstdint>

@@ -27,8 +27,8 @@ constexpr std::int64_t step_ns = 5'000'000;
 constexpr std::int64_t clock_ns = 10'000'000;     // period of /clock
 constexpr std::int64_t odometry_ns = 20'000'000;  // period of odom
 constexpr std::int64_t states_ns = 50'000'000;    // period of the bumpers and the battery
-constexpr std::int64_t patience_ns = 500'000'000; // the robot stops after this time without a
-                                                  // velocity, as most robots do
+constexpr std::int64_t patience_ns = 500'000'000; // The robot stops after this time without a
+                                                  // velocity, as most robots do.
 constexpr int start_ms = 20000;
 
 std::int64_t real_time_ns() {
@@ -62,7 +62,8 @@ RosRobot::~RosRobot() {
     waitpid(process_, nullptr, 0);
 }
 
-// The first lidar publishes on `scan`, as most robots do, and others on their names.
+// The first lidar publishes on `scan`, as on most robots. The others publish on their own
+// names.
 void RosRobot::open_sensors() {
     for (std::size_t i = 0; const char *name = frob_sim_lidar_name(sim_, i); ++i) {
         Sensor &sensor = sensors_.emplace_back(Sensor{
@@ -137,7 +138,7 @@ Message RosRobot::message(ros_kind kind) const {
 }
 
 void RosRobot::send(const ros_head &message) const {
-    // A message may be lost, as in ROS.
+    // A message may be lost, as usual in ROS.
     if (::send(socket_, &message, message.size, MSG_NOSIGNAL | MSG_DONTWAIT) < 0) return;
 }
 

@@ -1,9 +1,11 @@
-// A simulated robot in ROS 2: it publishes its sensor values as topics, and drives as cmd_vel says.
+// A simulated robot in ROS 2. It publishes its sensor values on topics, and drives with the
+// velocities of cmd_vel.
 //
 // The node is a separate process (runtime/hosts/ros_robot), because the simulator does not depend
 // on ROS. A socket connects them; its messages are those of runtime/hosts/ros/messages.h.
 //
-// Stamps and /clock are the time of this machine, so that other nodes may use either of them.
+// Timestamps and /clock are based on this machine's time, so that other nodes may use either of
+// them.
 #pragma once
 
 #include <cstdint>
@@ -40,10 +42,10 @@ class RosRobot {
     // Runs the robot up to this time, which must not go back. Returns false if the node has ended.
     bool advance(std::int64_t time_ns);
 
-    // Waits until a velocity arrives, something is due, or a signal interrupts it.
+    // Waits until a velocity arrives, an event is due, or a signal interrupts the wait.
     void wait(std::int64_t time_ns) const;
 
-    // Calls this for each command that differs from the previous one.
+    // Called for each command that differs from the previous one.
     void set_log(Log log) { log_ = std::move(log); }
 
   private:
@@ -76,9 +78,9 @@ class RosRobot {
     std::unique_ptr<ros_scan> scan_; // room for a message
     std::int64_t epoch_ns_;          // the time of this machine at the start
     std::int64_t next_ns_ = 0;
-    std::int64_t heard_ns_ = 0; // when the last velocity arrived
+    std::int64_t heard_ns_ = 0; // time at which the last velocity arrived
     double speed_ = 0.0, turn_ = 0.0;
-    bool told_ = false; // a velocity that is not a number was reported
+    bool told_ = false; // whether a velocity that is not a number was reported
     Log log_;
 };
 

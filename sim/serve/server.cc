@@ -8,11 +8,11 @@
 namespace frob::serve {
 namespace {
 
-constexpr std::int64_t most_wait_ns = 5'000'000; // also the longest time until a new client is
+constexpr std::int64_t most_wait_ns = 5'000'000; // also the maximum time until a new client is
                                                  // noticed
 constexpr std::int64_t pause_ns = 100'000'000;   // longer than any pause within a command
 
-// Replaces a byte received at the wrong rate: any value other than the byte itself.
+// Replaces a byte that was received at the wrong rate by any value other than the byte itself.
 std::uint8_t garbled(std::uint8_t byte) { return static_cast<std::uint8_t>((byte ^ 0x5A) * 3 + 1); }
 
 } // namespace

@@ -22,10 +22,10 @@ class Server {
     // Advances the robot and the bytes in transit to this time.
     void advance(std::int64_t time_ns);
 
-    // The time of the next event: the robot acts, or a byte arrives.
+    // The time of the next event, at which the robot acts or a byte arrives.
     std::int64_t due_ns() const;
 
-    // Waits until a byte arrives, something is due, or a signal interrupts it.
+    // Waits until a byte arrives, an event is due, or a signal interrupts the wait.
     void wait(std::int64_t time_ns) const;
 
   private:
@@ -35,8 +35,8 @@ class Server {
     Firmware &firmware_;
     PacedLine to_robot_, to_client_;
     std::unique_ptr<Connection> connection_;
-    bool there_ = false, left_ = false; // whether a client is connected; whether one has left whose
-                                        // bytes are still in transit
+    bool there_ = false, left_ = false; // whether a client is connected, and whether one has left
+                                        // whose bytes are still in transit
     std::int64_t heard_ns_ = 0;         // time of the last byte
 };
 

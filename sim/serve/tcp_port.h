@@ -10,8 +10,8 @@ namespace frob::serve {
 
 class TcpPort : public Connection {
   public:
-    // Port 0: any free port. Throws std::system_error. Calls `refused` with a message for each
-    // client that it refuses.
+    // Port 0 means any free port. Throws std::system_error. Calls `refused` with a message for
+    // each client that it refuses.
     TcpPort(int port, std::function<void(const std::string &)> refused);
     ~TcpPort() override;
     TcpPort(const TcpPort &) = delete;

@@ -13,8 +13,8 @@
 
 namespace frob::serve {
 
-// Makes the terminal raw, so that it does not echo bytes to the robot before a client makes it raw
-// itself.
+// Sets the terminal to raw mode, so that it does not echo bytes to the robot before a client has
+// set raw mode itself.
 Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0)
         throw std::system_error(errno, std::generic_category(), "cannot make a pseudo-terminal");

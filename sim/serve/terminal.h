@@ -22,7 +22,7 @@ class Terminal : public Connection {
   private:
     int master_ = -1;
     std::string path_;
-    bool connected_ = false; // a client has the other side open
+    bool connected_ = false; // whether a client has the other side open
 };
 
 } // namespace frob::serve

@@ -13,7 +13,8 @@ constexpr double separation_mm = 235.0;
 constexpr int most_mm_s = 500;
 constexpr std::int64_t frame_period_ns = 15000000;
 constexpr std::int64_t refresh_ns = 15000000, understood_ns = 1000000;
-constexpr std::size_t most_frame = 172; // bytes: the most that fits into 15 ms at 115200 baud
+constexpr std::size_t most_frame = 172; // number of bytes: the maximum that can be sent in 15 ms
+                                        // at 115200 baud
 constexpr std::uint8_t header = 19;
 
 // Number of data bytes in each single packet, from packet 7 on.
@@ -36,7 +37,7 @@ constexpr std::array<Group, 11> groups = {{{0, 7, 26},
                                            {106, 46, 51},
                                            {107, 54, 58}}};
 
-// The robot's output while it restarts: each line, and its time after opcode 7.
+// The robot's output while it restarts: the lines, each with its time after opcode 7.
 struct Said {
     std::int64_t after_ns;
     const char *text;
@@ -182,7 +183,7 @@ void CreateWire::command() {
     case 143: enter(Mode::passive); break;
     case 137: drive_curve(word(1), word(3)); break;
     case 145: drive_wheels(word(1), word(3)); break;
-    case 146: // duty cycle, of 255
+    case 146: // duty cycle, from 0 to 255
         drive_wheels(word(1) * most_mm_s / 255, word(3) * most_mm_s / 255);
         break;
     case 142:

@@ -1,13 +1,14 @@
 // A simulated Create 2's end of its serial line: the Open Interface, for any body that uses the
 // structs of <frob/create.h>.
 //
-// Written from the protocol's description and independently of the driver, so that each tests the
-// other. It accepts every command in that description; lights, songs, brushes and schedules have no
-// effect. There is no watchdog: the last drive command stays in effect.
+// This code was written from the protocol's description and independently of the driver, so that
+// each of them tests the other. It accepts every command in that description; lights, songs,
+// brushes and schedules have no effect. There is no watchdog: the last drive command stays in
+// effect.
 //
 // The robot refreshes its sensors every 15 ms. It answers a query at the next refresh, but at least
-// a millisecond after the query, because it needs this time to process the query. So a client never
-// receives an answer immediately after writing a query.
+// a millisecond after the query, because it needs this time to process the query. Therefore a
+// client never receives an answer immediately after writing a query.
 //
 // Opcode 7 restarts the robot. That takes 3 s, in which it ignores commands and sends the text of
 // its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a client
@@ -35,12 +36,12 @@ class CreateWire {
     // Drops an incomplete command.
     void forget() { command_.clear(); }
 
-    // Sets the body's sensor readings from `now_ns` on. Leaves Safe mode at a cliff while moving,
-    // at a wheel drop, and on a charger.
+    // Sets the body's sensor readings at `now_ns`. Leaves Safe mode at a cliff while moving, at a
+    // wheel drop, and on a charger.
     void sense(const frob_create_input &input, std::int64_t now_ns);
 
-    // Sends everything that is due by `now_ns`: answers, and a stream frame every 15 ms. A frame
-    // that takes longer than 15 ms on the line is not sent.
+    // Sends everything that is due by `now_ns`: answers, and a stream frame every 15 ms. Does not
+    // send frames that take longer than 15 ms on the line.
     void advance(std::int64_t now_ns);
 
     // Bytes for the client. The caller clears them after sending.
@@ -72,15 +73,15 @@ class CreateWire {
     Mode mode_ = Mode::off;
     frob_create_input senses_{};
     std::int64_t now_ns_ = 0, sensed_ns_ = 0, frame_ns_ = 0;
-    double left_way_mm_ = 0, right_way_mm_ = 0;   // total distances of the wheels
-    double asked_way_mm_ = 0, asked_turn_mm_ = 0; // their values when packets 19 and 20 were last
-                                                  // requested
+    double left_way_mm_ = 0, right_way_mm_ = 0;   // total distances that the wheels have travelled
+    double asked_way_mm_ = 0, asked_turn_mm_ = 0; // values of these distances when packets 19 and
+                                                  // 20 were last requested
     int left_mm_s_ = 0, right_mm_s_ = 0, speed_mm_s_ = 0, radius_mm_ = 0;
     std::vector<std::uint8_t> command_; // bytes received so far
     std::vector<std::uint8_t> streamed_, frame_;
     bool streaming_ = false;
     std::vector<std::uint8_t> asked_; // requested packets that have not been sent
-    std::int64_t answer_ns_ = 0;      // when the answer with these packets is due
+    std::int64_t answer_ns_ = 0;      // time at which the answer with these packets is due
     std::int64_t reset_ns_ = 0;       // time of the last restart
     std::size_t to_boot_ = 0;         // steps of the restart that are still to come
 };

@@ -1,10 +1,9 @@
-// A simulated Scout's end of its serial line, for any body that uses the structs of
-// <frob/scout.h>.
+// A simulated Scout's end of its serial line, for any body that uses the structs of <frob/scout.h>.
 //
-// Written from the protocol's description (Nomadics' Ndirect) and independently of the driver, so
-// that each tests the other. Every command gets one answer, and the robot sends nothing else; it
-// refuses the commands of other models. The watchdog stops the motion if no command arrives for the
-// number of seconds that CONF_TM sets.
+// This code was written from the protocol's description (Nomadics' Ndirect) and independently of
+// the driver, so that each of them tests the other. The robot sends one answer to each command, and
+// nothing else. It refuses the commands of other models. The watchdog stops the motion if no
+// command arrives for the number of seconds that CONF_TM sets.
 #pragma once
 
 #include <array>
@@ -26,8 +25,8 @@ class ScoutWire {
     // Drops an incomplete packet.
     void forget() { pending_.clear(); }
 
-    // Sets the body's sensor readings from `now_ns` on. An echo remains its transducer's reading
-    // until the next echo; after a round without an echo the reading is 255.
+    // Sets the body's sensor readings at `now_ns`. An echo remains its transducer's reading until
+    // the next echo; after a round without an echo the reading is 255.
     void sense(const frob_scout_input &input, std::int64_t now_ns);
 
     // Updates the time for the watchdog and for a pending WS command.
@@ -67,13 +66,14 @@ class ScoutWire {
     unsigned watchdog_s_ = 0;
     int left_ = 0, right_ = 0;
     int speed_left_ = 100, speed_right_ = 100; // speeds for PR, set by SP
-    bool moving_ = false;                      // PR is moving the wheels to the goals below
-    double left_way_ = 0, right_way_ = 0;      // total distances of the wheels, 0.1 inch
+    bool moving_ = false;                      // whether PR is moving the wheels to the goals below
+    double left_way_ = 0, right_way_ = 0;      // total distances that the wheels have travelled,
+                                               // 0.1 inch
     double left_goal_ = 0, right_goal_ = 0;
     // The body's odometry when the client defined the pose, and the pose that it defined.
     frob_pose origin_{};
     Place defined_{0, 0, 0};
-    bool waits_ = false; // the answer to WS is pending
+    bool waits_ = false; // whether the answer to WS is pending
     std::int64_t waits_until_ns_ = 0;
     std::array<bool, 16> on_{}; // which sonars are on, in the order of CONF_SN
     std::array<std::uint8_t, 16> sonar_in_{};

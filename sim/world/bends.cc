@@ -49,7 +49,8 @@ void add_bend(const Corner &corner, double radius, std::vector<Vec> &to) {
 std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool closed, double radius) {
     const std::vector<Corner> corners = corners_of(points, closed);
     const std::size_t n = corners.size();
-    // The length that the corner at the other end of a segment needs; a free end needs none.
+    // The length that the corner at the other end of a segment needs. A free end does not
+    // need any.
     const auto needed = [&](std::size_t i) { return corners[i % n].reach(radius); };
     for (std::size_t i = 0; i < n; ++i) {
         const Corner &corner = corners[i];

@@ -5,7 +5,7 @@
 namespace frob::sim {
 namespace {
 
-// Computes the bounding box of some points, enlarged by `around`.
+// Computes the bounding box of some points, enlarged by `around` on all sides.
 void enclose(const std::vector<Vec> &points, double around, Vec &low, Vec &high) {
     low = high = points.front();
     for (const Vec &p : points) {

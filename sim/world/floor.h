@@ -15,17 +15,17 @@ class Floor {
     bool has_holes() const { return !holes_.empty(); }
     bool ends(Vec place) const;
 
-    // The fraction of light that a spot of width `spot` around a place reflects; 0 from a hole. If
-    // the spot lies on an edge, the result lies between the reflectances of the two sides: the spot
-    // is treated as a square aligned with the edge, and each side is weighted by its part of the
-    // square.
+    // The fraction of light that a spot of width `spot` around a place reflects; 0 for a hole. If
+    // the spot is on an edge, the result is between the reflectances of the two sides: the spot is
+    // treated as a square that is aligned with the edge, and each side is weighted by its part of
+    // the square.
     double reflectance(Vec place, double spot) const;
 
   private:
-    // An area or stripe on the floor, with its bounding box.
+    // An area or a stripe on the floor, with its bounding box.
     struct Layer {
         std::vector<Vec> points;
-        bool outlined; // an area with this outline; otherwise a stripe along the points
+        bool outlined; // an area with this outline or, otherwise, a stripe along the points
         bool closed;   // for stripes
         double width;  // for stripes
         double reflectance;

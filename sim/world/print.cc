@@ -10,11 +10,11 @@
 namespace frob::sim {
 namespace {
 
-constexpr int most_pixels = 4096; // limit on width and height
+constexpr int most_pixels = 4096; // maximum width and height
 constexpr int cell = 16;          // pixels per cell of a tag
 
-// The 6 by 6 cells inside the black frame, row by row from the upper left, 1 for white, as AprilTag
-// 3 prints them (Wang and Olson, AprilTag 2, 2016).
+// The 6 by 6 cells inside the black frame, in rows from the upper left, where 1 is white, as
+// AprilTag 3 prints them (Wang and Olson, AprilTag 2, 2016).
 constexpr std::array<std::uint64_t, Print::tags> codes = {
     0xd5d628584, 0xd97f18b49, 0xdd280910e, 0xe479e9c98, 0xebcbca822, 0xf31dab3ac,
     0x056a5d085, 0x10652e1d4, 0x22b1dfead, 0x265ad0472, 0x34fe91b86, 0x3ff962cd5,
@@ -103,8 +103,8 @@ Print Print::tag(int id) {
     return {10 * cell, 10 * cell, pixels};
 }
 
-// Interpolates between four pixels of a mipmap level: the first one whose pixels are not much finer
-// than the camera's.
+// Interpolates between four pixels of a mipmap level, which is the first one whose pixels are not
+// much finer than those of the camera.
 void Print::colours(int count, const float *x, const float *y, const float *per_width, float light,
                     float *to) const {
     std::size_t number = 0;

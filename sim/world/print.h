@@ -14,7 +14,7 @@ namespace frob::sim {
 class Print {
   public:
     Print() = default;
-    // Rows start at the top, with three bytes a pixel.
+    // Rows start at the top, with three bytes per pixel.
     Print(int width, int height, const std::vector<std::uint8_t> &pixels);
 
     // Throws std::runtime_error, whose message describes the error in the file.

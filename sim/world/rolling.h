@@ -1,5 +1,5 @@
-// A ball's motion along its path at constant speed. At the end it rolls back, or starts over if the
-// path is closed.
+// A ball's motion along its path at constant speed. At the end of the path, it rolls back or, if
+// the path is closed, starts again.
 #pragma once
 
 #include "scene.h"
@@ -16,8 +16,8 @@ class Rolling {
   private:
     std::vector<Vec> corners_; // the path there and back; the last corner is joined to the first
     double speed_;
-    std::size_t behind_ = 0; // the last corner it passed
-    double gone_ = 0.0;      // m travelled since then
+    std::size_t behind_ = 0; // the last corner that it has passed
+    double gone_ = 0.0;      // m, the distance travelled since then
 };
 
 } // namespace frob::sim

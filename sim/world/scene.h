@@ -15,13 +15,14 @@ namespace frob::sim {
 // A polyline with a thickness; its corners and free ends are round.
 struct Wall {
     std::vector<Vec> points;
-    bool closed = false; // the last point is joined to the first
+    bool closed = false; // whether the last point is joined to the first
     double thickness = 0.1;
     Look look = {{0.78, 0.75, 0.69}, Texture::plaster, 2.5};
     std::string place; // place in the file, as in Start
 };
 
-// An immovable solid. Simple (its edges do not cross), not necessarily convex, counter-clockwise.
+// An immovable solid. Its outline is simple (the edges do not cross), counter-clockwise, and not
+// necessarily convex.
 struct Polygon {
     std::vector<Vec> points;
     Look look = {{0.56, 0.60, 0.66}, Texture::plaster, 0.8};
@@ -38,17 +39,18 @@ struct Circle {
 // A rectangular box that the robot can push over the floor.
 struct Box {
     Pose pose;             // pose of its centre
-    Vec size;              // along its own x and y axes
+    Vec size;              // size along its own x and y axes
     double mass = 2.0;     // kg
-    double friction = 0.5; // coefficient between box and floor
+    double friction = 0.5; // friction coefficient between box and floor
     Look look = {{0.70, 0.53, 0.30}, Texture::plaster, 0.3};
     std::string place; // place in the file, as in Start
 };
 
 // A ball on the floor. It rolls along a path, or rests until it is pushed.
 struct Ball {
-    std::vector<Vec> way; // its path, a single point if it rests; at the end it rolls back
-    bool closed = false;  // the path leads from its end to its start
+    std::vector<Vec> way; // the path, which is a single point if the ball rests; at the end, the
+                          // ball rolls back
+    bool closed = false;  // whether the path leads from its end back to its start
     double speed = 0.0;   // m/s
     double radius = 0.1;
     double mass = 0.2; // kg
@@ -64,7 +66,7 @@ struct Cone {
     std::string place; // place in the file, as in Start
 };
 
-// A picture that hangs in the room, on a wall or free, and is visible from one side.
+// A picture that hangs in the room, on a wall or freely, and is visible from one side.
 struct Poster {
     Pose pose;           // position of its centre, and the direction it faces
     double middle = 0.5; // m, height of its centre above the floor
@@ -80,12 +82,13 @@ struct SkyLook {
 struct CameraSettings {
     std::string name = "camera";             // the name that programs use
     int width = 320, height = 240;           // pixels
-    static constexpr int most_pixels = 2048; // limit on width and height
+    static constexpr int most_pixels = 2048; // maximum width and height
     double field_of_view = radians(60.0);    // horizontal
     double rate = 30.0;                      // Hz
-    double latency = 0.0;                    // s from a frame's exposure to its arrival at the
+    double latency = 0.0;                    // s, from a frame's exposure to its arrival at the
                                              // program
-    double rolling = 0.0;      // s from the exposure of a frame's first row to its last row's
+    double rolling = 0.0;      // s, from the exposure of a frame's first row to that of its last
+                               // row
     double jitter = 0.0;       // s: maximum deviation of a frame's time
     double dropout = 0.0;      // fraction of frames that are lost
     double noise = 0.0;        // standard deviation of a pixel's value, on the scale from 0 to 255
@@ -93,12 +96,13 @@ struct CameraSettings {
     double blur = 0.0;         // pixels, radius of the square blur
     double k1 = 0.0, k2 = 0.0; // radial distortion
     bool grey = false;
-    // Position and direction on the robot; without a value, the robot's default (see chassis.h).
+    // Position and direction on the robot. If there is no value, the robot's default applies (see
+    // chassis.h).
     std::optional<double> ahead, left, up;     // m
     double yaw = 0.0, pitch = 0.0, roll = 0.0; // rad: to the left, down, clockwise
     // For cameras of a stereo pair: the offset along the camera's rows, in m to the left; a
-    // misalignment that is hidden from programs; and the index of the camera that takes its frames
-    // at the same times.
+    // misalignment that programs do not know; and the index of the camera that takes its frames at
+    // the same times.
     double aside = 0.0;
     double askew_yaw = 0.0, askew_pitch = 0.0, askew_roll = 0.0; // rad
     std::optional<std::size_t> partner;
@@ -112,7 +116,7 @@ struct LidarSettings {
     double field_of_view = radians(360.0);
     double nearest = 0.1, farthest = 12.0; // m, its range
     double rate = 10.0;                    // scans per second
-    double latency = 0.0;                  // s from a scan to its arrival at the program
+    double latency = 0.0;                  // s, from a scan to its arrival at the program
     double noise = 0.0;                    // m, standard deviation
     double dropout = 0.0;                  // probability that a ray is lost
     double ahead = 0.0, left = 0.0;        // m, its position on the robot
@@ -126,11 +130,11 @@ struct LidarSettings {
 struct ImuSettings {
     std::string name = "imu"; // the name that programs use
     double rate = 100.0;      // measurements per second
-    double latency = 0.0;     // s from a measurement to its arrival at the program
+    double latency = 0.0;     // s, from a measurement to its arrival at the program
     // The gyroscope. A bias is constant during a run; this is its standard deviation over all runs.
     double gyro_noise = 0.0; // rad/s, standard deviation
     double gyro_bias = 0.0;  // rad/s
-    double gyro_drift = 0.0; // rad/s per square root of a second: the bias walks at random
+    double gyro_drift = 0.0; // rad/s per square root of a second; the bias performs a random walk
     double gyro_scale = 0.0; // relative error
     // The accelerometer.
     double acceleration_noise = 0.0; // m/s^2
@@ -154,31 +158,31 @@ struct Start {
 };
 
 struct DriveSettings {
-    // Without a value, the robot's default (see chassis.h).
+    // If there is no value, the robot's default applies (see chassis.h).
     std::optional<double> max_speed;         // m/s
     std::optional<double> max_turn;          // rad/s
     std::optional<double> acceleration;      // m/s^2, to speed up and to brake
     std::optional<double> turn_acceleration; // rad/s^2
     double slip = 0.0;                       // mean fraction of a wheel's travel that is lost
-    bool behind_wire = false; // commands come from a firmware, already rounded to steps; not a
-                              // setting of the file
+    bool behind_wire = false; // whether commands come from a firmware, already rounded to steps;
+                              // not a setting of the file
 };
 
 struct OdometrySettings {
-    double distance_error = 0.0; // relative: 0.01 counts 1 % too much
+    double distance_error = 0.0; // relative error: 0.01 counts 1 % too much
     double turn_error = 0.0;     // relative
-    double veer = 0.0;           // rad/m: turn that the odometry adds while driving straight
+    double veer = 0.0;           // rad/m, the turn that the odometry adds while driving straight
     double heading_noise = 0.0;  // rad per square root of a metre
 };
 
 struct SonarSettings {
     double noise = 0.0;   // m, standard deviation
     double dropout = 0.0; // probability that an echo is lost
-    int rays = 13;        // across the cone: 2 degrees apart, 17 cm at 5 m
+    int rays = 13;        // spacing across the cone: 2 degrees, which is 17 cm at 5 m
 };
 
 struct BatterySettings {
-    std::optional<double> voltage; // V at the start; without a value, the robot's default
+    std::optional<double> voltage; // V, the initial voltage; without a value, the robot's default
     double drain = 0.0;            // V/s
 };
 
@@ -186,18 +190,19 @@ struct BatterySettings {
 // run.
 struct OutageSettings {
     double from = 0.0;  // s
-    double lasts = 0.0; // s; 0: no outage
-    double every = 0.0; // s between the starts of outages; 0: only one
+    double lasts = 0.0; // s; 0 if there is no outage
+    double every = 0.0; // s, between the starts of outages; 0 if there is only one
 };
 
-// What the summary measures: how well the robot follows a wall, tape on the floor, or a ball.
+// The quantity that the summary reports: how well the robot follows a wall, a tape on the floor, or
+// a ball.
 struct MeasureSettings {
     enum class What { wall, tape, ball };
     enum class Side { left, right };
     What what = What::wall;
     Side side = Side::left; // for walls
     double distance = 0.5;  // m, the distance to keep from a wall or ball
-    double settle = 10.0;   // s at the start that are not measured
+    double settle = 10.0;   // s, the time at the start that is not measured
 };
 
 // A hole in the floor, which a robot with cliff sensors detects as a cliff.
@@ -209,14 +214,14 @@ struct Hole {
 // and sensors that look down see it.
 struct Tape {
     std::vector<Vec> points; // including the arcs at its corners
-    bool closed = false;     // the last point is joined to the first
+    bool closed = false;     // whether the last point is joined to the first
     double width = 0.05;
     double reflectance = 0.05;
     std::optional<Tint> tint; // for cameras; without a value, the floor's tint scaled by the
                               // reflectance
 };
 
-// A part of the floor that is brighter or darker than the rest. The outline is simple.
+// A part of the floor that is brighter or darker than the rest. Its outline is simple.
 struct Patch {
     std::vector<Vec> points;
     double reflectance = 0.5;
@@ -234,13 +239,13 @@ struct FloorSettings {
 // A lamp above the floor that shines in all directions and is not an obstacle.
 struct Lamp {
     Vec position;
-    double height = 0.3;     // m above the photocells; for cameras, above the floor
-    double intensity = 60.0; // cd: a bulb of 750 lm
+    double height = 0.3;     // m, height above the photocells or, for cameras, above the floor
+    double intensity = 60.0; // cd; the default is that of a bulb of 750 lm
 };
 
 // The ambient light of the room.
 struct AmbientSettings {
-    double light = 0.0; // lx from everywhere, in addition to the lamps
+    double light = 0.0; // lx from all directions, in addition to the lamps
     double noise = 0.0; // relative standard deviation of a photocell's reading
     // The light in lx, from all sources, under which a white surface appears as full white to
     // cameras. Without a value, cameras see everything in even light.
@@ -253,7 +258,7 @@ struct LightSettings {
 
 struct Scene {
     std::string name;
-    std::string robot;         // "pioneer", …; "" if the file names none
+    std::string robot;         // "pioneer", …; "" if the file does not name a robot
     std::vector<Start> starts; // one for each robot; at least one
     std::vector<Wall> walls;
     std::vector<Polygon> polygons;

@@ -7,7 +7,7 @@
 namespace frob::sim {
 namespace {
 
-constexpr double farthest_step = 0.1; // m along the tape, limit on the movement from one instant to
+constexpr double farthest_step = 0.1; // m along the tape, the maximum movement from one instant to
                                       // the next
 
 double length_of(const Tape &tape) {

@@ -10,9 +10,9 @@ namespace frob::sim {
 
 // The place on the tape that is nearest to a point.
 struct OnTape {
-    std::size_t tape; // index in the scene
-    double distance;  // from its middle line
-    double along;     // along the tape from its first point
+    std::size_t tape; // index of the tape in the scene
+    double distance;  // distance from the middle line of the tape
+    double along;     // distance along the tape from its first point
 };
 
 // The scene must have tape.
@@ -33,14 +33,14 @@ class TapeDistance {
     double largest() const;
 
     // Distance travelled along the tape since the robot settled, in the order of the tape's points;
-    // on a closed tape, laps add up. Jumps from one instant to the next (at a crossing, or from one
-    // tape to another) do not count.
+    // on a closed tape, laps add up. Jumps between two instants (at a crossing, or from one tape to
+    // another) do not count.
     double way() const { return way_; }
 
   private:
     const Scene &scene_;
     MeasureSettings settings_;
-    std::vector<double> lengths_; // length of each closed tape; 0 for others
+    std::vector<double> lengths_; // length of each closed tape; 0 for other tapes
     bool settled_ = false;
     OnTape before_{};
     double sum_ = 0.0, largest_ = 0.0, way_ = 0.0;

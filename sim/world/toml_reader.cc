@@ -24,8 +24,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-// The known name that was probably meant: one that adds a unit (`heading_deg` for `heading`), or
-// one that differs in few letters.
+// The known name that was probably meant: a name with an additional unit (`heading_deg` for
+// `heading`), or a name that differs in only a few letters.
 std::optional<std::string_view> nearest(const std::vector<std::string_view> &known,
                                         std::string_view name) {
     std::optional<std::string_view> best;

@@ -36,16 +36,17 @@ class Mistakes {
     std::vector<Mistake> found_;
 };
 
-// Limit on the number of points in a world. With more, the simulation runs slower than real time.
+// Maximum number of points in a world. If there are more points, the simulation is slower than real
+// time.
 constexpr std::size_t most_points = 20'000;
 
-// The range of numbers that a key allows; none may exceed a million. Box2D merges points that are a
-// few millimetres apart, so sizes must be at least a centimetre.
+// The range of numbers that a key allows. No number may exceed a million. Box2D merges points that
+// are a few millimetres apart, so sizes must be at least a centimetre.
 enum class Range { any, not_negative, positive, size, share, part, error, turn };
 
 // Reads the keys of a table. `finish` then reports all unknown keys and all missing required keys.
-// It does not report a missing key if an unknown key is probably a misspelling of it. After a
-// mistake, the reader returns a default and continues.
+// It does not report a missing key if an unknown key is probably a misspelling of that key. After a
+// mistake, the reader returns a default value and continues.
 class TomlReader {
   public:
     TomlReader(Mistakes &mistakes, const toml::table &table) : mistakes_(mistakes), table_(table) {}
@@ -58,13 +59,14 @@ class TomlReader {
     std::string string(std::string_view key);
     std::string needed_string(std::string_view key);
     Vec needed_point(std::string_view key, Range range);
-    // Neighbouring points must differ; if `closed`, so must the last and the first.
+    // Neighbouring points must be different. If `closed` is true, the last and the first point must
+    // also be different.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);
 
-    // Returns the value at a key, whatever its type, or nullptr.
+    // Returns the value at a key, whatever its type, or nullptr if there is none.
     const toml::node *any(std::string_view key) { return find(key); }
 
-    // Returns the table at a key, or nullptr.
+    // Returns the table at a key, or nullptr if there is none.
     const toml::table *table(std::string_view key);
     // Returns the tables of `[[key]]`; empty if there are none.
     std::vector<const toml::table *> tables(std::string_view key);
@@ -72,7 +74,7 @@ class TomlReader {
     // Returns the single table of `[key]`, or the tables of `[[key]]`.
     std::vector<const toml::table *> table_or_tables(std::string_view key);
 
-    // Where this table starts, `FILE:LINE:COLUMN`.
+    // The place where this table starts, as `FILE:LINE:COLUMN`.
     std::string place() const { return mistakes_.place(table_.source().begin); }
 
     // Reports a mistake in this table as a whole, or at a key.

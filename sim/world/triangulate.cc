@@ -9,8 +9,8 @@ double turn(Vec a, Vec b, Vec c) { return cross(b - a, c - b); }
 
 bool segments_touch(Vec a, Vec b, Vec c, Vec d) {
     const auto sign = [](double x) { return x > 0.0 ? 1 : x < 0.0 ? -1 : 0; };
-    const auto on = [](Vec p, Vec q, Vec r) { // whether r lies on pq, given that it lies on the
-                                              // line
+    const auto on = [](Vec p, Vec q, Vec r) { // whether r is on pq, given that it is on the
+                                              // line through p and q
         return std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) &&
                std::min(p.y, q.y) <= r.y && r.y <= std::max(p.y, q.y);
     };
@@ -25,8 +25,8 @@ bool inside(const Triangle &t, Vec p) {
     return turn(t[0], t[1], p) >= 0.0 && turn(t[1], t[2], p) >= 0.0 && turn(t[2], t[0], p) >= 0.0;
 }
 
-// Whether the corner at `i` can be cut off: it must be convex, and its triangle must contain no
-// other point.
+// Whether the corner at `i` can be cut off: it must be convex, and its triangle must not
+// contain any other point.
 bool is_ear(const std::vector<Vec> &outline, std::size_t i) {
     const std::size_t n = outline.size();
     const Triangle ear = {outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]};

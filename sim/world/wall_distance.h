@@ -9,8 +9,8 @@
 
 namespace frob::sim {
 
-// Distance from a point to the nearest wall, polygon or circle; 0 inside one, infinite if there are
-// none. Boxes do not count, because they can be pushed away.
+// Distance from a point to the nearest wall, polygon or circle. It is 0 inside an object, and
+// infinite if there are no objects. Boxes do not count, because they can be pushed away.
 double clearance(const Scene &scene, Vec point);
 
 // The errors of a run.

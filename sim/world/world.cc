@@ -6,10 +6,10 @@
 
 #include "triangulate.h"
 
-// In each step Box2D reads the clock dozens of times, for a profile that the simulator does not
-// use; on systems where that is slow, it takes a third of a run. These definitions replace the
-// library's, because they are linked before it. They never read the clock, and Box2D's results do
-// not depend on it.
+// In each step, Box2D reads the clock dozens of times for a profile that the simulator does not
+// use. On systems where reading the clock is slow, this takes a third of a run. These definitions
+// replace those of the library, because they are linked before it. They do not read the clock, and
+// Box2D's results do not depend on it.
 b2Timer::b2Timer() {}
 void b2Timer::Reset() {}
 float b2Timer::GetMilliseconds() const { return 0.0f; }
@@ -17,7 +17,7 @@ float b2Timer::GetMilliseconds() const { return 0.0f; }
 namespace frob::sim {
 namespace {
 
-// Box2D's defaults, which are enough for a few touching bodies.
+// Box2D's defaults, which are sufficient for a few bodies that touch each other.
 constexpr int velocity_iterations = 8;
 constexpr int position_iterations = 3;
 
@@ -39,8 +39,8 @@ void add_fixture(b2Body &body, const b2Shape &shape, float density, std::size_t 
 void add_polygon(b2Body &body, const b2Vec2 *points, int count, bool skin, std::size_t name) {
     b2PolygonShape shape;
     shape.Set(points, count);
-    // Box2D keeps polygons apart by a skin on each. Solids get no skin, so that the sonar and the
-    // bumper detect them at the same place.
+    // Box2D keeps polygons apart by a skin on each of them. Solids do not get a skin, so that the
+    // sonar and the bumper detect them at the same place.
     if (!skin) shape.m_radius = 0.0f;
     add_fixture(body, shape, 0.0f, name);
 }
@@ -66,8 +66,8 @@ void add_wall(b2Body &body, const Wall &wall, std::size_t name) {
     }
 }
 
-// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so this file leaves
-// out triangles that are too narrow for it.
+// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so this file omits
+// triangles that are too narrow for Box2D.
 bool is_solid(const Triangle &t) {
     const double longest =
         std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
@@ -194,7 +194,7 @@ b2Body &World::add_ball(const Ball &ball) {
     return *body;
 }
 
-// Moves each ball to where its path leads at the end of this step.
+// Moves each ball to the place where its path leads at the end of this step.
 void World::roll_balls() {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         if (balls_[i]->GetType() != b2_kinematicBody) continue;

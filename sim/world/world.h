@@ -1,4 +1,4 @@
-// The physical world: Box2D as a top view, without gravity.
+// The physical world, which Box2D simulates as a top view, without gravity.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace frob::sim {
 
-// The scene's solids and boxes, and a robot at each start.
+// The physical world with the scene's solids and boxes, and a robot at each start.
 class World {
   public:
     World(const Scene &scene, const Chassis &chassis);
@@ -30,7 +30,7 @@ class World {
 
     b2World &physics() { return physics_; }
 
-    // Poses of the scene's boxes and places of its balls, in the scene's order.
+    // The poses of the scene's boxes and the places of its balls, in the scene's order.
     std::vector<Pose> box_poses() const;
     std::vector<Vec> ball_places() const;
 

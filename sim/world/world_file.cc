@@ -266,8 +266,8 @@ std::string shown(double x) {
     return text;
 }
 
-// Limits the number of boxes. Overlapping boxes are pushed apart, pair by pair: a few form a heap,
-// but hundreds in one place are a mistake of the program that wrote the file.
+// Limits the number of boxes. Overlapping boxes are pushed apart, pair by pair. A few of them form
+// a heap, but hundreds in one place are a mistake in the program that wrote the file.
 void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes) {
     if (boxes.size() > most_boxes)
         return reader.mistake("a world can have at most " + std::to_string(most_boxes) +
@@ -579,7 +579,7 @@ Scene read_world_file(const std::string &path) {
     std::ifstream file(path, std::ios::binary);
     std::string text;
     try {
-        // Opening a folder succeeds; only reading it fails.
+        // Opening a folder succeeds, and only reading it fails.
         file.exceptions(std::ios::badbit | std::ios::failbit);
         file.peek();
         file.exceptions(std::ios::badbit);

@@ -18,7 +18,7 @@ class WorldFileError : public std::runtime_error {
 // Reads the file. Throws WorldFileError with all mistakes found.
 Scene read_world_file(const std::string &path);
 
-// Does the same for a text; `path` is for messages.
+// Does the same for a text. `path` is the name for messages.
 Scene parse_world(const std::string &text, const std::string &path);
 
 } // namespace frob::sim
