@@ -2,10 +2,11 @@
 #include "blob.h"
 #include "blob_tracker.h"
 
-/* Brightness from which the tracker counts a pixel as part of the blob. */
+/* Minimum brightness of a pixel that counts as part of the blob. */
 static const int32_t bright = 128;
 
-/* How far around the blob the tracker looks for it in the next picture, in pixels. */
+/* Maximum distance from the blob at which the tracker looks for it in the next picture, in
+ * pixels. */
 static const int32_t margin = 2;
 
 static int32_t limited(int32_t n, int32_t most)
@@ -43,7 +44,7 @@ void blob_measure(const struct frob_window *w, const bool *mask, struct frob_may
     }
 }
 
-/* The window to look in next, around the centre of a blob. */
+/* The window to search next, around the centre of a blob. */
 void blob_around(const struct frob_blob *b, struct frob_window *result)
 {
     const int32_t column = (int32_t)(b->column + 0.5), row = (int32_t)(b->row + 0.5);
@@ -67,7 +68,7 @@ void blob_reset(struct blob_state *self)
     look_everywhere(self);
 }
 
-/* Processes one picture. dt, the seconds since the previous one, is not used. */
+/* Processes one picture. Does not use dt, the seconds since the previous one. */
 void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
                struct blob_output *out)
 {

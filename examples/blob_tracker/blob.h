@@ -10,8 +10,8 @@
 
 enum { BLOB_WIDTH = 12, BLOB_HEIGHT = 8, BLOB_PIXELS = BLOB_WIDTH * BLOB_HEIGHT };
 
-/* The rectangle to look in at the next step: columns from left to right and
- * rows from top to bottom, both ends included. */
+/* The rectangle to search in the next step: columns from left to right and rows from top to
+ * bottom, both ends included. */
 struct blob_state {
     int left, top, right, bottom;
 };

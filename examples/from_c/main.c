@@ -9,7 +9,7 @@
 
 enum { WHEELS = 2, STEPS = 150 };
 
-/* A wheel on its motor: its speed slowly approaches 0.1 m/s per volt. */
+/* A wheel with its motor. Its speed slowly approaches a value of 0.1 m/s per volt. */
 static double speed_after(double dt, double speed, double volts)
 {
     return speed + dt * 2.0 * (0.1 * volts - speed);

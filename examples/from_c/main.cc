@@ -1,5 +1,5 @@
-// main.cc -- the same two wheels from C++: a controller is an object, and its state a
-// member that copies like any other.
+// main.cc -- the same two wheels from C++. A controller is an object, and its state
+// is a member that can be copied like any other.
 #include "wheel.h"
 
 #include <array>
@@ -18,7 +18,7 @@ class Wheel
         return out;
     }
 
-    // The speed slowly approaches 0.1 m/s per volt.
+    // The speed slowly approaches a value of 0.1 m/s per volt.
     void turn(double dt, double volts) { speed_ += dt * 2.0 * (0.1 * volts - speed_); }
 
     double speed() const { return speed_; }

@@ -20,13 +20,13 @@ static const struct frob_seat rangers[RANGERS] = {
     { 0.642787609686539 * RADIUS_M, -0.766044443118978 * RADIUS_M, -50.0 * DEGREES },
 };
 
-/* On top, so that the body does not shade them. */
+/* The photocells are on top, so that the body does not shade them. */
 static const struct frob_seat photocells[SIDES] = {
     { 0.04, 0.02, 45.0 * DEGREES },
     { 0.04, -0.02, -45.0 * DEGREES },
 };
 
-/* 19 mm apart, the width of ordinary tape. */
+/* 19 mm apart, which is the width of ordinary tape. */
 static const struct frob_spot floor_sensors[SIDES] = {
     { 0.05, 0.0095 },
     { 0.05, -0.0095 },
@@ -59,7 +59,7 @@ static void command(const void *from, double *forward_m_s, double *turn_rad_s)
     *turn_rad_s = output->turn;
 }
 
-/* In C++, a const table is visible to other files only with this declaration. */
+/* In C++, other files can see a const table only with this declaration. */
 extern const struct frob_body frob_moth_body;
 
 const struct frob_body frob_moth_body = {

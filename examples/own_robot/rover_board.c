@@ -1,9 +1,9 @@
 /* rover_board.c -- a Rover's onboard computer, for `frobc serve` and for tests.
  *
  * Written from the table of commands (README.md) and independently of the driver. Commands are
- * lines that end with a carriage return. A ranger answers when its echo would have come back;
- * commands that arrive meanwhile wait. If no `m` command arrives for the time that `w` has set
- * (initially two seconds), the wheels stop. */
+ * lines that end with a carriage return. A ranger answers when its echo would have come back.
+ * Commands that arrive in the meantime have to wait. If no `m` command arrives for the time
+ * that `w` has set (initially two seconds), the wheels stop. */
 #include <frob/board.h>
 
 #include "rover.h"
@@ -26,17 +26,17 @@ enum { RANGERS = 5, LONGEST = 30, WAITING = 128 };
 struct board {
     bool on;
     int64_t now_ns;
-    double left_m, right_m; /* distances of the wheels */
+    double left_m, right_m; /* distances that the wheels have travelled */
     double heading_rad;     /* the heading of the body's odometry when it was last read, */
     double x_m, y_m;        /* and its position */
     double battery_v;
     double echo_m[RANGERS];
     int64_t echo_ns[RANGERS];
-    int32_t left, right;           /* speeds, in counts per loop */
-    int64_t moved_ns, watchdog_ns; /* time of the last speed command; how long it lasts */
+    int32_t left, right;           /* speeds of the wheels, in counts per loop */
+    int64_t moved_ns, watchdog_ns; /* time of the last speed command, and how long it lasts */
     bool pings;
     int pinged;
-    int64_t ping_ns;       /* when the pending ping is answered */
+    int64_t ping_ns;       /* time at which the pending ping is answered */
     char waiting[WAITING]; /* bytes that have not been processed */
     size_t waiting_count;
     char line[LONGEST + 1];
@@ -193,7 +193,7 @@ static void drive(const void *memory, void *into)
     output->turn = (right - left) / SEPARATION_M;
 }
 
-/* In C++, a const table is visible to other files only with this declaration. */
+/* In C++, other files can see a const table only with this declaration. */
 extern const struct frob_board frob_rover_board;
 
 const struct frob_board frob_rover_board = { "rover", 57600, sizeof(struct board), sense, receive,

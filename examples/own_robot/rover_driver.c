@@ -7,9 +7,9 @@
 
 #define MOST_M_S 0.5 /* for each wheel */
 #define SILENCE_NS INT64_C(1000000000)
-#define BATTERY_V (15.0 / 1023.0) /* for each step of the converter */
+#define BATTERY_V (15.0 / 1023.0) /* volts for each step of the converter */
 #define FARTHEST_CM 300
-#define BATTERY_TURNS 40 /* turns between two queries of the battery */
+#define BATTERY_TURNS 40 /* number of turns between two queries of the battery */
 
 static int64_t ns(double seconds)
 {
@@ -19,7 +19,7 @@ static int64_t ns(double seconds)
 static enum frob_status send_bytes(struct rover *d, const uint8_t *bytes, size_t count)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, count);
-    /* If the line has no room now, the command counts as lost: no answer will come. */
+    /* If the line has no room now, the command counts as lost, so no answer will come. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -37,7 +37,7 @@ static enum frob_status synchronize(struct rover *d)
 {
     static const uint8_t bytes[] = { '\r', 'b', '\r' };
     if (d->awaited == ROVER_BATTERY)
-        d->turn = 0; /* so that its next turn comes at once, not in a second */
+        d->turn = 0; /* so that its next turn comes immediately instead of after a second */
     d->awaited = ROVER_SYNC;
     d->sent_ns = frob_now_ns(&d->clock);
     return send_bytes(d, bytes, sizeof bytes);
@@ -159,7 +159,7 @@ static enum frob_status read_all(struct rover *d)
     return FROB_OK;
 }
 
-/* Zero is the first thing that the robot hears. */
+/* The robot receives a speed of zero first. */
 static void start(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock)
 {

@@ -23,7 +23,7 @@ extern "C" {
 /* Its input and output structs are those of "rover.h". */
 extern const struct frob_driver frob_rover_driver;
 
-/* Settings, in the order of the driver's table. */
+/* Settings, in the order in which the driver's table lists them. */
 enum rover_setting {
     ROVER_BAUD,
     ROVER_WATCHDOG_MS,
@@ -36,7 +36,7 @@ enum rover_setting {
 /* The answer that the driver is waiting for. */
 enum rover_awaited {
     ROVER_NOTHING,
-    ROVER_SYNC, /* to `b`: drops everything except 57600 */
+    ROVER_SYNC, /* the answer to `b`: drops everything except 57600 */
     ROVER_SPEED,
     ROVER_COUNTS,
     ROVER_ECHO,
@@ -51,14 +51,16 @@ struct rover {
     enum rover_awaited awaited;
     bool guarded;                    /* whether the watchdog has been set, or the board has none */
     int64_t sent_ns;                 /* time of the last command sent */
-    int64_t heard_ns;                /* time of the last answer, or of the start */
-    int64_t sensed_ns;               /* time of the last counts */
-    bool speed_waits;                /* whether a speed is to be sent: */
+    int64_t heard_ns;                /* time of the last answer or, before the first one, of the
+                                      * start */
+    int64_t sensed_ns;               /* time of the last counts that were accepted */
+    bool speed_waits;                /* whether a speed has to be sent: */
     double forward_m_s, turn_rad_s;  /* this speed */
     struct frob_wire_numbers speeds; /* the wheels' speeds as last sent, in counts per loop */
     unsigned turn;                   /* which sensor to query next */
     unsigned asked;                  /* the ranger that is being queried */
-    bool fresh[ROVER_SONARS];        /* echoes that the program's input has not contained yet */
+    bool fresh[ROVER_SONARS];        /* echoes that have not been part of the program's input
+                                      * yet */
     double echo_m[ROVER_SONARS];
     double battery_v;
     struct rover_receiver receiver;

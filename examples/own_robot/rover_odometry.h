@@ -1,8 +1,8 @@
 /* rover_odometry.h -- a Rover's pose and speed, computed from its encoder counts.
  *
- * Counts wrap around, so only their differences are used. The pose survives reconnecting. Lines
- * have no checksum, so counts that the robot cannot have reached since the last ones are
- * refused, unless they keep coming. */
+ * Counts wrap around, so only their differences are used. The pose survives reconnecting. Lines do
+ * not have a checksum, so the odometry refuses counts that the robot cannot have reached since the
+ * last ones, unless such counts keep coming. */
 #ifndef ROVER_ODOMETRY_H
 #define ROVER_ODOMETRY_H
 
@@ -15,7 +15,7 @@ extern "C" {
 
 /* Initialize with zeros. */
 struct rover_odometry {
-    bool known; /* whether these are counts of this connection: */
+    bool known; /* whether these counts belong to this connection: */
     int32_t left, right;
     int64_t taken_ns;
     unsigned refused; /* number of consecutive refused counts */

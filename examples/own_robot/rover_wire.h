@@ -35,7 +35,7 @@ enum rover_kind {
     ROVER_INVALID, /* the board does not know the command */
     ROVER_NUMBER,
     ROVER_PAIR,
-    ROVER_GARBAGE /* a line that is none of these */
+    ROVER_GARBAGE /* a line of any other form */
 };
 
 struct rover_answer {
@@ -47,7 +47,7 @@ struct rover_answer {
 struct rover_receiver {
     char text[ROVER_LINE];
     size_t count;
-    bool spoiled; /* too long, or not text */
+    bool spoiled; /* whether the line is too long, or is not text */
 };
 
 /* Takes a byte; returns true if it ends a line. After garbage, the next line may be invalid,
