@@ -162,7 +162,7 @@ struct frob_sim_summary {
                            distance from the middle of tape on the floor: */
     double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
-    double tape_way_m;      /* distance travelled along the tape, in the order of its points */
+    double tape_way_m;      /* the distance travelled along the tape, in the order of its points */
     int ball_measured;      /* nonzero if the world file selects the
                                distance from a ball: */
     double ball_distance_m; /* the distance that the robot should keep */

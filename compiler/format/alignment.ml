@@ -7,9 +7,10 @@ type line = {
   frame : int;
   role : role;
   sign : Syntax.Grammar.token;
-  at : int;  (** index of the word that is the sign *)
+  at : int;  (** the index of the word that is aligned, such as [=] *)
   wanted : int;
-      (** column of the sign without additional spaces, counted from the line's first word *)
+      (** the column that the sign has without additional spaces, counted from the line's first word
+      *)
   written : int;  (** column of the sign in the source *)
   padded : bool;  (** whether several spaces precede the sign *)
   line : int;

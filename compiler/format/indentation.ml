@@ -31,8 +31,8 @@ type frame = {
   kind : kind;
   mutable base : int;  (** the column of the line that lines in this frame continue *)
   mutable bar : (int * int) option;
-      (** columns of the last [|], or of the [=] of a data declaration, in the source and in the
-          result *)
+      (** the columns, in the source and in the result, of the last [|], or of the [=] of a data
+          declaration if no [|] precedes *)
 }
 
 type state = {

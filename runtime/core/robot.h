@@ -61,7 +61,7 @@ struct frob_robot {
                               * rest */
     int64_t halted_ns;       /* time of the last frob_robot_halt */
     int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN if there was none yet */
-    int64_t counts_from_ns;  /* readings before this time count as too old */
+    int64_t counts_from_ns;  /* readings that arrived before this time are considered too old */
     int64_t given_ns;        /* arrival time of the reading for the next command; INT64_MAX if
                               * unknown */
     uint32_t connections;

@@ -243,7 +243,7 @@ let rewrite path text =
            (Unix.error_message reason))
   | exception Sys_error reason -> Error (as_error path reason)
 
-(* Also writes a temporary file first, and removes it if anything fails. *)
+(* Like the other functions, writes to a temporary file first, and removes it if anything fails. *)
 let stream named work =
   let path, next = beside 0 named in
   let is_file = is_regular path || not (Sys.file_exists path) in

@@ -1,4 +1,4 @@
-(** The context in which the statements of a function are generated, and calls of nodes. *)
+(** The context in which the statements of a function are generated, and the calls of nodes. *)
 
 open Basis
 module M = Step.Ir
@@ -9,7 +9,7 @@ type t = {
   index : int;
   node : M.node;
   write : int -> Ir.expr -> Ir.statement;  (** assigns a value to an output *)
-  read : unit Basis.Int_table.t;  (** variables that are read *)
+  read : unit Basis.Int_table.t;  (** the variables that are read *)
   mutable place : string;  (** the source line in the last comment *)
 }
 
@@ -40,7 +40,7 @@ val step_call :
     default. *)
 
 val own_state : t -> M.field option -> Ir.expr list
-(** The address of a state; empty without state. *)
+(** The address of a state, or an empty text if there is no state. *)
 
 val for_step : t -> int -> M.expr list -> Ir.expr list
 (** The arguments for a node's step. *)

@@ -2,7 +2,7 @@
 
 type t = {
   code : string;  (** Frob source *)
-  notes : string list;  (** its level, or where it is declared *)
+  notes : string list;  (** its level, or the place of its declaration *)
   doc : string option;
 }
 

@@ -9,7 +9,7 @@ type mode = {
   holes : Specialization_key.hole list;
   name : string;
   at : Span.t; (* the place that switches to it *)
-  place : Span.t; (* the place of its code *)
+  place : Span.t; (* the place of the code that the mode runs *)
   growth : Growth.t;
 }
 

@@ -14,7 +14,7 @@ struct jpeg_scan {
 
 enum jpeg_result {
     JPEG_MORE,
-    JPEG_WHOLE, /* the image ends at `at` */
+    JPEG_WHOLE, /* a whole image, which ends before offset `at` */
     JPEG_TORN   /* the image is truncated at `at`, where another one may start */
 };
 

@@ -61,7 +61,7 @@ struct run {
                          * ready */
     int64_t asked_ns;   /* time at which the last step was requested */
     bool stepping;      /* whether a step was requested and has not been answered yet */
-    bool late;          /* whether this step has exceeded the patience */
+    bool late;          /* whether this step has taken longer than the patience allows */
     bool paused;        /* whether others have requested that the program does not run */
     bool was_paused;    /* whether the next instant is the first one after a pause */
     uint32_t resets;    /* how often the program was reset */

@@ -1,6 +1,6 @@
-(** The signals of [proc]s, for messages about names used outside their scope: after the bracket or
-    comma that ends the [proc], or in a [where] after [proc … -> do], which belongs to the enclosing
-    definition. *)
+(** The signals of [proc]s. Messages use them for names outside their scope: names after the bracket
+    or comma that ends the [proc], and names in a [where] after [proc … -> do], which belongs to the
+    enclosing definition. *)
 
 type t = {
   name : Syntax.Ir.name;

@@ -2,7 +2,7 @@ open Syntax
 open Grammar
 open Found
 
-(* The suggested name [MyRobot] for `my-robot`, whose first part is the token. *)
+(* The name [MyRobot] that is suggested for `my-robot`. The token is the first part of that name. *)
 let module_name found =
   let is_part c =
     match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '-' -> true | _ -> false
@@ -18,7 +18,7 @@ let path found =
       Lacking.path found
   | _ -> None
 
-(* `import math`, as in Python. *)
+(* The hint for `import math`, as in Python. *)
 let mathematics found =
   match (found.token.token, found.before) with
   | LOWER _, Some { token = IMPORT; _ }
@@ -43,7 +43,7 @@ let of_library = function
   | "cv2" | "picamera" -> Some "write `import Vision` instead"
   | _ -> None
 
-(* A module of Python, such as `rclpy`. *)
+(* Is this the name of a Python module, such as `rclpy`? *)
 let of_python found =
   match (found.token.token, found.before) with
   | (LOWER _ | QUALIFIED_LOWER _), Some { token = IMPORT; _ } ->

@@ -57,7 +57,7 @@ let filled_by element n =
   if n > 0 && n <= most_elements then array (List.init n (fun _ -> element))
   else Printf.sprintf "generate (const %s)" element
 
-(* The numbers of `4`, `1, 4`, `(2, 3)` or `[2, 3]`. *)
+(* Returns the numbers in `4`, `1, 4`, `(2, 3)` or `[2, 3]`. *)
 let dimensions arguments =
   let bare = function '(' | ')' | '[' | ']' | ',' -> ' ' | c -> c in
   let words = String.split_on_char ' ' (String.map bare (String.concat " " arguments)) in

@@ -12,7 +12,7 @@ struct series {
     struct replay *replay;
     struct kept_series {
         const struct signal *signal;
-        double *numbers; /* value at each instant */
+        double *numbers; /* the value at each instant */
         size_t count;    /* number of instants for which values have been computed */
         size_t room;     /* number of instants for which there is space */
         unsigned long used;
