@@ -10,7 +10,7 @@ type t = {
   files : Resolve.Files.t;  (** reads the texts of modules *)
   robot : Cgen.Robot.t option;  (** the robot that the options name; see {!Robots.closed} *)
   settings : Resolve.Parameters.setting list;  (** values of parameters, for {!Queries.params} *)
-  batch : bool;  (** as for {!Cgen.Emit.program} *)
+  batch : bool;  (** see {!Cgen.Emit.program} *)
   banner : bool;  (** whether the generated C begins with {!Banner.lines} *)
 }
 

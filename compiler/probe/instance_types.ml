@@ -7,7 +7,7 @@ type t = {
   definitions : (string, Ir.definition) Hashtbl.t;
       (** definitions, by their name within the module *)
   uses : (Ir.Global.t, Span.t * Ir.ty) Hashtbl.t;
-  all_uses : (string, Ir.Global.t * Span.t * Ir.ty) Hashtbl.t;  (** by file *)
+  all_uses : (string, Ir.Global.t * Span.t * Ir.ty) Hashtbl.t;  (** uses, by file *)
   known : (Catalogue.step list, Substitution.t) Hashtbl.t;
       (** the values of variables, by the path to an instance *)
 }

@@ -171,7 +171,7 @@ and c_meaning = Reserved_by_c | In_c_headers | Of_generated_c | Main_function
 type variable = {
   name : string;
   at : Span.t;
-  is_parameter : bool;  (** of a function with a name *)
+  is_parameter : bool;  (** whether it is a parameter of a named function *)
   zero : Span.t option;
       (** a literal 0 that commands the speed that a variable with this name usually stands for *)
 }
@@ -183,9 +183,9 @@ type warning =
       at : Span.t;
       name : string option;  (** [None] for a pattern *)
       circle : string list;  (** the names that use only each other *)
-      zero : Span.t option;  (** as in {!variable} *)
+      zero : Span.t option;  (** see {!variable} *)
     }
-  | Unused_variables of variable * variable list  (** of one pattern *)
+  | Unused_variables of variable * variable list  (** variables of the same pattern *)
   | Unused_import of Ir.idle
   | Deprecated of {
       name : Ir.Global.t;

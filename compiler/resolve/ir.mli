@@ -51,7 +51,7 @@ and module_ = {
 }
 
 and import_place = { place : Span.t; before : string; after : string }
-(** Where to insert a new import, with the text before and after it. *)
+(** The place at which to insert a new import, with the text before and after it. *)
 
 and idle = {
   of_module : string;

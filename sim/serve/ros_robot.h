@@ -50,7 +50,7 @@ class RosRobot {
 
   private:
     struct Sensor {
-        int number; // of the world's lidar or unit
+        int number; // number of the world's lidar or unit
         bool is_lidar;
         std::string topic;
         double ahead = 0.0, left = 0.0; // m, its position on the robot

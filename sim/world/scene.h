@@ -111,7 +111,7 @@ struct CameraSettings {
 // A lidar, which each robot of the world has.
 struct LidarSettings {
     std::string name = "lidar"; // the name that programs use
-    int rays = 360;             // of a scan
+    int rays = 360;             // rays in a scan
     static constexpr int most_rays = 4096;
     double field_of_view = radians(360.0);
     double nearest = 0.1, farthest = 12.0; // m, its range
@@ -151,7 +151,7 @@ struct Magnet {
     double strength = 0.0; // its field at 1 m, relative to the Earth's horizontal field
 };
 
-// Where a robot starts.
+// The start of a robot.
 struct Start {
     Pose pose;
     std::string place; // place in the file, FILE:LINE:COLUMN, for messages

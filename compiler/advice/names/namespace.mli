@@ -1,4 +1,4 @@
-(** What messages call each namespace. *)
+(** The words for namespaces in messages. *)
 
 val noun : Resolve.Interface.namespace -> string
 (** The name of the namespace in messages, such as [type class]. *)

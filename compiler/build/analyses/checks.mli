@@ -6,7 +6,7 @@
 open Basis
 
 type trial = {
-  world : string;  (** as written in the program *)
+  world : string;  (** the name or file that the program specifies *)
   first : int;
   last : int;  (** first and last seed *)
   chance : Chance.t option;

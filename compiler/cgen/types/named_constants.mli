@@ -3,9 +3,9 @@
     Step contains only their values. Callers that have the source supply the names in this form. *)
 
 type constant = {
-  name : string;  (** in the source *)
+  name : string;  (** the name in the source *)
   unit_ : string;  (** for example [m/s], or [""] *)
-  place : Basis.Span.t;  (** of its definition *)
+  place : Basis.Span.t;  (** the place of its definition *)
 }
 
 type t = at:Basis.Span.t -> float -> constant option

@@ -178,7 +178,7 @@ type lookup = {
   records : string Place_table.t;
   own : Mentions.declared;  (** the declarations of the text itself *)
   tables : (string, Mentions.declared) Hashtbl.t;
-      (** those of other modules, read when first needed *)
+      (** the declarations of other modules, read when first needed *)
   cache : Mentions.declared Text_cache.t;
 }
 

@@ -11,7 +11,7 @@ type t = {
   mutable inlay_hints : bool;
   mutable snippets : bool;  (** whether the editor supports snippets *)
   trees : Syntax.Ir.program option Text_cache.t;  (** syntax trees, by path *)
-  exports : Exports.t option Text_cache.t;  (** by path *)
+  exports : Exports.t option Text_cache.t;  (** exported names, by path *)
   declared : Mentions.declared Text_cache.t;  (** declarations, by the file name in spans *)
   explanations : (string, string option) Hashtbl.t;
       (** the URIs of pages that explain codes, by code *)

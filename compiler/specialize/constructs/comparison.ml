@@ -133,7 +133,7 @@ and compare_arrays (p : position) targets ~name ~count element initial a b round
     }
     (fun p _ values -> round p values)
 
-(* What distinguishes [<] from [<=]: the operator on numbers, and the result for products whose
+(* The differences between [<] and [<=]: the operator on numbers, and the result for products whose
    parts are all equal. *)
 type order = { of_scalars : Ir.operator; of_equals : bool }
 

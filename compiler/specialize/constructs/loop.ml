@@ -106,7 +106,7 @@ type inputs = {
   same : Specialization_key.hole list;
   given : Specialization_key.hole list;
   statics : Specialization_key.hole list;
-  forms : Ir.argument list;  (** of each input *)
+  forms : Ir.argument list;  (** the form of each input *)
 }
 
 let is_accumulator a = a.form = Ir.Accumulator

@@ -17,10 +17,10 @@ type t =
       is_task : bool;
       added : string;  (** the function that is added with each restart; [if] for a choice *)
       is_choice : bool;
-      way : (string * Span.t) list;  (** what starts on the way, outside the library *)
+      way : (string * Span.t) list;  (** the definitions outside the library that start on the way *)
     }
   | Inside_itself of {
-      at : Span.t;  (** where it runs *)
+      at : Span.t;  (** the place where it runs *)
       name : string;
       is_task : bool;
       goes_on : bool;  (** an [rSwitch], which never ends *)

@@ -9,7 +9,7 @@ type problem =
   | Too_deep of Span.t
   | Lexical of Lexical_fact.t
   | Unexpected of {
-      state : int;  (** of the automaton *)
+      state : int;  (** the automaton's state *)
       before : Layout.token option;  (** the preceding token, if it belongs to the same item *)
       token : Layout.token;  (** the token that the parser cannot accept *)
     }

@@ -15,8 +15,8 @@ type problem =
           (** the letters after it, with the rest of a unit; empty if it has no digits *)
       has_unit : bool;  (** Are the letters a unit? *)
     }
-  | No_fraction of { number : string }  (** without the point *)
-  | No_whole_part of { fraction : string }  (** with the point *)
+  | No_fraction of { number : string }  (** the number without its point *)
+  | No_whole_part of { fraction : string }  (** the fraction with its point *)
   | Unexpected_character of {
       character : string;
       offset : int;  (** place in the text, in bytes *)

@@ -27,7 +27,10 @@ type t =
   | Output_is_let of Span.t
   | Empty_proc of Span.t
   (* the statements of a task *)
-  | Last_task_binds of { at : Span.t; name : string option  (** of a single variable *) }
+  | Last_task_binds of {
+      at : Span.t;
+      name : string option;  (** the name, if it binds a single variable *)
+    }
   | Last_task_is_let of Span.t
   | Empty_task of Span.t
   | Rec_in_task of Span.t

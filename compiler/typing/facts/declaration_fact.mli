@@ -28,7 +28,7 @@ type t =
       (** a parameter of the program that is not a number or a Bool *)
   | Foreign of { declared : Resolve.Ir.primitive; refusal : refusal }
   | Imported_twice of { symbol : string; this : imported; first : imported }
-      (** with different types *)
+      (** two imports of a C function with different types *)
   | Method_without_variable of { method_ : Resolve.Ir.method_; variable : Ir.variable }
       (** the method's type does not contain the class's variable *)
   | Constrained_variable of { constraint_ : Resolve.Ir.constraint_; variable : Ir.variable }

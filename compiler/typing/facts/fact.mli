@@ -41,4 +41,4 @@ type t =
   | Wrong_kind of { environment : Environment.t; at : Span.t; wanted : Type.kind; found : Type.t }
       (** a size in place of a type, or the reverse *)
   | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
-  | Exponent_too_large of Span.t  (** of a unit *)
+  | Exponent_too_large of Span.t  (** the exponent of a unit *)

@@ -32,10 +32,10 @@ type t =
     }  (** [f -1] *)
   | Not_a_signal_function of { head : Resolve.Ir.expr; ty : Type.t }  (** before [-<] *)
   | Too_many_parameters of {
-      name : string option;  (** of the definition *)
+      name : string option;  (** the definition's name *)
       at : Span.t;  (** the first parameter that the type does not allow *)
       parameters : Resolve.Ir.pattern list;
-      expected : Expected.t;  (** of the definition *)
+      expected : Expected.t;  (** the definition's type *)
       result : Type.t;  (** the type after the parameters that it allows *)
       allowed : int;
     }

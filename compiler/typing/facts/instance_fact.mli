@@ -39,7 +39,7 @@ type promise = {
 
 type t =
   | No_instance of { required : required; lack : lack }
-  | Not_a_condition of { at : Span.t; ty : Type.t }  (** of an assertion *)
+  | Not_a_condition of { at : Span.t; ty : Type.t }  (** the argument of an assertion *)
   | Undecided of { required : required; class_ : Ir.class_ }
       (** nothing determines the type for which the class is required *)
   | Unpromised of { first : promise; others : promise list }

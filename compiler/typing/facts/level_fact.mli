@@ -28,7 +28,7 @@ type obstacle =
 
 (** {1 Values that are not static} *)
 
-(** What must be static. *)
+(** The parts of a program that must be static. *)
 type region =
   | Head of { head : Ir.expr; input : Ir.expr; value : Ir.Local.t -> Ir.expr option }
       (** the signal function that runs here. [value]: the values of local variables *)

@@ -9,7 +9,7 @@ type kind =
   | Parameter_and_result
 
 type t = {
-  name : string;  (** of the definition *)
+  name : string;  (** the definition's name *)
   binding : Resolve.Ir.binding;
   written : Resolve.Ir.scheme;  (** the signature *)
   kind : kind;

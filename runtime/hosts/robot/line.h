@@ -15,7 +15,7 @@
 struct line;
 struct params;
 
-/* What other programs request over the line. */
+/* The requests of other programs that arrive over the line. */
 struct line_orders {
     bool pauses;     /* the program does not run, and its time stands still */
     bool ends;       /* the run ends */
@@ -70,7 +70,7 @@ struct line {
     const char *const *arguments;
     size_t argument_count;
     const double *settings;
-    const struct params *params; /* of the program */
+    const struct params *params; /* the program's parameters */
     pid_t process;               /* process at the other end; 0 if there is none */
 
     const char *device; /* the device name that the user gave */

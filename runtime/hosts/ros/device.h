@@ -96,7 +96,7 @@ struct ros_device {
     struct operated operated;
     struct sim_clock sim_clock;
     struct ros_managed managed;
-    struct ros_dial dials[ROS_CONTROLS_MOST]; /* by number of the control */
+    struct ros_dial dials[ROS_CONTROLS_MOST]; /* indexed by the number of the control */
     /* Handles the messages that this driver does not know; NULL if there are none. */
     void (*take_other)(struct ros_device *device, const struct ros_head *message);
     bool gave;      /* whether the program has had an instant in this session or an earlier one */
@@ -134,7 +134,7 @@ void ros_device_give(void *device, const struct frob_program *program, void *inp
  * set, otherwise `now_ns`, the time of this machine; INT64_MIN if it is not known yet. */
 int64_t ros_device_time_ns(const void *device, int64_t now_ns);
 
-/* What the nodes that manage this one request. */
+/* Returns the requests of the nodes that manage this one. */
 struct line_orders ros_device_orders(const void *device);
 
 #endif

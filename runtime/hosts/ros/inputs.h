@@ -29,7 +29,7 @@ struct own_topic {
     struct topic_parts parts;
     struct topic_span span;
     void *message;
-    uint32_t count; /* of messages received */
+    uint32_t count; /* number of messages received */
     bool told;      /* whether a message with a wrong length was reported */
     /* Digests of the unknown texts that were reported. */
     uint32_t told_texts[8];

@@ -119,11 +119,11 @@ struct search {
     char *why;
     size_t room;
     const char *type;   /* type of the whole message */
-    const char *record; /* of the program that contains the value; NULL: it is the whole message */
+    const char *record; /* the record that contains the value; NULL: it is the whole message */
     const struct frob_node *node;
 };
 
-/* What to write for a member in the program. */
+/* Returns the type to write in the program for a member. */
 static const char *wanted(const member_type *member)
 {
     switch (member->type_id_) {

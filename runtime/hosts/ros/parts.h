@@ -15,8 +15,8 @@ struct topic {
     bool told_silence;
     bool told_reliability; /* whether a node with an incompatible reliability was reported */
     bool told_durability;  /* whether a node with an incompatible durability was reported */
-    const char *kept;      /* what a late subscriber does not receive: "old velocities" */
-    const char *cure;      /* for a subscriber of TwistStamped; "" if there is none */
+    const char *kept; /* the messages that a late subscriber does not receive: "old velocities" */
+    const char *cure; /* for a subscriber of TwistStamped; "" if there is none */
 };
 
 struct inputs;

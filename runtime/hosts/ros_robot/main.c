@@ -65,7 +65,7 @@ struct robot {
     bool stamped; /* whether cmd_vel is of type TwistStamped */
     struct sensor sensors[ROS_SENSORS_MOST];
     size_t sensor_count;
-    struct seat seats[ROS_SENSORS_MOST]; /* of the sensors */
+    struct seat seats[ROS_SENSORS_MOST]; /* the positions of the sensors */
     struct transforms transforms;
     struct states states;
     struct images images;

@@ -14,4 +14,4 @@ val is_its_definition : string -> int -> string -> bool
 (** Does the code at this offset define this name at the top level? *)
 
 val hint : string -> int -> string * string -> string
-(** What to write for this name and declaration in place of the call at this offset. *)
+(** The text to write for this name and declaration in place of the call at this offset. *)

@@ -49,7 +49,7 @@ export class Contact {
   private until = -Infinity;
   private lastTick = performance.now();
   private wasLate = false;
-  /** By how much the last checks were late because the page was blocked. */
+  /** The delay of the last checks, because the page was blocked. */
   private lateness = 0;
 
   constructor(
