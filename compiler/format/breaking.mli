@@ -1,8 +1,5 @@
 (** Breaks lines that are too long, at the loosest-binding operator. *)
 
-val most : int
-(** Maximum number of characters in a line. *)
-
 val line : Word.t array -> first:int -> last:int -> column:int -> outer:int -> inner:int -> unit
 (** If the line that consists of these words and starts at [column] is too long, breaks it by
     setting [starts] of one or more words. The rest is then a new line, which the caller must break

@@ -34,11 +34,10 @@ type probe = {
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
 (** Lists the probes in source order; inner instances follow the instance that contains them. [None]
-    if there are more than {!most} instances. Skips arrays of more than {!longest} leaves and values
-    of foreign types. *)
+    if there are more than {!most} instances. Skips arrays of more than 1,000 leaves and values of
+    foreign types. *)
 
 val most : int
-val longest : int
 
 val defined : Flow.Ir.node -> Flow.Ir.signal list
 (** The signals that equations and instances define. *)

@@ -3,6 +3,3 @@
 
 val program : Format.formatter -> Ir.program -> unit
 (** Prints the modules outside the library, and only the names of the library modules. *)
-
-val ty : Format.formatter -> Ir.ty -> unit
-val scheme : Format.formatter -> Ir.scheme -> unit

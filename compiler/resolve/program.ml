@@ -76,15 +76,9 @@ let includes (scope : Scope.t) (program : Syntax.Ir.program) =
    does not export. *)
 let seen_in_tests (program : Scope.t) : Visible.import list =
   let visible = program.visible in
-  let span = Span.start_of_file visible.syntax.file in
+  let module_ = visible.module_ in
   let qualified : Visible.import =
-    {
-      module_ = visible.module_;
-      qualifiers = [ visible.module_ ];
-      unqualified = false;
-      names = visible.own;
-      span;
-    }
+    { module_; qualifiers = [ module_ ]; unqualified = false; names = visible.own }
   in
   qualified :: visible.imports
 

@@ -242,7 +242,6 @@ type program = {
   console : Core.Ir.control list;  (** as in {!Flow.Ir.program} *)
   output : Flow.Ir.shape;
   ends : bool;  (** as in {!Flow.Ir.program} *)
-  rate : float option;  (** as in {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** as in {!Flow.Ir.program} *)
   claims : Flow.Ir.claim list;  (** as in {!Flow.Ir.program} *)
   marks : int;  (** as in {!Flow.Ir.program} *)

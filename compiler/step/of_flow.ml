@@ -139,7 +139,6 @@ let program (program : F.program) : Ir.program =
     console = program.console;
     output = program.output;
     ends = program.ends;
-    rate = program.rate;
     probes = program.probes;
     claims = program.claims;
     marks = program.marks;

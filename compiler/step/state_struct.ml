@@ -8,11 +8,10 @@ type member = {
   modes : (int * member list) list;
 }
 
-type t = { homes : int array; structs : member list array; blocks : Block.t array }
+type t = { homes : int array; structs : member list array }
 
 let home t = Array.get t.homes
 let members t = Array.get t.structs
-let block t = Array.get t.blocks
 
 (* Maximum nesting of machines in a struct. C compilers need not support deeply nested structs, and
    paths should stay readable. *)
@@ -147,4 +146,4 @@ let of_program (program : Ir.program) =
           members)
       program.nodes
   in
-  { homes; structs; blocks }
+  { homes; structs }

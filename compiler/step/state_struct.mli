@@ -36,6 +36,3 @@ val home : t -> int -> int
 
 val members : t -> int -> member list
 (** The members of the struct of a node, in order; empty for a node without a struct of its own. *)
-
-val block : t -> int -> Block.t
-(** Size and alignment of the struct of a node. *)

@@ -233,7 +233,7 @@ let program facts ~file text =
   let has_errors = ref false in
   let report problem =
     has_errors := true;
-    Facts.report facts { Fact.file; text; problem }
+    Facts.report facts { Fact.text; problem }
   in
   match Utf8.first_error text with
   | Some offset ->

@@ -470,8 +470,3 @@ let program ppf (p : program) =
       after_signature := match d.desc with Signature _ -> true | _ -> false)
     p.declarations;
   Format.pp_print_string ppf (Buffer.contents b)
-
-let ty x =
-  let b = Buffer.create 16 in
-  type_to b x;
-  Buffer.contents b

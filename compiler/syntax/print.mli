@@ -6,5 +6,3 @@
 val program : Format.formatter -> Ir.program -> unit
 
 (** {1 Single-line printing for messages} *)
-
-val ty : Ir.ty -> string

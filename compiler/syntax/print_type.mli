@@ -5,7 +5,6 @@ open Ir
 (** {1 Text and names} *)
 
 val text : Buffer.t -> string -> unit
-val is_operator : string -> bool
 
 val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
 (** Prints the elements, separated by this text. *)

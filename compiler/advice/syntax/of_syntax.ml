@@ -53,7 +53,7 @@ let diagnostic t (problem : Syntax.Fact.problem) =
         (Diagnostic.error ~code:"E0118" ~at "an `import` must come before all definitions"
         |> Diagnostic.hint "move it to the top of the file")
 
-let diagnostics t ({ text; problem; file = _ } : Syntax.Fact.t) =
+let diagnostics t ({ text; problem } : Syntax.Fact.t) =
   if t.text != text then start t text;
   match diagnostic t problem with
   | Some diagnostic ->

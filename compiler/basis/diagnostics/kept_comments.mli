@@ -9,6 +9,3 @@ val fix : Source.t -> Diagnostic.fix -> Diagnostic.fix option
 
 val code : string -> string
 (** The text before the first comment in a piece of a program, without surrounding whitespace. *)
-
-val in_text : string -> string list
-(** The comments in a piece of a program, in order, without their newlines. *)

@@ -2,7 +2,6 @@ open Basis
 
 let unknown = "E0506"
 let claims = Probe.Selection.claims
-let margins = Probe.Selection.margins
 
 let refuse sink diagnostic =
   Diagnostic.emit sink diagnostic;

@@ -13,9 +13,6 @@ val unknown : string
 val claims : string
 (** The name of the probe that represents all verdicts of assertions. *)
 
-val margins : string
-(** The name of the probe that represents the margins of all assertions. *)
-
 val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list -> string
 (** A line for each probe: its name, its type, and its place in the source. *)
 

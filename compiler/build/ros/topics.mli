@@ -12,7 +12,3 @@ val of_program :
   rate:float ->
   Cgen.Node_table.t option
 (** The topics of the entry, which is a node. [None] after an error. *)
-
-val name_of : string -> string
-(** The topic of a field: a capital letter that follows a small one or a digit begins a new word, as
-    in [cmd_vel] for [cmdVel]. *)

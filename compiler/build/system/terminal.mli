@@ -1,8 +1,5 @@
 (** Shows a progress line on standard error if it is a terminal. *)
 
-val is_seen : unit -> bool
-(** Whether standard error is a terminal. *)
-
 val show : head:string -> tail:string -> unit
 (** Replaces the progress line with [head: tail], and truncates the head so that the line fits the
     current width of the terminal. Does nothing if standard error is not a terminal. *)

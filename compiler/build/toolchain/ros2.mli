@@ -12,9 +12,5 @@ type t = {
 val find : unit -> (t, string) result
 (** The error says which script the user should source, or what to install. *)
 
-val tried : (string * string) list
-(** The distributions with which this version of frobc is tested: the prefix of the version of their
-    package [rcl], and their name. *)
-
 val untried : unit -> string option
 (** A warning for the user if the installation is not of one of these distributions. *)

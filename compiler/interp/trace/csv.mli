@@ -18,11 +18,10 @@ type problem =
           with this cell *)
   | Zero_byte
   | Too_long
-      (** the row has more than {!longest} bytes or {!most_cells} cells; these limits bound the
-          memory use for any file *)
+      (** the row has more than {!longest} bytes or a million cells; these limits bound the memory
+          use for any file *)
 
 val longest : int
-val most_cells : int
 
 val next : t -> (row option, row * problem) result
 (** The next row, skipping empty lines; [None] at the end. An error includes the part of the row

@@ -53,13 +53,6 @@ val binding :
 val report_operator : Scope.t -> Syntax.Ir.name -> unit
 (** Reports that programs cannot define operators. *)
 
-val right :
-  Env.t ->
-  expr:Syntax.Ir.expr resolver ->
-  command:Syntax.Ir.command resolver ->
-  Syntax.Ir.right ->
-  Ir.right
-
 val guarded :
   Env.t ->
   expr:Syntax.Ir.expr resolver ->

@@ -27,8 +27,7 @@ let of_module (scope : Scope.t) (header : Syntax.Ir.header option) =
 
 let imported context (declaration : Syntax.Ir.import option) ~module_ names : Visible.import =
   match declaration with
-  | None ->
-      { module_; qualifiers = [ module_ ]; unqualified = true; names; span = Span.start_of_file "" }
+  | None -> { module_; qualifiers = [ module_ ]; unqualified = true; names }
   | Some import ->
       let names =
         match import.items with
@@ -48,7 +47,6 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Vi
         qualifiers = Option.value (Option.map (fun a -> [ a ]) alias) ~default:[ module_ ];
         unqualified = not import.qualified;
         names;
-        span = import.span;
       }
 
 let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ names =

@@ -89,5 +89,3 @@ let variable t (q : Syntax.Ir.qualified) =
 
 let is_known t (name : Syntax.Ir.name) =
   String_map.mem name.text t.locals || Scope.look t.scope values name <> None
-
-let global t text span = module_level t { qualifier = None; name = { text; span }; span }

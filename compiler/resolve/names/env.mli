@@ -37,6 +37,3 @@ val is_known : t -> Syntax.Ir.name -> bool
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
 (** Looks up a variable, and records the reference in the group analysis. Reports a variable that
     does not exist. *)
-
-val global : t -> string -> Span.t -> Ir.expr_desc option
-(** Looks up an operator or another module-level name, ignoring local variables. *)

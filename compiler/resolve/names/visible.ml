@@ -6,7 +6,6 @@ type import = {
   qualifiers : string list;
   unqualified : bool;
   names : Interface.names;
-  span : Span.t;
 }
 
 type of_library = { module_ : string; names : Interface.names; gathers : bool }

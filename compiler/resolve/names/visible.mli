@@ -7,7 +7,6 @@ type import = {
   qualifiers : string list;  (** for example [M] and [N] for [import M as N] *)
   unqualified : bool;  (** whether the names may be used without a qualifier *)
   names : Interface.names;
-  span : Span.t;
 }
 
 type of_library = {

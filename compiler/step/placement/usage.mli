@@ -10,8 +10,6 @@
 
 type t
 
-val expression_size : int
-
 val update_depth : int
 (** Maximum nesting of choices that become branches of one write. *)
 

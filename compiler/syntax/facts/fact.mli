@@ -23,4 +23,4 @@ type problem =
   | Misplaced_header of Span.t
   | Misplaced_import of Span.t
 
-type t = { file : string; text : string;  (** the whole source *) problem : problem }
+type t = { text : string;  (** the whole source *) problem : problem }

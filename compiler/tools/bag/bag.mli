@@ -1,9 +1,6 @@
 (** Bags: the recordings of messages that ROS 2 writes. A program that runs as a ROS 2 node
     publishes its instants, so a bag contains a recording of it. *)
 
-val is_bag : string -> bool
-(** Whether this path is a bag: a folder, a file [.db3], or an MCAP file that ROS 2 has written. *)
-
 val recording : program:string -> string -> (string, string) result
 (** Returns the path of the program's recording in the bag, which is extracted to a temporary file.
     If the path is not a bag, returns it unchanged. [program] is the file of the program. *)

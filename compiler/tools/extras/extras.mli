@@ -28,9 +28,6 @@ val python : modules:string list -> string option
     else the first one that exists. If that Python does not have the package frob, sets [PYTHONPATH]
     so that it finds the package of this frobc. *)
 
-val command : string -> string
-(** The command that installs a group, for messages. *)
-
 val state : group -> (string list, string) result
 (** The installed packages of a group, with their versions, or the reason why the group is not
     usable. *)

@@ -9,7 +9,6 @@ type call = {
   arguments : (Resolve.Ir.expr * Type.t) list;
       (** the arguments, with their types; [Erroneous] for the failing argument if it is wrong in
           itself *)
-  juxtaposed : bool;  (** whether all arguments are juxtaposed to the head *)
   failed : int;  (** the position of the failing argument, counted from 1 *)
   is_right_alone : bool;  (** whether the failing argument is correct in itself *)
   takes : int;  (** number of parameters of the head *)

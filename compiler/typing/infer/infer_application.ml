@@ -73,16 +73,9 @@ let deciding parameters arguments =
   in
   of_parameters [] parameters arguments
 
-let rec without_first n = function
-  | _ :: rest when n > 0 -> without_first (n - 1) rest
-  | list -> list
-
-(* The types of the arguments after this one. *)
-let later given argument = without_first argument.position given
-
 (* The reason why the argument must have the type of the parameter. *)
-let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~before ~previous
-    argument : Expected.reason =
+let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~before ~previous argument :
+    Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
@@ -96,7 +89,6 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~b
           decided_by;
           takes;
           given = List.map (fun a -> a.value) arguments;
-          later;
           before;
           of_local = (match head.desc with Local x -> first_use ctx x ~at:head.span | _ -> None);
         }
@@ -287,7 +279,6 @@ let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~fa
         at = e.span;
         head;
         arguments = List.map2 (fun a ty -> (a.value, ty)) arguments types;
-        juxtaposed;
         failed;
         is_right_alone;
         takes;
@@ -352,91 +343,113 @@ let is_mapped_range ~(head : Resolve.Ir.expr) arguments =
   | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> true
   | _ -> false
 
+(* {1 Applying to one argument after the other} *)
+
+(* The operator that follows the application to this argument. *)
+let operator_after ctx (e : Resolve.Ir.expr) argument =
+  match ctx.left_operand with
+  | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
+  | Some _ | None -> None
+
+(* The application, which when built warns of operands whose degrees do not fit. *)
+let warning_of_degrees ctx argument ty ~previous (applied : typed) =
+  match (argument.style, previous) with
+  | Operator operator, Some left when In_degrees.meets operator ->
+      let right = (argument.value, ty) in
+      let build () =
+        if Degrees.compares operator then Degrees.warn_of_operands ctx left right;
+        In_degrees.warn_of_operands ctx left right;
+        applied.build ()
+      in
+      { applied with build }
+  | _ -> applied
+
+(* Applies to the next argument. [previous]: the argument before it, with its type. *)
+let apply_to_next expressions ctx e ~head arguments ~takes (function_, previous) argument decided_by
+    =
+  let negative = looks_negative head arguments in
+  match previous with
+  | Some (_, left) when negative && is_function left ->
+      (* `f -1`: the right operand was meant as an argument *)
+      (function_, previous)
+  | _ ->
+      let before = operator_after ctx e argument in
+      let because = reason ctx ~head ~takes ~arguments ~decided_by ~before ~previous argument in
+      let operand = match arguments with [ _; right ] -> Some right.value | _ -> None in
+      let applied, ty =
+        step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
+      in
+      let applied =
+        if Degrees.keeps head then { applied with ty = Degrees.kept applied.ty ~operand:ty }
+        else applied
+      in
+      (warning_of_degrees ctx argument ty ~previous applied, Some (argument.value, ty))
+
+let infer_head expressions ctx e ~head arguments =
+  let before = errors ctx in
+  let inferred, held = hold ctx (fun () -> expressions.infer ctx head) in
+  if errors ctx = before + 1 then tell_method ctx e ~head arguments held else pass_on ctx held;
+  inferred
+
+type progress = {
+  applied : typed;  (** the application to the arguments so far *)
+  previous : (Resolve.Ir.expr * Type.t) option;  (** the last of them, with its type *)
+  types : Type.t list;  (** their types, in reverse order *)
+  failed : int option;  (** the position of the first one with an error *)
+  of_first : Fact.t Facts.held list;  (** the facts about the first one *)
+}
+
+(* Replaces the facts about the arguments by one about the whole application, if that explains the
+   mistake better. [is_only]: there is one error. *)
+let explain expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~function_
+    ~takes ~is_only progress held =
+  let replace_by fact ~kept =
+    pass_on ctx kept;
+    replace ctx (Inference { words = words ctx; fact })
+  in
+  match progress.failed with
+  | None -> pass_on ctx held
+  | Some _ when is_mapped_range ~head arguments ->
+      let arguments = List.map (fun a -> a.value) arguments in
+      replace_by (Mapped_range { at = e.span; head = head.span; arguments }) ~kept:[]
+  | Some failed -> (
+      match other_fold expressions ctx ~head arguments with
+      | Some fact ->
+          let is_kept h = not (List.memq h progress.of_first) in
+          replace_by fact ~kept:(List.filter is_kept held)
+      | None when is_only ->
+          let types = List.rev progress.types in
+          tell expressions ctx e ~head arguments ~types ~takes ~failed function_ held
+      | None -> pass_on ctx held)
+
 let infer expressions ctx e =
   let head, arguments = spine e in
-  let negative = looks_negative head arguments in
-  let operand = match arguments with [ _; right ] -> Some right.value | _ -> None in
-  let before argument =
-    match ctx.left_operand with
-    | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
-    | Some _ | None -> None
-  in
-  let apply ~takes given (function_, previous) argument decided_by =
-    match previous with
-    | Some (_, left) when negative && is_function left ->
-        (* `f -1`: the right operand was meant as an argument *)
-        (function_, previous)
-    | _ ->
-        let later = later given argument in
-        let because =
-          reason ctx ~head ~takes ~arguments ~decided_by ~later ~before:(before argument) ~previous
-            argument
-        in
-        let next, ty =
-          step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
-        in
-        let next =
-          if Degrees.keeps head then { next with ty = Degrees.kept next.ty ~operand:ty } else next
-        in
-        let next =
-          match (argument.style, previous) with
-          | Operator operator, Some left when In_degrees.meets operator ->
-              let right = (argument.value, ty) in
-              let build () =
-                if Degrees.compares operator then Degrees.warn_of_operands ctx left right;
-                In_degrees.warn_of_operands ctx left right;
-                next.build ()
-              in
-              { next with build }
-          | _ -> next
-        in
-        (next, Some (argument.value, ty))
-  in
   forgetting_what_errors_need ctx (fun () ->
+      let function_ = infer_head expressions ctx e ~head arguments in
+      let parameters = parameters function_.ty in
+      let takes = List.length parameters in
       let before = errors ctx in
-      let start, of_head = hold ctx (fun () -> expressions.infer ctx head) in
-      if errors ctx = before + 1 then tell_method ctx e ~head arguments of_head
-      else pass_on ctx of_head;
-      let parameters = parameters start.ty in
-      let given =
-        if List.compare_lengths parameters arguments <= 0 then parameters
-        else List.filteri (fun i _ -> i < List.length arguments) parameters
-      in
-      let before = errors ctx in
-      let apply (state, types, failed, first) argument decided_by =
-        let (next, previous), own =
-          hold ctx (fun () -> apply ~takes:(List.length parameters) given state argument decided_by)
+      let next { applied; previous; types; failed; of_first } argument decided_by =
+        let (applied, previous), held =
+          hold ctx (fun () ->
+              apply_to_next expressions ctx e ~head arguments ~takes (applied, previous) argument
+                decided_by)
         in
-        pass_on ctx own;
+        pass_on ctx held;
         let ty = Option.fold previous ~none:Type.Erroneous ~some:snd in
         let failed =
-          match failed with
-          | None when errors ctx > before -> Some argument.position
-          | failed -> failed
+          if Option.is_none failed && errors ctx > before then Some argument.position else failed
         in
-        ((next, previous), ty :: types, failed, if argument.position = 1 then own else first)
+        let of_first = if argument.position = 1 then held else of_first in
+        { applied; previous; types = ty :: types; failed; of_first }
       in
-      let ((result, _), types, failed, of_first), held =
-        hold ctx (fun () ->
-            List.fold_left2 apply
-              ((start, None), [], None, [])
-              arguments (deciding parameters arguments))
+      let start =
+        { applied = function_; previous = None; types = []; failed = None; of_first = [] }
       in
-      let replace_by fact ~kept =
-        pass_on ctx kept;
-        replace ctx (Inference { words = words ctx; fact })
+      let progress, held =
+        hold ctx (fun () -> List.fold_left2 next start arguments (deciding parameters arguments))
       in
-      (match failed with
-      | Some _ when is_mapped_range ~head arguments ->
-          let arguments = List.map (fun a -> a.value) arguments in
-          replace_by (Mapped_range { at = e.span; head = head.span; arguments }) ~kept:[]
-      | Some failed -> (
-          match other_fold expressions ctx ~head arguments with
-          | Some fact ->
-              replace_by fact ~kept:(List.filter (fun h -> not (List.memq h of_first)) held)
-          | None when errors ctx = before + 1 ->
-              tell expressions ctx e ~head arguments ~types:(List.rev types)
-                ~takes:(List.length parameters) ~failed start.ty held
-          | None -> pass_on ctx held)
-      | None -> pass_on ctx held);
-      result)
+      let is_only = errors ctx = before + 1 in
+      explain expressions ctx e ~head arguments ~function_:function_.ty ~takes ~is_only progress
+        held;
+      progress.applied)

@@ -97,7 +97,6 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
             decided_by = [];
             takes = 1;
             given = [ operand ];
-            later = [];
             before = None;
             of_local = None;
           }

@@ -57,7 +57,6 @@ type class_ = {
 }
 
 val add_class : t -> Ir.Global.t -> class_ -> unit
-val class_ : t -> Ir.Global.t -> class_
 
 val superclasses : t -> Ir.class_ -> Ir.class_ list
 (** Also handles the built-in classes. *)

@@ -22,7 +22,6 @@ type reason =
       decided_by : decider list;
       takes : int;
       given : Resolve.Ir.expr list;
-      later : Type.t list;
       before : string option;
       of_local : Span.t option;
     }

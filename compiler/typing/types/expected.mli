@@ -40,7 +40,6 @@ type reason =
       decided_by : decider list;
       takes : int;  (** number of the callee's parameters *)
       given : Resolve.Ir.expr list;  (** all arguments of the call *)
-      later : Type.t list;  (** types of the parameters after this one *)
       before : string option;
           (** the operator that follows the application, if this is its last argument *)
       of_local : Span.t option;

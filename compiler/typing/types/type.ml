@@ -155,15 +155,6 @@ let rec mentions (v : Ir.variable) t =
   | Alias { arguments; expansion; _ } -> arguments <> [] && mentions v expansion
   | Flexible _ | Number _ | Bool | String | Size _ | Erroneous -> false
 
-let rec occurs (v : flexible) t =
-  Basis.Work.step ();
-  match repr t with
-  | Flexible other -> other == v
-  | Tuple elements | Data { arguments = elements; _ } -> List.exists (occurs v) elements
-  | Function (a, b) | Signal_function (a, b) -> occurs v a || occurs v b
-  | Alias { arguments; expansion; _ } -> arguments <> [] && occurs v expansion
-  | Rigid _ | Number _ | Bool | String | Size _ | Erroneous -> false
-
 let by_id id pairs =
   List.fold_left (fun map (variable, by) -> Ids.add (id variable) by map) Ids.empty pairs
 

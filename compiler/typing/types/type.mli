@@ -106,7 +106,4 @@ val instantiate : supply -> depth:int -> scheme -> instance
 val mentions : Ir.variable -> t -> bool
 (** Does the quantified type variable occur in the type? *)
 
-val occurs : flexible -> t -> bool
-(** Does the unsolved variable occur in the type? *)
-
 val substitute : types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t

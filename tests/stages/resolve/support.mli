@@ -6,8 +6,3 @@ val load :
     program has passed the lint. *)
 
 val codes : Basis.Diagnostic.t list -> string list
-
-val directory : string -> string list
-(** The files of a directory, sorted. *)
-
-val read : string -> string

@@ -13,7 +13,6 @@ let number x =
   | Some exact -> make (Number exact) Float
   | None -> invalid_arg "number"
 
-let boolean b = make (Boolean b) Bool
 let tuple es = make (Tuple es) (Tuple (List.map (fun (e : expr) -> e.ty) es))
 
 let component (e : expr) i =

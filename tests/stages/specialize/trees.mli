@@ -6,7 +6,6 @@ val float : ty
 val local : int -> string -> ty -> binder
 val var : binder -> expr
 val number : float -> expr
-val boolean : bool -> expr
 val tuple : expr list -> expr
 val component : expr -> int -> expr
 val if_ : expr -> expr -> expr -> expr

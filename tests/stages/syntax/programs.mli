@@ -10,8 +10,3 @@ val printed : Syntax.Ir.program -> string
 
 val written : unit -> (string * string) list
 (** The files of the library, of the examples and of this folder: paths and texts. *)
-
-val read : string -> string
-
-val files_of : string -> string -> string list
-(** [files_of directory suffix] lists paths, sorted. *)

@@ -11,7 +11,6 @@ val var : Local.t -> ty -> expr
 val number : int -> expr
 val boolean : bool -> expr
 val tuple : expr list -> expr
-val primitive : string -> instantiation -> ty -> expr
 
 val apply : expr -> expr -> expr
 (** Applies a function or runs a signal function, depending on the type of the first expression. *)
@@ -26,7 +25,6 @@ val guards : (expr * expr) list -> expr option -> expr
 val let_ : binding list -> expr -> expr
 val lambda : pattern list -> expr -> expr
 val proc : pattern -> binding list -> expr -> expr
-val make : expr_desc -> ty -> expr
 
 (** {1 Patterns and bindings} *)
 
@@ -39,7 +37,6 @@ val binding : pattern -> expr -> binding
 
 (** {1 Data: [Maybe], in the main module} *)
 
-val maybe : data
 val nothing : constructor
 val just : constructor
 val maybe_of : ty -> ty

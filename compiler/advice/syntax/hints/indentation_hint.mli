@@ -12,9 +12,6 @@ val not_indented : Found.rule
 val misplaced_line : Found.rule
 (** A line in a different column than the items of its block. *)
 
-val by_indentation : string
-(** The hint for blocks in braces. *)
-
 val is_by_indentation : string -> bool
 (** Is this {!by_indentation}, or a hint from {!without_braces} for several lines? *)
 

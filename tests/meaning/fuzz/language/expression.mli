@@ -5,6 +5,3 @@ val expression : Scope.t -> int -> Type.t -> string
 
 val lambda : Scope.t -> int -> Type.t -> Type.t -> string
 (** A function of one argument. *)
-
-val function_ : Scope.t -> int -> Type.t list -> Type.t -> string
-(** A function of several arguments. *)
