@@ -1,61 +1,16 @@
 open Basis
+open Pretty
 open Ir
 
-(* Strings are printed one by one instead of by [fprintf "%a"], which needs much more stack:
-   expressions may be nested ten thousand deep. *)
-type context = {
-  out : Format.formatter;
+type own = {
   qualifies : Global.t -> bool;  (** whether this name is printed with its module *)
   data : (Global.t, Ir.data) Hashtbl.t;
-  names : (int, string) Hashtbl.t;  (** names of the definition's variables, by id *)
-  uses : (string, int) Hashtbl.t;  (** number of variables with each name *)
 }
 
-let put c text = Format.pp_print_string c.out text
-let cut c = Format.pp_print_cut c.out ()
-let space c = Format.pp_print_space c.out ()
-let close c = Format.pp_close_box c.out ()
-
-let parenthesized c yes f =
-  if yes then (
-    put c "(";
-    f ();
-    put c ")")
-  else f ()
-
-let rec separated c separator f = function
-  | [] -> ()
-  | [ x ] -> f x
-  | x :: rest ->
-      f x;
-      put c separator;
-      space c;
-      separated c separator f rest
-
-let enclosed c opening closing f parts =
-  Format.pp_open_hvbox c.out 1;
-  put c opening;
-  separated c "," f parts;
-  put c closing;
-  close c
-
-let tuple c = enclosed c "(" ")"
-
-let operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
-
 let global c (g : Global.t) =
-  if c.qualifies g && operator g.name = g.name then g.module_ ^ "." ^ g.name else operator g.name
+  if c.own.qualifies g && not (is_infix g.name) then g.module_ ^ "." ^ g.name else operator g.name
 
-let local c (x : Local.t) =
-  match Hashtbl.find_opt c.names x.id with
-  | Some name -> name
-  | None ->
-      let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
-      Hashtbl.replace c.uses x.name count;
-      let name = if count = 1 && x.name <> "" then x.name else x.name ^ "_" ^ string_of_int count in
-      Hashtbl.replace c.names x.id name;
-      name
+let local c (x : Local.t) = Unique_names.find c.names ~id:x.id x.name
 
 (* {1 Types} *)
 
@@ -83,20 +38,16 @@ and constructed c level name arguments =
     (level > 1 && arguments <> [])
     (fun () ->
       put c name;
-      List.iter
-        (fun t ->
-          put c " ";
-          type_ c 2 t)
-        arguments)
+      words c (type_ c 2) arguments)
 
 let type_arguments c types =
-  List.iter
-    (fun t ->
-      put c " @";
-      type_ c 2 t)
-    types
+  let argument t =
+    put c "@";
+    type_ c 2 t
+  in
+  words c argument types
 
-let type_parameters c vs = List.iter (fun (v : variable) -> put c (" @" ^ v.name)) vs
+let type_parameters c vs = words c (fun (v : variable) -> put c ("@" ^ v.name)) vs
 
 let binder c (b : binder) =
   put c (local c b.local);
@@ -108,7 +59,7 @@ let binder c (b : binder) =
 let constructor c (ty : ty) index =
   let declared =
     match ty with
-    | Data (tycon, _) -> Hashtbl.find_opt c.data tycon
+    | Data (tycon, _) -> Hashtbl.find_opt c.own.data tycon
     | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
     | Size _ ->
         None
@@ -131,11 +82,13 @@ let rec expr c level (e : expr) =
   | Global (g, types) -> name c level (global c g) types
   | Primitive (p, types) -> name c level (operator (Primitive_table.name p)) types
   | Method m -> name c level m.name (m.ty :: m.types)
-  | Number value -> number c level value
+  | Number value ->
+      let text = number value in
+      parenthesized c (level > 0 && text.[0] = '-') (fun () -> put c text)
   | Boolean b -> put c (if b then "True" else "False")
   | String text -> put c (Printf.sprintf "%S" text)
   | Tuple parts -> tuple c (expr c 0) parts
-  | Array elements -> enclosed c "[" "]" (expr c 0) elements
+  | Array elements -> array c (expr c 0) elements
   | Index (array, k) ->
       parenthesized c (level > 0) (fun () ->
           expr c 1 array;
@@ -151,63 +104,42 @@ let rec expr c level (e : expr) =
           expr c 2 value;
           put c (" ? " ^ constructor c value.ty k))
   | Construct { constructor = k; arguments; data = _ } ->
-      parenthesized c
-        (level > 1 && arguments <> [])
+      hov c 2
+        ~parentheses:(level > 1 && arguments <> [])
         (fun () ->
-          Format.pp_open_hovbox c.out 2;
           put c (constructor c e.ty k);
-          List.iter
-            (fun a ->
-              space c;
-              expr c 2 a)
-            arguments;
-          close c)
+          breakable_words c (expr c 2) arguments)
   | Apply ({ desc = Apply ({ desc = Primitive (p, _); _ }, a); _ }, b)
-    when operator (Primitive_table.name p) <> Primitive_table.name p ->
-      parenthesized c (level > 0) (fun () ->
-          Format.pp_open_hovbox c.out 0;
-          expr c 1 a;
-          put c (" " ^ Primitive_table.name p);
-          space c;
-          expr c 1 b;
-          close c)
-  | Apply _ ->
-      parenthesized c (level > 1) (fun () ->
-          Format.pp_open_hovbox c.out 2;
-          application c e [];
-          close c)
+    when is_infix (Primitive_table.name p) ->
+      infix c level a (Primitive_table.name p) 1 b
+  | Apply _ -> hov c 2 ~parentheses:(level > 1) (fun () -> application c e [])
   | Lambda _ ->
-      parenthesized c (level > 0) (fun () ->
-          Format.pp_open_hovbox c.out 2;
+      hov c 2 ~parentheses:(level > 0) (fun () ->
           put c "\\";
-          lambda c e;
-          close c)
-  | If (a, { desc = Boolean false; _ }, { desc = Boolean true; _ }) ->
-      parenthesized c (level > 1) (fun () ->
-          put c "not ";
-          expr c 2 a)
-  | If (a, b, { desc = Boolean false; _ }) ->
-      parenthesized c (level > 0) (fun () ->
-          Format.pp_open_hovbox c.out 0;
-          expr c 1 a;
-          put c " and";
-          space c;
-          expr c (if is_conjunction b then 0 else 1) b;
-          close c)
-  | If (_, a, b) ->
-      parenthesized c (level > 0) (fun () ->
-          if is_block a || is_block b then Format.pp_open_vbox c.out 0
-          else Format.pp_open_hvbox c.out 0;
-          choice c e;
-          close c)
-  | Let _ ->
-      parenthesized c (level > 0) (fun () ->
-          Format.pp_open_vbox c.out 0;
-          lets c e;
-          close c)
+          lambda c e)
+  | If (condition, a, b) -> choice c level e condition a b
+  | Let _ -> vertical c 0 ~parentheses:(level > 0) (fun () -> lets c e)
   | Proc p -> parenthesized c (level > 0) (fun () -> proc c p)
 
-and choice c (e : expr) =
+and infix c level a operator level_of_b b =
+  hov c 0 ~parentheses:(level > 0) (fun () ->
+      expr c 1 a;
+      put c (" " ^ operator);
+      space c;
+      expr c level_of_b b)
+
+and choice c level (e : expr) condition (a : expr) (b : expr) =
+  match (a.desc, b.desc) with
+  | Boolean false, Boolean true ->
+      parenthesized c (level > 1) (fun () ->
+          put c "not ";
+          expr c 2 condition)
+  | _, Boolean false -> infix c level condition "and" (if is_conjunction a then 0 else 1) a
+  | _, _ ->
+      let box = if is_block a || is_block b then vertical else hv in
+      box c 0 ~parentheses:(level > 0) (fun () -> choices c e)
+
+and choices c (e : expr) =
   match e.desc with
   | If (condition, a, b) when not (is_conjunction e) ->
       put c "if ";
@@ -217,7 +149,7 @@ and choice c (e : expr) =
       expr c 0 a;
       space c;
       put c "else ";
-      choice c b
+      choices c b
   | _ -> expr c 0 e
 
 and name c level text types =
@@ -227,23 +159,12 @@ and name c level text types =
       put c text;
       type_arguments c types)
 
-and number c level value =
-  let exact = Exact.to_string value in
-  let text =
-    if String.length exact <= 20 then exact else Printf.sprintf "%.17g" (Exact.to_float value)
-  in
-  parenthesized c (level > 0 && text.[0] = '-') (fun () -> put c text)
-
 and application c (e : expr) arguments =
   match e.desc with
   | Apply (f, a) -> application c f (a :: arguments)
   | _ ->
       expr c 1 e;
-      List.iter
-        (fun a ->
-          space c;
-          expr c 2 a)
-        arguments
+      breakable_words c (expr c 2) arguments
 
 and lambda c (e : expr) =
   match e.desc with
@@ -265,52 +186,44 @@ and lambda c (e : expr) =
 and lets c (e : expr) =
   match e.desc with
   | Let { binder = b; value; body } ->
-      Format.pp_open_hovbox c.out 2;
-      put c "let ";
-      binder c b;
-      put c " =";
-      space c;
-      expr c 0 value;
-      put c " in";
-      close c;
+      hov c 2 (fun () ->
+          put c "let ";
+          binder c b;
+          put c " =";
+          space c;
+          expr c 0 value;
+          put c " in");
       cut c;
       lets c body
   | _ -> expr c 0 e
 
 and proc c p =
-  Format.pp_open_vbox c.out 2;
-  put c (Printf.sprintf "proc %s (" p.name);
-  binder c p.input;
-  put c ") where";
-  List.iter
-    (fun eq ->
+  vertical c 2 (fun () ->
+      put c (Printf.sprintf "proc %s (" p.name);
+      binder c p.input;
+      put c ") where";
+      lines c (equation c) p.equations;
       cut c;
-      equation c eq)
-    p.equations;
-  cut c;
-  Format.pp_open_hovbox c.out 2;
-  put c "->";
-  space c;
-  expr c 0 p.output;
-  close c;
-  close c
+      hov c 2 (fun () ->
+          put c "->";
+          space c;
+          expr c 0 p.output))
 
 and equation c eq =
-  Format.pp_open_hovbox c.out 2;
-  binder c eq.binder;
-  (match eq.rhs with
-  | Pure value ->
-      put c " =";
-      space c;
-      expr c 0 value
-  | Run { signal_function; input } ->
-      put c " <-";
-      space c;
-      expr c 1 signal_function;
-      space c;
-      put c "-< ";
-      expr c 0 input);
-  close c
+  hov c 2 (fun () ->
+      binder c eq.binder;
+      match eq.rhs with
+      | Pure value ->
+          put c " =";
+          space c;
+          expr c 0 value
+      | Run { signal_function; input } ->
+          put c " <-";
+          space c;
+          expr c 1 signal_function;
+          space c;
+          put c "-< ";
+          expr c 0 input)
 
 (* {1 Programs} *)
 
@@ -328,53 +241,47 @@ let foreign_value c ((f : Primitive.foreign), ty) =
   cut c
 
 let data c (d : data) =
-  Format.pp_open_hvbox c.out 2;
-  put c ("data " ^ d.tycon.name);
-  List.iter (fun (v : variable) -> put c (" " ^ v.name)) d.parameters;
-  List.iteri
-    (fun i (k : constructor) ->
-      space c;
-      put c ((if i = 0 then "= " else "| ") ^ k.name.name);
-      List.iter
-        (fun (field, t) ->
-          put c " ";
-          if field <> "" then put c (field ^ ":");
-          type_ c 2 t)
-        k.fields)
-    d.constructors;
-  close c;
+  let field (name, t) =
+    if name <> "" then put c (name ^ ":");
+    type_ c 2 t
+  in
+  hv c 2 (fun () ->
+      put c ("data " ^ d.tycon.name);
+      words c (fun (v : variable) -> put c v.name) d.parameters;
+      List.iteri
+        (fun i (k : constructor) ->
+          space c;
+          put c ((if i = 0 then "= " else "| ") ^ k.name.name);
+          words c field k.fields)
+        d.constructors);
   cut c
 
 let definition c (d : definition) =
-  Hashtbl.reset c.names;
-  Hashtbl.reset c.uses;
+  Unique_names.clear c.names;
   cut c;
   put c (operator d.name.name);
   type_parameters c d.parameters;
   put c " :: ";
   type_ c 0 d.ty;
   cut c;
-  Format.pp_open_vbox c.out 2;
-  put c (operator d.name.name ^ " =");
-  cut c;
-  expr c 0 d.body;
-  close c;
+  vertical c 2 (fun () ->
+      put c (operator d.name.name ^ " =");
+      cut c;
+      expr c 0 d.body);
   cut c
 
 (* Prints [frontDistance = frontDistance@Big]. *)
 let instance c (i : instance) =
+  let implementation (name, implementation) =
+    match implementation with
+    | Given definition -> put c (operator name ^ " = " ^ global c definition)
+    | Default definition -> put c ("default " ^ global c definition)
+  in
   cut c;
-  Format.pp_open_vbox c.out 2;
-  put c ("instance " ^ global c i.class_ ^ " ");
-  type_ c 2 i.head;
-  List.iter
-    (fun (name, implementation) ->
-      cut c;
-      match implementation with
-      | Given definition -> put c (operator name ^ " = " ^ global c definition)
-      | Default definition -> put c ("default " ^ global c definition))
-    i.methods;
-  close c;
+  vertical c 2 (fun () ->
+      put c ("instance " ^ global c i.class_ ^ " ");
+      type_ c 2 i.head;
+      lines c implementation i.methods);
   cut c
 
 (* The module of an instance is the one of the methods that it defines. If it defines none, it is
@@ -385,13 +292,12 @@ let belongs_to own (i : instance) =
   in
   match List.find_map given i.methods with Some g -> own g | None -> own i.class_
 
-let context out qualifies =
-  { out; qualifies; data = Hashtbl.create 64; names = Hashtbl.create 64; uses = Hashtbl.create 64 }
+let context out qualifies = create out { qualifies; data = Hashtbl.create 64 }
 
 let program out (p : program) =
   let own (g : Global.t) = String.equal g.module_ p.main_module in
   let c = context out (fun g -> not (own g)) in
-  List.iter (fun (d : data) -> Hashtbl.replace c.data d.tycon d) p.data;
+  List.iter (fun (d : data) -> Hashtbl.replace c.own.data d.tycon d) p.data;
   Format.pp_open_vbox out 0;
   put c ("module " ^ p.main_module);
   cut c;
@@ -408,7 +314,7 @@ let program out (p : program) =
     p.params;
   List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
   List.iter (fun i -> if belongs_to own i then instance c i) p.instances;
-  close c;
+  Format.pp_close_box out ();
   Format.pp_print_flush out ()
 
 let ty out t = type_ (context out (fun g -> g.module_ <> "Prelude")) 0 t

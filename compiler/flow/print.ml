@@ -1,28 +1,15 @@
 open Format
 
-(* The names that the dump uses for the signals of a node. *)
-type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
-
-let next names base =
-  let n = 1 + Option.value (Hashtbl.find_opt names.count base) ~default:0 in
-  Hashtbl.replace names.count base n;
-  n
-
-let declare names (s : Ir.signal) =
-  let shown =
-    if String.equal s.name "" then sprintf "_%d" (next names "")
-    else match next names s.name with 1 -> s.name | n -> sprintf "%s_%d" s.name n
-  in
-  Hashtbl.replace names.shown s.id shown
+let declare names (s : Ir.signal) = ignore (Basis.Unique_names.find names ~id:s.id s.name : string)
 
 let names_of (node : Ir.node) =
-  let names = { shown = Hashtbl.create 16; count = Hashtbl.create 16 } in
+  let names = Basis.Unique_names.create () in
   Signals.iter (declare names) node;
   names
 
 let signal names ppf (s : Ir.signal) =
   pp_print_string ppf
-    (match Hashtbl.find_opt names.shown s.id with
+    (match Basis.Unique_names.find_opt names s.id with
     | Some shown -> shown
     | None -> sprintf "<undefined %s>" s.name)
 

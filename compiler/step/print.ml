@@ -1,26 +1,11 @@
 open Format
 
-(* For one function: the number of declarations of each name, and the numbers printed for variables
-   that have no name or share a name. *)
-type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
-
-let names () = { shown = Hashtbl.create 16; count = Hashtbl.create 16 }
-
-let variable names (v : Ir.variable) =
-  match Hashtbl.find_opt names.shown v.id with
-  | Some shown -> shown
-  | None ->
-      let n = 1 + Option.value (Hashtbl.find_opt names.count v.name) ~default:0 in
-      Hashtbl.replace names.count v.name n;
-      let shown = if n = 1 && v.name <> "" then v.name else sprintf "%s_%d" v.name n in
-      Hashtbl.replace names.shown v.id shown;
-      shown
-
+let variable names (v : Ir.variable) = Basis.Unique_names.find names ~id:v.id v.name
 let operator = Flow.Print.operator
 let is_symbol text = match text.[0] with 'a' .. 'z' -> false | _ -> true
 let field (f : Ir.field) = sprintf "self.%s#%d" f.name f.id
 
-type context = { program : Ir.program; names : names }
+type context = { program : Ir.program; names : Basis.Unique_names.t }
 
 let constructor c sum k = (List.nth c.program.sums.(sum).constructors k).Flow.Ir.constructor
 
@@ -149,7 +134,7 @@ let rec ty (program : Ir.program) : Ir.ty -> string = function
   | Foreign f -> f.foreign_name
 
 let code (program : Ir.program) title ppf (code : Ir.code) =
-  let c = { program; names = names () } in
+  let c = { program; names = Basis.Unique_names.create () } in
   fprintf ppf "  %s (%s)@\n" title (variables c code.parameters);
   List.iter (statement c 4 ppf) code.body
 

@@ -1,62 +1,14 @@
 open Basis
+open Pretty
 open Ir
 
-(* Strings are printed one by one instead of by [fprintf "%a"], which needs much more stack:
-   expressions may be nested ten thousand deep. *)
-type context = {
-  out : Format.formatter;
-  main_module : string;
-  names : (int, string) Hashtbl.t;  (** names of the definition's variables, by id *)
-  uses : (string, int) Hashtbl.t;  (** number of variables with each name *)
-}
-
-let put c text = Format.pp_print_string c.out text
-let cut c = Format.pp_print_cut c.out ()
-let space c = Format.pp_print_space c.out ()
-let close c = Format.pp_close_box c.out ()
-
-let parenthesized c yes f =
-  if yes then put c "(";
-  f ();
-  if yes then put c ")"
-
-let listed c opening closing f parts =
-  Format.pp_open_hvbox c.out 1;
-  put c opening;
-  List.iteri
-    (fun i part ->
-      if i > 0 then (
-        put c ",";
-        space c);
-      f part)
-    parts;
-  put c closing;
-  close c
-
-let tuple c f parts = listed c "(" ")" f parts
-let array c f parts = listed c "[" "]" f parts
-
-let operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
+(* What a printer needs besides {!Pretty} is the name of the main module. *)
 
 let global c (g : Global.t) =
-  if String.equal g.module_ c.main_module || operator g.name <> g.name then operator g.name
+  if String.equal g.module_ c.own || is_infix g.name then operator g.name
   else g.module_ ^ "." ^ g.name
 
-let local c (x : Local.t) =
-  match Hashtbl.find_opt c.names x.id with
-  | Some name -> name
-  | None ->
-      let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
-      Hashtbl.replace c.uses x.name count;
-      let name = if count = 1 then x.name else x.name ^ "_" ^ string_of_int count in
-      Hashtbl.replace c.names x.id name;
-      name
-
-let number n =
-  let exact = Exact.to_string n in
-  if String.length exact <= 20 then exact else Printf.sprintf "%.17g" (Exact.to_float n)
-
+let local c (x : Local.t) = Unique_names.find c.names ~id:x.id x.name
 let level = function Constant -> "constant " | Static -> "static " | Signal -> "signal "
 
 let representation = function
@@ -96,11 +48,7 @@ let rec pattern c nested (p : pattern) =
         (nested && ps <> [])
         (fun () ->
           put c k.constructor.name;
-          List.iter
-            (fun p ->
-              put c " ";
-              pattern c true p)
-            ps)
+          words c (pattern c true) ps)
   | Literal n -> put c (number n)
 
 (* {1 Expressions} *)
@@ -124,21 +72,17 @@ let rec expr c depth (e : expr) =
       parenthesized c (depth > 0) (fun () ->
           expr c 1 a;
           put c (" ! " ^ string_of_int k))
-  | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b)
-    when operator g.name <> g.name ->
-      parenthesized c (depth > 0) (fun () ->
-          Format.pp_open_hovbox c.out 0;
+  | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b) when is_infix g.name ->
+      hov c 0 ~parentheses:(depth > 0) (fun () ->
           expr c 1 a;
           put c (" " ^ g.name);
           space c;
-          expr c 1 b;
-          close c)
-  | Apply _ -> words c depth (fun () -> application c e [])
+          expr c 1 b)
+  | Apply _ -> hov c 2 ~parentheses:(depth > 1) (fun () -> application c e [])
   | Run (h, input) ->
-      words c depth (fun () ->
+      hov c 2 ~parentheses:(depth > 1) (fun () ->
           put c "run";
-          argument c h;
-          argument c input)
+          breakable_words c (expr c 2) [ h; input ])
   | Negate a ->
       parenthesized c (depth > 0) (fun () ->
           put c "-";
@@ -147,53 +91,6 @@ let rec expr c depth (e : expr) =
       parenthesized c (depth > 0) (fun () ->
           expr c 2 a;
           put c (" ^ " ^ string_of_int k))
-  | If (condition, a, b) ->
-      parenthesized c (depth > 0) (fun () ->
-          Format.pp_open_hvbox c.out 0;
-          put c "if ";
-          expr c 0 condition;
-          space c;
-          put c "then ";
-          expr c 0 a;
-          space c;
-          put c "else ";
-          expr c 0 b;
-          close c)
-  | Case (scrutinee, branches) ->
-      block c depth (fun () ->
-          put c "case ";
-          expr c 0 scrutinee;
-          put c " of";
-          List.iter (branch c) branches)
-  | Let (bindings, body) ->
-      block c depth (fun () ->
-          put c "let";
-          List.iter (binding c) bindings;
-          cut c;
-          put c "in ";
-          expr c 0 body)
-  | Lambda (patterns, body) ->
-      parenthesized c (depth > 0) (fun () ->
-          Format.pp_open_hovbox c.out 2;
-          put c "\\";
-          List.iter
-            (fun p ->
-              pattern c true p;
-              put c " ")
-            patterns;
-          put c "->";
-          space c;
-          expr c 0 body;
-          close c)
-  | Guards (guarded, last) -> guards c depth guarded last
-  | Proc { input; equations; output } ->
-      block c depth (fun () ->
-          put c "proc ";
-          pattern c true input;
-          put c " -> ";
-          expr c 0 output;
-          if equations <> [] then put c " where";
-          List.iter (binding c) equations)
   | Record (k, fields) ->
       parenthesized c (depth > 1) (fun () ->
           put c k.constructor.name;
@@ -205,42 +102,31 @@ let rec expr c depth (e : expr) =
   | Field (r, k, index) ->
       expr c 2 r;
       put c ("." ^ field k index)
-
-and words c depth f =
-  parenthesized c (depth > 1) (fun () ->
-      Format.pp_open_hovbox c.out 2;
-      f ();
-      close c)
-
-and block c depth f =
-  parenthesized c (depth > 0) (fun () ->
-      Format.pp_open_vbox c.out 2;
-      f ();
-      close c)
-
-and argument c a =
-  space c;
-  expr c 2 a
+  | If (condition, a, b) -> choice c depth condition a b
+  | Guards (guarded, last) -> guards c depth guarded last
+  | Lambda (patterns, body) -> lambda c depth patterns body
+  | Case _ | Let _ | Proc _ -> vertical c 2 ~parentheses:(depth > 0) (fun () -> block c e)
 
 and application c (e : expr) arguments =
   match e.desc with
   | Apply (f, a) -> application c f (a :: arguments)
   | _ ->
       expr c 1 e;
-      List.iter (argument c) arguments
+      breakable_words c (expr c 2) arguments
 
-and branch c (b : branch) =
-  cut c;
-  Format.pp_open_hovbox c.out 2;
-  pattern c false b.pattern;
-  put c " ->";
-  space c;
-  expr c 0 b.value;
-  close c
+and choice c depth condition a b =
+  hv c 0 ~parentheses:(depth > 0) (fun () ->
+      put c "if ";
+      expr c 0 condition;
+      space c;
+      put c "then ";
+      expr c 0 a;
+      space c;
+      put c "else ";
+      expr c 0 b)
 
 and guards c depth guarded last =
-  parenthesized c (depth > 0) (fun () ->
-      Format.pp_open_vbox c.out 0;
+  vertical c 0 ~parentheses:(depth > 0) (fun () ->
       List.iteri
         (fun i (guard, value) ->
           if i > 0 then cut c;
@@ -254,8 +140,49 @@ and guards c depth guarded last =
           cut c;
           put c "| otherwise -> ";
           expr c 0 last)
-        last;
-      close c)
+        last)
+
+and lambda c depth patterns body =
+  hov c 2 ~parentheses:(depth > 0) (fun () ->
+      put c "\\";
+      List.iter
+        (fun p ->
+          pattern c true p;
+          put c " ")
+        patterns;
+      put c "->";
+      space c;
+      expr c 0 body)
+
+(* An expression with a line for each branch or equation. *)
+and block c (e : expr) =
+  match e.desc with
+  | Case (scrutinee, branches) ->
+      put c "case ";
+      expr c 0 scrutinee;
+      put c " of";
+      lines c (branch c) branches
+  | Let (bindings, body) ->
+      put c "let";
+      lines c (binding c) bindings;
+      cut c;
+      put c "in ";
+      expr c 0 body
+  | Proc { input; equations; output } ->
+      put c "proc ";
+      pattern c true input;
+      put c " -> ";
+      expr c 0 output;
+      if equations <> [] then put c " where";
+      lines c (binding c) equations
+  | _ -> expr c 0 e
+
+and branch c (b : branch) =
+  hov c 2 (fun () ->
+      pattern c false b.pattern;
+      put c " ->";
+      space c;
+      expr c 0 b.value)
 
 and field (k : constructor) index =
   match List.nth_opt k.fields index with
@@ -263,51 +190,42 @@ and field (k : constructor) index =
   | Some _ | None -> string_of_int index
 
 and record c k fields =
+  let set (index, value) =
+    put c (field k index ^ " = ");
+    expr c 0 value
+  in
   put c " { ";
-  List.iteri
-    (fun i (index, value) ->
-      if i > 0 then (
-        put c ",";
-        space c);
-      put c (field k index ^ " = ");
-      expr c 0 value)
-    fields;
+  separated c set fields;
   put c " }"
 
 and binding c (b : binding) =
-  cut c;
-  Format.pp_open_hovbox c.out 2;
-  put c (level b.level);
-  pattern c false b.pattern;
-  put c (" :: " ^ Show.scheme b.scheme ^ " =");
-  space c;
-  expr c 0 b.value;
-  close c
+  hov c 2 (fun () ->
+      put c (level b.level);
+      pattern c false b.pattern;
+      put c (" :: " ^ Show.scheme b.scheme ^ " =");
+      space c;
+      expr c 0 b.value)
 
 (* {1 Programs} *)
 
 let definition c (d : definition) =
-  Hashtbl.reset c.names;
-  Hashtbl.reset c.uses;
+  Unique_names.clear c.names;
   cut c;
   put c (operator d.name.name ^ " :: " ^ Show.scheme d.scheme);
   cut c;
-  Format.pp_open_vbox c.out 2;
-  put c (operator d.name.name ^ " =");
-  cut c;
-  expr c 0 d.value;
-  close c;
+  vertical c 2 (fun () ->
+      put c (operator d.name.name ^ " =");
+      cut c;
+      expr c 0 d.value);
   cut c
 
 let program out (p : program) =
-  let c =
-    { out; main_module = p.main_module; names = Hashtbl.create 64; uses = Hashtbl.create 64 }
-  in
+  let c = create out p.main_module in
   Format.pp_open_vbox out 0;
   put c ("module " ^ p.main_module);
   cut c;
   List.iter
     (fun (d : definition) -> if String.equal d.name.module_ p.main_module then definition c d)
     p.definitions;
-  close c;
+  Format.pp_close_box out ();
   Format.pp_print_flush out ()
