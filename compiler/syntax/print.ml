@@ -9,6 +9,13 @@ let line b column =
   Buffer.add_char b '\n';
   text b (String.make column ' ')
 
+let on_lines b column print parts =
+  List.iter
+    (fun part ->
+      line b column;
+      print b column part)
+    parts
+
 (* {1 Patterns} *)
 
 let number b (n : number) =
@@ -19,11 +26,7 @@ let rec pattern b (p : pattern) =
   match p.desc with
   | Constructed (c, ps) ->
       qualified b c;
-      List.iter
-        (fun p ->
-          text b " ";
-          argument_pattern b p)
-        ps
+      words b argument_pattern ps
   | Literal { negative = true; number = n } ->
       text b "-";
       number b n
@@ -34,8 +37,7 @@ let rec pattern b (p : pattern) =
 and argument_pattern b p =
   match p.desc with
   | As (x, p) ->
-      text b x.text;
-      text b "@";
+      text b (x.text ^ "@");
       primary_pattern b p
   | Any | Bound _ | Tuple_of _ | Array_of _ | Record_of _ | Constructed _ | Literal _ ->
       primary_pattern b p
@@ -44,17 +46,16 @@ and primary_pattern b p =
   match p.desc with
   | Any -> text b "_"
   | Bound x -> text b x.text
-  | Tuple_of ps -> between b "(" ")" (fun () -> separated b ", " (pattern b) ps)
-  | Array_of ps -> between b "[" "]" (fun () -> separated b ", " (pattern b) ps)
+  | Tuple_of ps -> enclosed b "(" ")" (pattern b) ps
+  | Array_of ps -> enclosed b "[" "]" (pattern b) ps
   | Constructed (c, []) -> qualified b c
   | Record_of (c, fields) ->
       qualified b c;
       let field ((x : name), p) =
-        text b x.text;
-        text b " = ";
+        text b (x.text ^ " = ");
         pattern b p
       in
-      between b " { " " }" (fun () -> separated b ", " field fields)
+      enclosed b " { " " }" field fields
   | Literal { negative = false; number = n } -> number b n
   | Constructed _ | Literal { negative = true; _ } | As _ ->
       between b "(" ")" (fun () -> pattern b p)
@@ -88,24 +89,21 @@ let rec is_application (e : expr) =
   match e.desc with Apply (f, x) -> is_argument x && is_application f | _ -> is_argument e
 
 let rec expr b column (e : expr) =
-  let print_expr = expr in
   let expr = expr b column in
   match e.desc with
   | Variable x | Constructor x -> qualified b x
   | Number n -> number b n
   | String s -> text b (string_literal s)
-  | Tuple es -> between b "(" ")" (fun () -> separated b ", " expr es)
-  | Tuple_section places -> between b "(" ")" (fun () -> separated b ", " (Option.iter expr) places)
-  | Array es -> between b "[" "]" (fun () -> separated b ", " expr es)
+  | Tuple es -> enclosed b "(" ")" expr es
+  | Tuple_section places -> enclosed b "(" ")" (Option.iter expr) places
+  | Array es -> enclosed b "[" "]" expr es
   | Apply (f, x) ->
       expr f;
       text b (if is_argument x && is_application f then " " else " $ ");
       expr x
   | Binary { operator; left; right } ->
       expr left;
-      text b " ";
-      infix b operator;
-      text b " ";
+      between b " " " " (fun () -> infix b operator);
       expr right
   | Negate e ->
       text b "-";
@@ -125,16 +123,12 @@ let rec expr b column (e : expr) =
       text b
         (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent else Printf.sprintf " ^ %d" exponent)
   | If { condition; then_; else_ } ->
-      text b "if ";
-      expr condition;
-      text b " then ";
+      between b "if " " then " (fun () -> expr condition);
       expr then_;
       text b " else ";
       expr else_
   | Case { scrutinee; branches } ->
-      text b "case ";
-      expr scrutinee;
-      text b " of";
+      between b "case " " of" (fun () -> expr scrutinee);
       block_of b column branches
   | Lambda_case branches ->
       text b "\\case";
@@ -146,24 +140,12 @@ let rec expr b column (e : expr) =
       text b "in ";
       expr body
   | Lambda { parameters; body } ->
-      text b "\\";
-      separated b " " (argument_pattern b) parameters;
-      text b " -> ";
+      between b "\\" " -> " (fun () -> separated b " " (argument_pattern b) parameters);
       expr body
   | Proc { input; body } ->
-      text b "proc ";
-      argument_pattern b input;
-      text b " -> ";
+      between b "proc " " -> " (fun () -> argument_pattern b input);
       proc_body b column body
-  | Sequence { statements; result } ->
-      text b "do";
-      List.iter
-        (fun s ->
-          line b (column + 2);
-          task_statement b (column + 2) s)
-        statements;
-      line b (column + 2);
-      print_expr b (column + 2) result
+  | Sequence { statements; result } -> sequence b (column + 2) statements result
   | Record { constructor; fields = fs } ->
       qualified b constructor;
       fields b column fs
@@ -172,8 +154,7 @@ let rec expr b column (e : expr) =
       fields b column fs
   | Field { record; field } ->
       expr record;
-      text b ".";
-      text b field.text
+      text b ("." ^ field.text)
   | Annotated { expr = e; ty } ->
       between b "(" ")" (fun () ->
           expr e;
@@ -181,13 +162,18 @@ let rec expr b column (e : expr) =
           qualified_type b ty)
   | Parenthesized e -> between b "(" ")" (fun () -> expr e)
 
+and sequence b column statements result =
+  text b "do";
+  on_lines b column task_statement statements;
+  line b column;
+  expr b column result
+
 and fields b column list =
   let field ((x : name), e) =
-    text b x.text;
-    text b " = ";
+    text b (x.text ^ " = ");
     expr b column e
   in
-  between b " { " " }" (fun () -> separated b ", " field list)
+  enclosed b " { " " }" field list
 
 and proc_body b column = function
   | Output { output; equations } ->
@@ -196,11 +182,7 @@ and proc_body b column = function
   | Command c -> command b column c
   | Do { statements; result } ->
       text b "do";
-      List.iter
-        (fun s ->
-          line b (column + 2);
-          statement b (column + 2) s)
-        statements;
+      on_lines b (column + 2) statement statements;
       line b (column + 2);
       command b (column + 2) result
 
@@ -234,12 +216,7 @@ and task_statement b column = function
       text b "let";
       block b column bindings
 
-and block_of b column branches =
-  List.iter
-    (fun x ->
-      line b (column + 2);
-      branch b (column + 2) x)
-    branches
+and block_of b column branches = on_lines b (column + 2) branch branches
 
 and branch b column (x : branch) =
   pattern b x.pattern;
@@ -251,14 +228,11 @@ and branch b column (x : branch) =
   where b column x.where
 
 and guards b column arrow list =
-  List.iter
-    (fun (condition, e) ->
-      line b (column + 2);
-      text b "| ";
-      expr b (column + 2) condition;
-      text b arrow;
-      expr b (column + 2) e)
-    list
+  let guard b column (condition, e) =
+    between b "| " arrow (fun () -> expr b column condition);
+    expr b column e
+  in
+  on_lines b (column + 2) guard list
 
 and where b column = function
   | [] -> ()
@@ -267,12 +241,7 @@ and where b column = function
       text b "where";
       block b column declarations
 
-and block b column declarations =
-  List.iter
-    (fun d ->
-      line b (column + 2);
-      declaration b (column + 2) d)
-    declarations
+and block b column declarations = on_lines b (column + 2) declaration declarations
 
 (* {1 Declarations} *)
 
@@ -281,11 +250,7 @@ and binding b column (x : binding) =
   | Name x -> name b x
   | Function_name { name = x; parameters } ->
       name b x;
-      List.iter
-        (fun p ->
-          text b " ";
-          argument_pattern b p)
-        parameters
+      words b argument_pattern parameters
   | Pattern ({ desc = Bound _; _ } as p) -> between b "(" ")" (fun () -> pattern b p)
   | Pattern p -> pattern b p);
   (match x.right.body with
@@ -314,8 +279,7 @@ and declaration b column (d : declaration) =
       text b "class ";
       context b (List.map of_variable superclasses);
       text b name.text;
-      text b " ";
-      text b variable.text;
+      text b (" " ^ variable.text);
       where b column members
   | Instance { context = constraints; class_; head; members } ->
       text b "instance ";
@@ -324,13 +288,9 @@ and declaration b column (d : declaration) =
       text b " ";
       simple_type b head;
       where b column members
-  | Base_unit x ->
-      text b "unit ";
-      text b x.text
+  | Base_unit x -> text b ("unit " ^ x.text)
   | Scaled_unit { name = x; scale; unit_ } ->
-      text b "unit ";
-      text b x.text;
-      text b " = ";
+      text b ("unit " ^ x.text ^ " = ");
       scaled b scale unit_
   | Primitive s ->
       text b "primitive ";
@@ -361,9 +321,7 @@ and foreign b = function
       text b " = ";
       text b (string_literal symbol.text)
   | Foreign_type { name; c_type; copyable } ->
-      text b "type ";
-      text b name.text;
-      text b " = ";
+      text b ("type " ^ name.text ^ " = ");
       text b (string_literal c_type.text);
       if copyable then text b " copyable"
   | Foreign_include header ->
@@ -382,13 +340,8 @@ and doc b column = function
 
 and head b x parameters =
   text b x.text;
-  if parameters.units <> [] then
-    between b "[" "]" (fun () -> separated b ", " (name b) parameters.units);
-  List.iter
-    (fun x ->
-      text b " ";
-      name b x)
-    parameters.types
+  if parameters.units <> [] then enclosed b "[" "]" (name b) parameters.units;
+  words b name parameters.types
 
 and data b column constructors =
   List.iteri
@@ -398,19 +351,13 @@ and data b column constructors =
       text b (if i = 0 then "= " else "| ");
       text b c.name.text;
       match c.fields with
-      | Positional ts ->
-          List.iter
-            (fun t ->
-              text b " ";
-              simple_type b t)
-            ts
+      | Positional ts -> words b simple_type ts
       | Named fields ->
           let field ((x : name), t) =
-            text b x.text;
-            text b " :: ";
+            text b (x.text ^ " :: ");
             type_to b t
           in
-          between b " { " " }" (fun () -> separated b ", " field fields))
+          enclosed b " { " " }" field fields)
     constructors
 
 (* The scale comes first, so a unit that starts with [1] continues the scale. *)
@@ -440,11 +387,10 @@ and scaled b scale u =
 
 (* {1 Programs} *)
 
-let names b list = between b " (" ")" (fun () -> separated b ", " (name b) list)
+let names b list = enclosed b " (" ")" (name b) list
 
 let header b (h : header) =
-  text b "module ";
-  text b h.module_name.text;
+  text b ("module " ^ h.module_name.text);
   Option.iter (names b) h.exports;
   text b " where\n"
 

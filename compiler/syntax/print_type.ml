@@ -15,6 +15,16 @@ let between b opening closing print =
   print ();
   text b closing
 
+let words b print parts =
+  List.iter
+    (fun part ->
+      text b " ";
+      print b part)
+    parts
+
+let enclosed b opening closing print list =
+  between b opening closing (fun () -> separated b ", " print list)
+
 let name b (x : name) =
   if is_operator x.text then between b "(" ")" (fun () -> text b x.text) else text b x.text
 
@@ -23,8 +33,7 @@ let qualified b (x : qualified) =
   | None -> name b x.name
   | Some q ->
       text b q.text;
-      text b ".";
-      text b x.name.text
+      text b ("." ^ x.name.text)
 
 let infix b (x : qualified) =
   if is_operator x.name.text then text b x.name.text
@@ -64,7 +73,7 @@ and base b u =
   | Unit_name _ -> unit_to b u
   | One | Times _ | Over _ | To _ -> between b "(" ")" (fun () -> unit_to b u)
 
-let in_brackets b units = between b "[" "]" (fun () -> separated b ", " (unit_to b) units)
+let in_brackets b units = enclosed b "[" "]" (unit_to b) units
 
 let rec type_to b (t : ty) =
   match t.desc with
@@ -75,11 +84,7 @@ let rec type_to b (t : ty) =
   | Type { name; units; arguments } ->
       qualified b name;
       Option.iter (in_brackets b) units;
-      List.iter
-        (fun t ->
-          text b " ";
-          simple_type b t)
-        arguments
+      words b simple_type arguments
   | Size_operation { operator; left; right } ->
       between b "(" ")" (fun () ->
           argument_of_arrow b left;
@@ -103,7 +108,7 @@ and simple_type b t =
   | Representation { name = x; unit_ } ->
       text b x.text;
       in_brackets b [ unit_ ]
-  | Tuple_type ts -> between b "(" ")" (fun () -> separated b ", " (type_to b) ts)
+  | Tuple_type ts -> enclosed b "(" ")" (type_to b) ts
   | Type { arguments = []; _ } | Size_operation _ -> type_to b t
   | Size n -> text b (string_of_int n)
   | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
@@ -120,7 +125,7 @@ let context b constraints =
       constraint_ one;
       text b " => "
   | several ->
-      between b "(" ")" (fun () -> separated b ", " constraint_ several);
+      enclosed b "(" ")" constraint_ several;
       text b " => "
 
 let qualified_type b (t : qualified_type) =

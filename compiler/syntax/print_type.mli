@@ -12,6 +12,12 @@ val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
 val between : Buffer.t -> string -> string -> (unit -> unit) -> unit
 (** Prints something between two texts, such as parentheses. *)
 
+val words : Buffer.t -> (Buffer.t -> 'a -> unit) -> 'a list -> unit
+(** Prints a space before each element. *)
+
+val enclosed : Buffer.t -> string -> string -> ('a -> unit) -> 'a list -> unit
+(** Prints the elements between two texts, with commas. *)
+
 val name : Buffer.t -> name -> unit
 (** Puts an operator in parentheses. *)
 
