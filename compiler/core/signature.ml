@@ -19,6 +19,19 @@ let text = display "Text"
 let mark = display "Mark"
 let reading : Global.t = { module_ = "Display"; name = "reading" }
 
+let of_control (control : Primitive.console) types =
+  match (control, types) with
+  | Button, [] -> Some (function_ [ String; console ] (event (Tuple [])))
+  | Hold, [] -> Some (function_ [ String; console ] Bool)
+  | Knob, [] -> Some (function_ [ String; Float; Float; Float; console ] Float)
+  | Toggle, [] -> Some (function_ [ String; Bool; console ] Bool)
+  | Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
+  | Camera, [] -> Some (function_ [ String; console ] (event frame))
+  | Tags, [] -> Some (function_ [ String; console ] (event tag_frame))
+  | Lidar, [ n ] -> Some (function_ [ String; console ] (event (scan n)))
+  | Imu, [] -> Some (function_ [ String; console ] (event imu))
+  | (Button | Hold | Knob | Toggle | Map | Camera | Tags | Lidar | Imu), _ -> None
+
 let of_primitive (p : Primitive.t) types =
   match (p, types) with
   | (Add | Subtract | Multiply | Minimum | Maximum), [ a ] -> Some (binary a)
@@ -78,15 +91,7 @@ let of_primitive (p : Primitive.t) types =
   | Reactimate, [ i; o ] -> Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
   | Node, [ i; o ] ->
       Some (function_ [ Float; Signal_function (i, o) ] (prelude "Program" [ i; o ]))
-  | Console Button, [] -> Some (function_ [ String; console ] (event (Tuple [])))
-  | Console Hold, [] -> Some (function_ [ String; console ] Bool)
-  | Console Knob, [] -> Some (function_ [ String; Float; Float; Float; console ] Float)
-  | Console Toggle, [] -> Some (function_ [ String; Bool; console ] Bool)
-  | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
-  | Console Camera, [] -> Some (function_ [ String; console ] (event frame))
-  | Console Tags, [] -> Some (function_ [ String; console ] (event tag_frame))
-  | Console Lidar, [ n ] -> Some (function_ [ String; console ] (event (scan n)))
-  | Console Imu, [] -> Some (function_ [ String; console ] (event imu))
+  | Console control, types -> of_control control types
   | Ending, [ i; o; c ] ->
       Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | Text_of, [] -> Some (Function (String, text))
@@ -98,8 +103,8 @@ let of_primitive (p : Primitive.t) types =
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And | Or
       | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
       | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially | On_event
-      | Reactimate | Node | Ending | Console _ | Make_task | Until_right | Return | Sequence
-      | Run_task | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf
-      | Parallel | Text_of | Blank | Drawn | Together | Foreign _ ),
+      | Reactimate | Node | Ending | Make_task | Until_right | Return | Sequence | Run_task | At
+      | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf | Parallel
+      | Text_of | Blank | Drawn | Together | Foreign _ ),
       _ ) ->
       None

@@ -111,6 +111,48 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
+(* The interfaces of the user's C functions, and for each node that of the function it calls. *)
+let foreign_interfaces scope shared (program : M.program) =
+  let fresh = Name.fresh scope in
+  let imports = List.map (Foreign_interface.of_import shared ~fresh) program.imports in
+  let interface_of (f : F.foreign) =
+    List.find (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol) imports
+  in
+  (imports, Array.map (fun (node : M.node) -> Option.map interface_of node.foreign) program.nodes)
+
+(* The parts of the program's input and output that belong to robots, with their robots. *)
+type parts = {
+  sensed : F.shape;
+  console : Robot.console option;
+  input_robot : Robot.t option;
+  command : F.shape;
+  result : F.shape option;
+  output_robot : Robot.t option;
+}
+
+let parts_of_robots ?own known (program : M.program) =
+  (* Robots' structs contain doubles. In single precision, the program's own structs differ from
+     them, and the table for hosts converts; but the user's C may use types of the robot. *)
+  let robot_of shape =
+    match (program.real, program.imports) with
+    | Single, [] -> None
+    | Double, _ | Single, _ :: _ ->
+        let robot = Robot.of_shape ?own shape in
+        if Option.is_some robot then Value_types.mark known Robot shape;
+        robot
+  in
+  let command, result =
+    if program.ends then Interface.apart program.output else (program.output, None)
+  in
+  let sensed, console =
+    match Robot.of_shape ?own program.input with
+    | Some _ -> Robot.apart program.input
+    | None -> (program.input, None)
+  in
+  let input_robot = robot_of sensed in
+  let output_robot = robot_of command in
+  { sensed; console; input_robot; command; result; output_robot }
+
 (* The struct of a value, part of which may belong to a robot. [whole] is the shape of the value,
    and [part] that of the robot's part. *)
 let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) result =
@@ -127,7 +169,7 @@ let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) re
       Interface.with_others structs.own ~name ~first:"command" robots [ ("result", result) ]
   | Double, None, _ | Single, _, _ -> Interface.of_shape structs.own ~units ~name whole
 
-let input_interface (structs : structs) ~name ~robot ~sensed ~(console : Robot.console option) =
+let input_interface (structs : structs) ~name { input_robot = robot; sensed; console; _ } =
   let whole = structs.source.input in
   let plain = interface structs robot ~name ~units:structs.units.input ~whole ~part:sensed None in
   match (structs.source.real, robot, console) with
@@ -136,7 +178,7 @@ let input_interface (structs : structs) ~name ~robot ~sensed ~(console : Robot.c
       |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
   | _, _, _ -> plain
 
-let output_interface (structs : structs) ~fresh ~name ~robot ~command ~result =
+let output_interface (structs : structs) ~fresh ~name { output_robot = robot; command; result; _ } =
   let output name =
     let whole = structs.source.output in
     interface structs robot ~name ~units:structs.units.output ~whole ~part:command result
@@ -158,26 +200,7 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   let root = name_root scope ~name in
   let params = Param_struct.of_program scope ~name program in
   let known = Value_types.known program.sums in
-  (* Robots' structs contain doubles. In single precision, the program's own structs differ from
-     them, and the table for hosts converts; but the user's C may use types of the robot. *)
-  let robot_of shape =
-    match (program.real, program.imports) with
-    | Single, [] -> None
-    | Double, _ | Single, _ :: _ ->
-        let robot = Robot.of_shape ?own shape in
-        if Option.is_some robot then Value_types.mark known Robot shape;
-        robot
-  in
-  let command, result =
-    if program.ends then Interface.apart program.output else (program.output, None)
-  in
-  let sensed, console =
-    match Robot.of_shape ?own program.input with
-    | Some _ -> Robot.apart program.input
-    | None -> (program.input, None)
-  in
-  let input_robot = robot_of sensed in
-  let output_robot = robot_of command in
+  let parts = parts_of_robots ?own known program in
   List.iter
     (fun (f : F.import) ->
       List.iter (Value_types.mark known Foreign_code) (f.result :: f.arguments))
@@ -191,20 +214,10 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   let own = interface_types types ~real:program.real ~prefix:name in
   let shared = interface_types foreign_types ~real:Double ~prefix:"frob" in
   let structs = { source = program; units; own; shared } in
-  let input = input_interface structs ~name:input_name ~robot:input_robot ~sensed ~console in
-  let output =
-    let fresh = Name.fresh scope in
-    output_interface structs ~fresh ~name:output_name ~robot:output_robot ~command ~result
-  in
+  let input = input_interface structs ~name:input_name parts in
+  let output = output_interface structs ~fresh:(Name.fresh scope) ~name:output_name parts in
   let robot_records = Interface.definitions shared in
-  let imports =
-    List.map (Foreign_interface.of_import shared ~fresh:(Name.fresh scope)) program.imports
-  in
-  let interface_of (f : F.foreign) =
-    List.find (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol) imports
-  in
-  let foreign_of (node : M.node) = Option.map interface_of node.foreign in
-  let foreign = Array.map foreign_of program.nodes in
+  let imports, foreign = foreign_interfaces scope shared program in
   let is_robots d = List.memq d robot_records in
   let foreign_records = List.filter (fun d -> not (is_robots d)) (Interface.definitions shared) in
   let layout = Step.State_struct.of_program program in
@@ -232,7 +245,8 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
     robot_records;
     foreign_records;
     imports;
-    robots = List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
+    robots =
+      List.sort_uniq compare (List.filter_map Fun.id [ parts.input_robot; parts.output_robot ]);
     helpers = Hashtbl.create 16;
     pending = [];
     absent = Hashtbl.create 4;

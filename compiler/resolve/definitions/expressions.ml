@@ -30,26 +30,15 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | String text -> String text
   | Tuple es -> Tuple (Long_list.map (expr env) es)
   | Array es -> Array (Long_list.map (expr env) es)
-  | Apply (head, { desc = Array [ unit_ ]; span }) when is_unit_of env head unit_ ->
-      report env (Unit_apart { head; unit_; at = span });
-      missing
-  | Apply (head, { desc = Array [ unit_ ]; span })
-    when head.span.stop = span.start && is_a_unit env unit_ ->
-      report env (Unit_of_a_value { head; unit_; at = span });
-      missing
-  | Apply (head, { desc = Parenthesized unit_; span }) when is_unit_of env head unit_ ->
-      report env (Unit_apart { head; unit_; at = span });
-      missing
-  | Apply
-      ( { desc = Variable { qualifier = None; name; _ }; _ },
-        { desc = Variable { qualifier = None; name = record; _ }; _ } )
-    when is_a_field env name && Env.is_known env record ->
-      report env (Field_as_function { whole = e.span; field = name; record });
-      missing
-  | Apply (head, argument) ->
-      let resolved = expr env head in
-      if resolved.desc == missing && is_statement_elsewhere head then missing
-      else Apply { head = resolved; argument = expr env argument; style = Juxtaposed }
+  | Apply (head, argument) -> (
+      match habit_of_another_language env e.span head argument with
+      | Some fact ->
+          report env fact;
+          missing
+      | None ->
+          let resolved = expr env head in
+          if resolved.desc == missing && is_statement_elsewhere head then missing
+          else Apply { head = resolved; argument = expr env argument; style = Juxtaposed })
   | Binary { operator; left; right } ->
       let left = expr env left in
       binary env e.span operator left (expr env right)
@@ -102,6 +91,19 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
       Field { record = expr env record; field; candidates }
   | Annotated { expr = inner; ty } ->
       Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
+
+(* Is this application meant as something else: a number or value with its unit, or a field? *)
+and habit_of_another_language env whole (head : Syntax.Ir.expr) (argument : Syntax.Ir.expr) :
+    Fact.unresolved option =
+  match (head.desc, argument.desc) with
+  | _, (Array [ unit_ ] | Parenthesized unit_) when is_unit_of env head unit_ ->
+      Some (Unit_apart { head; unit_; at = argument.span })
+  | _, Array [ unit_ ] when head.span.stop = argument.span.start && is_a_unit env unit_ ->
+      Some (Unit_of_a_value { head; unit_; at = argument.span })
+  | Variable { qualifier = None; name = field; _ }, Variable { qualifier = None; name = record; _ }
+    when is_a_field env field && Env.is_known env record ->
+      Some (Field_as_function { whole; field; record })
+  | _, _ -> None
 
 and head_of (e : Syntax.Ir.expr) =
   match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e

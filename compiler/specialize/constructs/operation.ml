@@ -21,6 +21,12 @@ let power (p : position) target leaf x k =
   in
   power target k
 
+(* [min a b] is [if b < a then b else a], so the result is the first one if both are equal. *)
+let extreme (p : position) target primitive ty a b =
+  let less = Comparison.less p Node.Unnamed ty in
+  let second = if primitive = Core.Primitive.Minimum then less b a else less a b in
+  Leaves.select p.types p.node target ~span:p.span ty second b a
+
 let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =
   let bug () =
@@ -45,18 +51,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
     | [ (a : Value.argument); (b : Value.argument) ] ->
         Value.Atom (comparison p target a.ty a.value b.value)
     | _ -> bug ()
-  in
-  (* [min a b] is [if b < a then b else a], so the result is the first one if both are equal *)
-  let extreme operator ~wins =
-    match (arguments, result) with
-    | _, (Int | Float) -> operate operator
-    | [ a; b ], _ ->
-        let second = wins b a in
-        Leaves.select p.types p.node target ~span:p.span result second b.value a.value
-    | _, _ -> bug ()
-  in
-  let less (a : Value.argument) (b : Value.argument) =
-    Comparison.less p Node.Unnamed result a.value b.value
   in
   match primitive with
   | Add -> operate Add
@@ -86,8 +80,11 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Less_equal -> compare Comparison.less_equal arguments
   | Greater -> compare Comparison.less (List.rev arguments)
   | Greater_equal -> compare Comparison.less_equal (List.rev arguments)
-  | Minimum -> extreme Minimum ~wins:less
-  | Maximum -> extreme Maximum ~wins:(fun b a -> less a b)
+  | Minimum | Maximum -> (
+      match (result, arguments) with
+      | (Int | Float), _ -> operate (if primitive = Minimum then Minimum else Maximum)
+      | _, [ a; b ] -> extreme p target primitive result a.value b.value
+      | _, _ -> bug ())
   | And | Or -> (
       (* The operator requires both operands, even if one would be enough, because the causality
          check must see the program as it was written. *)
