@@ -1,23 +1,19 @@
 #include "device.h"
 
-#include <frob/console.h>
 #include <frob/ros.h>
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "acceptance.h"
+#include "dials.h"
 #include "hosts/robot/line.h"
+#include "readings.h"
 
 /* Robot bases stop if they do not receive a command for some time, often half a second. Therefore
  * the driver repeats the last command after this time. */
 #define REPEAT_NS INT64_C(100000000)
-
-/* After this time without messages, the driver reports the silence. */
-#define SILENCE_NS INT64_C(1000000000)
-
-/* Time to wait for the transforms of a lidar's frame before reporting that there are none. */
-#define FRAMES_NS INT64_C(3000000000)
 
 /* A robot that is slower than this is considered to stand still. */
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
@@ -74,240 +70,20 @@ static void start(void *device, const double *values, const struct frob_serial *
 
 /* ---- Messages from the node */
 
-static double s(int64_t ns)
-{
-    return (double)ns * 1e-9;
-}
-
-/* Reports a message with an implausible timestamp. Each kind of fault is reported once, until the
- * clock is set. */
-static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int64_t by_ns)
-{
-    if (verdict == STAMPS_GOOD || topic->told[verdict])
-        return;
-    topic->told[verdict] = true;
-    switch (verdict) {
-    case STAMPS_OLD:
-        fprintf(stderr, "warning: a message on %s arrived %.3f s late; late messages are ignored\n",
-                topic->name, s(by_ns));
-        break;
-    case STAMPS_BACK:
-    case STAMPS_AHEAD:
-        fprintf(stderr,
-                "warning: the stamp of a message on %s jumped %s by %.3f s; messages are ignored "
-                "until stamps have been regular for a second\n",
-                topic->name, verdict == STAMPS_BACK ? "back" : "ahead", s(by_ns));
-        break;
-    case STAMPS_RESET:
-        fprintf(stderr, "warning: the clock of the messages on %s was set; they count again\n",
-                topic->name);
-        memset(topic->told, 0, sizeof topic->told);
-        break;
-    case STAMPS_GOOD: break;
-    }
-}
-
-void ros_device_tell_silence(const struct ros_device *d, struct ros_topic *topic,
-                             const char *effect)
-{
-    const int64_t now = frob_now_ns(&d->clock);
-    if (topic->received_ns == INT64_MIN || topic->told_silence ||
-        now - topic->received_ns < SILENCE_NS)
-        return;
-    topic->told_silence = true;
-    fprintf(stderr, "warning: no message on %s for %.0f s%s\n", topic->name, s(SILENCE_NS), effect);
-}
-
-static bool has_sim_time(const struct ros_device *d)
-{
-    return d->settings[ROS_SIM_TIME] > 0.0;
-}
-
-bool ros_device_accepts(struct ros_device *d, struct ros_topic *topic, const char *bad,
-                        int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns)
-{
-    const int64_t late_ns = (int64_t)(d->settings[ROS_LATE] * 1e9);
-    enum stamps_verdict verdict;
-    int64_t by_ns, clock_ns = arrived_ns;
-    topic->received_ns = frob_now_ns(&d->clock);
-    topic->told_silence = false;
-    if (bad != NULL) {
-        if (topic->told_bad != bad)
-            fprintf(stderr, "warning: a message on %s is ignored: %s\n", topic->name, bad);
-        topic->told_bad = bad;
-        return false;
-    }
-    /* A simulator's time may run slower than ours, or not at all. */
-    if (has_sim_time(d) && !d->sim_clock.started)
-        return false;
-    if (has_sim_time(d))
-        clock_ns = d->sim_clock.time_ns;
-    verdict = stamps_judge(&topic->stamps, stamp_ns, clock_ns, late_ns, &by_ns);
-    tell_stamp(topic, verdict, by_ns);
-    if (verdict != STAMPS_GOOD && verdict != STAMPS_RESET)
-        return false;
-    *taken_ns = arrived_ns - (verdict == STAMPS_GOOD ? by_ns : 0);
-    return true;
-}
-
 static void take_odometry(struct ros_device *d, const struct ros_odometry *odometry)
 {
     struct ros_motion motion;
     const char *bad = ros_motion_of(odometry, &motion);
-    if (ros_device_accepts(d, &d->odometry, bad, odometry->stamp_ns, odometry->arrived_ns,
-                           &d->sensed_ns))
+    if (ros_accepts(d, &d->odometry, bad, odometry->stamp_ns, odometry->arrived_ns, &d->sensed_ns))
         d->motion = motion;
 }
 
-/* Returns the sensor to which a message belongs; NULL if there is no space for another sensor. */
-static struct ros_sensor *sensor_of(struct ros_device *d, enum ros_kind kind,
-                                    const struct ros_origin *origin)
-{
-    for (size_t i = 0; i < ROS_SENSORS_MOST; i++) {
-        struct ros_sensor *sensor = &d->sensors[i];
-        if (sensor->used && sensor->control == origin->control)
-            return sensor;
-        if (!sensor->used) {
-            sensor->used = true;
-            sensor->kind = kind;
-            sensor->control = origin->control;
-            sensor->topic.received_ns = INT64_MIN;
-            sensor->lost_ns = INT64_MAX;
-            for (size_t k = 0; k < d->started.sensor_count && k < ROS_SENSORS_MOST; k++)
-                if (d->started.sensors[k].control == origin->control)
-                    snprintf(sensor->topic.name, sizeof sensor->topic.name, "%s",
-                             d->started.sensors[k].topic);
-            return sensor;
-        }
-    }
-    return NULL;
-}
-
-void ros_device_explain(const struct ros_placing *placing, const char *effect, const char *how,
-                        char *why, size_t room)
-{
-    if (placing->fate == ROS_NOT_READ)
-        snprintf(why, room,
-                 "it is in the frame `%s`, and /tf cannot be read, because the package tf2_msgs is "
-                 "not installed%s: install it, or %s",
-                 placing->frame, effect, how);
-    else
-        snprintf(why, room,
-                 "no transform between its frame `%s` and `%s` is known%s: start the node that "
-                 "publishes it on /tf_static or /tf, or %s",
-                 placing->frame, placing->in, effect, how);
-}
-
-static double or_zero(double setting)
-{
-    return isnan(setting) ? 0.0 : setting;
-}
-
-/* Determines the place of a lidar from the settings, if there are any, and otherwise from the
- * transforms. Returns NULL, or the reason why the place is not known. */
-static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor,
-                           const struct ros_scan *message, struct ros_seat *seat)
-{
-    static const char stands[] = ", and the robot stands",
-                      how[] = "set the place of the lidar with `--set lidar_x=...`, `lidar_y` and "
-                              "`lidar_heading`";
-    const double *chosen = d->settings;
-    seat->x_m = or_zero(chosen[ROS_LIDAR_X]);
-    seat->y_m = or_zero(chosen[ROS_LIDAR_Y]);
-    seat->heading_rad = or_zero(chosen[ROS_LIDAR_HEADING]);
-    seat->is_upside_down = false;
-    if (!isnan(chosen[ROS_LIDAR_X]) || !isnan(chosen[ROS_LIDAR_Y]) ||
-        !isnan(chosen[ROS_LIDAR_HEADING]))
-        return NULL;
-    if (message->placing.fate != ROS_FOUND)
-        ros_device_explain(&message->placing, stands, how, sensor->why, sizeof sensor->why);
-    else if (message->is_tilted)
-        snprintf(
-            sensor->why, sizeof sensor->why,
-            "its frame `%s` is tilted, so its rays are not parallel to the floor%s: correct the "
-            "transform, or %s",
-            message->placing.frame, stands, how);
-    else
-        *seat = message->seat;
-    return message->placing.fate != ROS_FOUND || message->is_tilted ? sensor->why : NULL;
-}
-
-int64_t ros_device_placed_ns(const struct ros_device *d, int64_t sensed_ns)
-{
-    for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
-        if (d->sensors[i].used && d->sensors[i].lost_ns < sensed_ns)
-            sensed_ns = d->sensors[i].lost_ns;
-    return sensed_ns;
-}
-
-static void take_scan(struct ros_device *d, const struct ros_scan *message)
-{
-    struct ros_sensor *sensor = sensor_of(d, ROS_SCAN, &message->origin);
-    const int64_t now = frob_now_ns(&d->clock);
-    struct ros_seat seat;
-    const char *bad;
-    if (sensor == NULL)
-        return;
-    bad = seat_of(d, sensor, message, &seat);
-    if (bad == NULL)
-        sensor->lost_ns = INT64_MAX;
-    else if (sensor->lost_ns == INT64_MAX)
-        sensor->lost_ns = now;
-    /* When a node starts, the transforms may arrive after the scans. */
-    if (message->placing.fate == ROS_NOT_FOUND && bad != NULL && now - sensor->lost_ns < FRAMES_NS)
-        return;
-    if (bad == NULL)
-        bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
-    if (bad == NULL)
-        sensor->number++;
-    sensor->fresh = ros_device_accepts(d, &sensor->topic, bad, message->origin.stamp_ns,
-                                       message->origin.arrived_ns, &sensor->taken_ns);
-}
-
-static void take_imu(struct ros_device *d, const struct ros_imu *message)
-{
-    struct ros_sensor *sensor = sensor_of(d, ROS_IMU, &message->origin);
-    const char *bad;
-    if (sensor == NULL)
-        return;
-    bad = ros_imu_check(message);
-    if (!ros_device_accepts(d, &sensor->topic, bad, message->origin.stamp_ns,
-                            message->origin.arrived_ns, &sensor->taken_ns))
-        return;
-    ros_imu_add(&sensor->sums, message);
-    sensor->fresh = true;
-}
-
-/* A robot may publish a bumper only when it changes, so silence is normal. */
-static void take_bumper(struct ros_device *d, const struct ros_bumper *message)
-{
-    struct ros_sensor *sensor = sensor_of(d, ROS_BUMPER, &message->origin);
-    if (sensor != NULL)
-        sensor->is_pressed = message->is_pressed;
-}
-
-/* Sets the event of one control. Several controls may share a sensor. */
-static void give(const struct ros_sensor *sensor, const struct frob_control *control, void *input,
-                 int64_t now_ns)
-{
-    const bool fresh = sensor != NULL && sensor->fresh;
-    if (control->kind == FROB_IMU) {
-        struct frob_imu reading;
-        if (fresh)
-            reading = ros_imu_mean(&sensor->sums, sensor->taken_ns);
-        frob_imu_give(control, input, fresh ? &reading : NULL, now_ns);
-    } else {
-        struct frob_scan scan;
-        if (fresh) {
-            scan = sensor->scan;
-            scan.taken_ns = sensor->taken_ns;
-            scan.number = sensor->number;
-        }
-        frob_lidar_give(control, input, fresh ? &scan : NULL, now_ns);
-    }
-}
-
 /* ---- Time */
+
+static double s(int64_t ns)
+{
+    return (double)ns * 1e-9;
+}
 
 static void take_clock(struct ros_device *d, const struct ros_clock *clock)
 {
@@ -327,7 +103,7 @@ static void take_clock(struct ros_device *d, const struct ros_clock *clock)
 int64_t ros_device_time_ns(const void *device, int64_t now_ns)
 {
     const struct ros_device *d = (const struct ros_device *)device;
-    if (!has_sim_time(d))
+    if (!ros_has_sim_time(d))
         return now_ns;
     return d->sim_clock.started ? sim_clock_now_ns(&d->sim_clock) : INT64_MIN;
 }
@@ -348,97 +124,12 @@ struct line_orders ros_device_orders(const void *device)
     return orders;
 }
 
-/* ---- The console */
-
-/* Handles a parameter of the node that was set. After a restart of the node, the program's values
- * apply. */
-static void take_touch(struct ros_device *d, const struct ros_touch *touch)
-{
-    struct ros_dial *dial;
-    if (touch->control >= ROS_CONTROLS_MOST || (touch->is_initial && d->gave))
-        return;
-    dial = &d->dials[touch->control];
-    dial->value = touch->value;
-    dial->is_set = dial->is_known = true;
-}
-
-static double dial_value(const struct frob_control *control, const void *input)
-{
-    const char *at = (const char *)input + control->value->offset;
-    double number;
-    float single;
-    bool truth;
-    if (control->kind == FROB_TOGGLE) {
-        memcpy(&truth, at, sizeof truth);
-        return truth ? 1.0 : 0.0;
-    }
-    if (control->value->kind == FROB_SINGLE) {
-        memcpy(&single, at, sizeof single);
-        return (double)single;
-    }
-    memcpy(&number, at, sizeof number);
-    return number;
-}
-
-static void tell_node(const struct ros_device *d, size_t control, double value)
-{
-    struct ros_touch touch;
-    memset(&touch, 0, sizeof touch);
-    touch.head.size = (uint32_t)sizeof touch;
-    touch.head.kind = ROS_TOUCH;
-    touch.control = (uint32_t)control;
-    touch.value = value;
-    /* If the line is lost, poll detects it. */
-    d->serial.operations->write(d->serial.port, (const uint8_t *)&touch, sizeof touch);
-}
-
-/* Applies the values of knobs and toggles that other nodes have set, and sends the node the values
- * that were set here. */
-static void give_dials(struct ros_device *d, const struct frob_program *program, void *input)
-{
-    for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {
-        const struct frob_control *control = &program->console[i];
-        struct ros_dial *dial = &d->dials[i];
-        double value;
-        if (control->kind != FROB_KNOB && control->kind != FROB_TOGGLE)
-            continue;
-        if (dial->is_set)
-            frob_console_touch(program, input, i, dial->value, 0.0);
-        value = dial_value(control, input);
-        if (!dial->is_set && (!dial->is_known || value < dial->value || value > dial->value))
-            tell_node(d, i, value);
-        dial->is_set = false;
-        dial->is_known = true;
-        dial->value = value;
-    }
-    d->gave = true;
-}
-
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns)
 {
     struct ros_device *d = (struct ros_device *)device;
-    give_dials(d, program, input);
-    for (size_t i = 0; i < program->control_count; i++) {
-        const struct frob_control *control = &program->console[i];
-        struct ros_sensor *sensor = NULL;
-        char name[ROS_NAME];
-        if (!ros_topic_of(control, name, sizeof name))
-            continue;
-        for (size_t k = 0; k < ROS_SENSORS_MOST; k++)
-            if (d->sensors[k].used && d->sensors[k].control == ros_first_user(program, i))
-                sensor = &d->sensors[k];
-        if (control->kind == FROB_HOLD)
-            frob_console_touch(program, input, i, sensor != NULL && sensor->is_pressed ? 1.0 : 0.0,
-                               0.0);
-        else
-            give(sensor, control, input, now_ns);
-    }
+    ros_give_dials(d, program, input);
+    ros_give_readings(d, program, input, now_ns);
     operated_give(&d->operated, input, now_ns);
-    for (size_t k = 0; k < ROS_SENSORS_MOST; k++) {
-        if (d->sensors[k].fresh)
-            ros_imu_restart(&d->sensors[k].sums);
-        d->sensors[k].fresh = false;
-    }
 }
 
 static void take(struct ros_device *d)
@@ -450,11 +141,11 @@ static void take(struct ros_device *d)
         operated_name(&d->operated, &d->started);
         break;
     case ROS_ODOMETRY: take_odometry(d, &d->message.odometry); break;
-    case ROS_SCAN: take_scan(d, &d->message.scan); break;
-    case ROS_IMU: take_imu(d, &d->message.imu); break;
+    case ROS_SCAN: ros_take_scan(d, &d->message.scan); break;
+    case ROS_IMU: ros_take_imu(d, &d->message.imu); break;
     case ROS_CLOCK: take_clock(d, &d->message.clock); break;
-    case ROS_TOUCH: take_touch(d, &d->message.touch); break;
-    case ROS_BUMPER: take_bumper(d, &d->message.bumper); break;
+    case ROS_TOUCH: ros_take_touch(d, &d->message.touch); break;
+    case ROS_BUMPER: ros_take_bumper(d, &d->message.bumper); break;
     case ROS_JOY: operated_take_joy(d, &d->message.joy); break;
     case ROS_PRESS: operated_take_press(d, &d->message.press); break;
     case ROS_CLICK: operated_take_click(d, &d->message.click); break;
@@ -542,10 +233,10 @@ static void close_session(void *device)
 
 static void tell_silences(struct ros_device *d)
 {
-    ros_device_tell_silence(d, &d->odometry, "; the robot stands until one arrives");
+    ros_tell_silence(d, &d->odometry, "; the robot stands until one arrives");
     for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
         if (d->sensors[i].used)
-            ros_device_tell_silence(d, &d->sensors[i].topic, "");
+            ros_tell_silence(d, &d->sensors[i].topic, "");
 }
 
 static enum frob_status poll_device(void *device)
@@ -576,7 +267,7 @@ static int64_t due_ns(const void *device)
 static int64_t sensed_ns(const void *device)
 {
     const struct ros_device *d = (const struct ros_device *)device;
-    return ros_device_placed_ns(d, d->sensed_ns);
+    return ros_placed_ns(d, d->sensed_ns);
 }
 
 static void sense(void *device, void *input)

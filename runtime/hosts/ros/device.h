@@ -108,26 +108,7 @@ struct ros_device {
 
 extern const struct frob_driver frob_ros_driver;
 
-/* Decides whether to accept a message. Reports rejected messages, once for each reason. `bad`: the
- * reason why its content is invalid, or NULL. Stores the time at which it was sent, on our clock,
- * in `taken_ns`. */
-bool ros_device_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
-                        int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
-
-/* Reports that the frame of a message is not known. `effect`: the consequence. `how`: how the user
- * can do without the transform. */
-void ros_device_explain(const struct ros_placing *placing, const char *effect, const char *how,
-                        char *why, size_t room);
-
-/* Returns the time since which the program cannot receive readings because the place of a lidar is
- * not known. Returns `sensed_ns` if that is earlier, or if all places are known. */
-int64_t ros_device_placed_ns(const struct ros_device *device, int64_t sensed_ns);
-
-/* Reports once that messages no longer arrive, until the next one does. */
-void ros_device_tell_silence(const struct ros_device *device, struct ros_topic *topic,
-                             const char *effect);
-
-/* Sets the events of the program's lidars and inertial measurement units for this instant. */
+/* Sets the controls of the program's console for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
 /* Returns the time on which the program's instants are based: the time of /clock if use_sim_time is

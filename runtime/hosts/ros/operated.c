@@ -7,7 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "acceptance.h"
 #include "device.h"
+#include "readings.h"
 
 /* If the readings are older than this, the program does not run. */
 #define RUNNING_NS INT64_C(500000000)
@@ -45,7 +47,7 @@ void operated_topic(const struct frob_control *button, char *name, size_t room)
 
 static bool is_running(const struct ros_device *d)
 {
-    const int64_t since = ros_device_placed_ns(d, d->sensed_ns);
+    const int64_t since = ros_placed_ns(d, d->sensed_ns);
     if (!d->managed.is_active)
         return false;
     /* Nodes with topics of their own do not need odometry. */
@@ -72,8 +74,8 @@ void operated_take_joy(struct ros_device *d, const struct ros_joy *message)
     struct operated *o = &d->operated;
     const char *bad = joy_check(message, program, o->why, sizeof o->why);
     int64_t taken_ns;
-    if (ros_device_accepts(d, &o->joystick, bad, message->origin.stamp_ns,
-                           message->origin.arrived_ns, &taken_ns))
+    if (ros_accepts(d, &o->joystick, bad, message->origin.stamp_ns, message->origin.arrived_ns,
+                    &taken_ns))
         joy_take(&o->joy, message, program, frob_now_ns(&d->clock));
 }
 
@@ -90,14 +92,14 @@ void operated_take_click(struct ros_device *d, const struct ros_click *message)
     const char *bad = NULL;
     int64_t taken_ns;
     if (message->placing.fate != ROS_FOUND) {
-        ros_device_explain(&message->placing, "", "choose another fixed frame in rviz", o->why_not,
-                           sizeof o->why_not);
+        ros_explain_frame(&message->placing, "", "choose another fixed frame in rviz", o->why_not,
+                          sizeof o->why_not);
         bad = o->why_not;
     } else if (!isfinite(message->x_m) || !isfinite(message->y_m)) {
         bad = "its position is not a number";
     }
-    if (!ros_device_accepts(d, &o->map, bad, message->origin.stamp_ns, message->origin.arrived_ns,
-                            &taken_ns) ||
+    if (!ros_accepts(d, &o->map, bad, message->origin.stamp_ns, message->origin.arrived_ns,
+                     &taken_ns) ||
         message->origin.control >= program->control_count ||
         !sees(d, &program->console[message->origin.control]))
         return;

@@ -3,7 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "acceptance.h"
 #include "device.h"
+#include "readings.h"
 #include "topics.h"
 
 /* A topic that the program subscribes to. */
@@ -98,8 +100,8 @@ static void take_message(struct ros_device *d, const struct ros_topic_message *m
     if (message->head.size != sizeof *message + size)
         return;
     input->number = message->number;
-    if (!ros_device_accepts(d, &input->topic, NULL, message->stamp_ns, message->arrived_ns,
-                            &input->taken_ns))
+    if (!ros_accepts(d, &input->topic, NULL, message->stamp_ns, message->arrived_ns,
+                     &input->taken_ns))
         return;
     memcpy(part(d, values_at()) + input->span.first, message + 1, size);
     input->fresh = true;
@@ -150,7 +152,7 @@ static int64_t sensed_ns(const void *device)
         if (is_plain(input) && input->taken_ns < oldest)
             oldest = input->taken_ns;
     }
-    return ros_device_placed_ns(&own->base, oldest);
+    return ros_placed_ns(&own->base, oldest);
 }
 
 static enum frob_status poll_device(void *device)
@@ -161,8 +163,8 @@ static enum frob_status poll_device(void *device)
         return status;
     for (size_t i = 0; i < program->node->input_count; i++)
         if (is_plain(&inputs_of(device)[i]))
-            ros_device_tell_silence(&own->base, &inputs_of(device)[i].topic,
-                                    "; the node does not run until one arrives");
+            ros_tell_silence(&own->base, &inputs_of(device)[i].topic,
+                             "; the node does not run until one arrives");
     return sensed_ns(device) == INT64_MIN ? FROB_BUSY_CONNECTING : FROB_OK;
 }
 

@@ -1,0 +1,18 @@
+/* dials.h -- the program's knobs and toggles, which other nodes set as parameters of the node. */
+#ifndef FROB_HOST_ROS_DIALS_H
+#define FROB_HOST_ROS_DIALS_H
+
+#include <frob/program.h>
+
+#include "messages.h"
+
+struct ros_device;
+
+/* Handles a parameter of the node that was set. */
+void ros_take_touch(struct ros_device *device, const struct ros_touch *touch);
+
+/* Sets the knobs and toggles that other nodes have set, and tells the node about those that the
+ * operator has set here. */
+void ros_give_dials(struct ros_device *device, const struct frob_program *program, void *input);
+
+#endif
