@@ -171,6 +171,8 @@ let quote words (at : Span.t) =
   | Some text when String.length text <= longest_quote -> Some text
   | Some _ | None -> None
 
+let argument words (e : Resolve.Ir.expr) = Option.map Source.grouped (quote words e.span)
+let argument_or otherwise words e = Option.value (argument words e) ~default:otherwise
 let sources words = words.place.sources
 let environment words = words.place.environment
 let named words name = words.place.named name

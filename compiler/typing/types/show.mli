@@ -73,6 +73,13 @@ val environment : words -> Environment.t
 val quote : words -> Span.t -> string option
 (** The source text in this span, if it is short. *)
 
+val argument : words -> Resolve.Ir.expr -> string option
+(** The source text of the expression, if it is short, in parentheses if it needs them as an
+    argument. *)
+
+val argument_or : string -> words -> Resolve.Ir.expr -> string
+(** Like {!argument}, or this text in place of a long one. *)
+
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val local : words -> Resolve.Ir.Local.t -> Type.t option

@@ -39,7 +39,7 @@ let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
 let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
   let text i =
     let (e : Resolve.Ir.expr) = List.nth arguments (i - 1) in
-    Option.map Source.grouped (Show.quote words e.span)
+    Show.argument words e
   in
   let texts = List.map text order in
   let d =
@@ -158,7 +158,7 @@ let parentheses ({ words; call; mistake } as fact) =
       if n > 0 && i < all then Some (i, if separates_arguments (i + 1) then 1 else min n (all - i))
       else applied (i - 1)
   in
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let quote = Show.argument words in
   let texts = List.map (fun (e, _) -> quote e) arguments in
   (* `setVelTR(v, omega)`, where the function takes no tuple *)
   let without_commas i text =

@@ -93,7 +93,7 @@ let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) 
         (fun row -> Diagnostic.hint (Phrasebook.hint row) diagnostic)
         (Phrasebook.find Robot name.text)
   | Some (kind, parameters) ->
-      let argument = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
+      let argument = Show.argument_or "x" words record in
       let arguments, stop = Option.value (called_with words name) ~default:([], name.span.stop) in
       let text = as_a_call parameters ty ~name:name.text ~record:argument arguments in
       Some
@@ -400,7 +400,7 @@ let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) fu
 
 (* An array function that is called like a method. *)
 let called_as_method words ({ at; record; field; arguments } : Application_fact.method_call) d =
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let quote = Show.argument words in
   let texts = List.map quote (arguments @ [ record ]) in
   if (not (is_of_arrays words field)) || List.mem None texts then d
   else

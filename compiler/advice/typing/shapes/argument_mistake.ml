@@ -18,7 +18,7 @@ let rec missing_arguments t =
 
 (* `foldl max row` with an initial value inserted *)
 let start_lacking fact ~missing (e : Resolve.Ir.expr) =
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  let quote = Show.argument fact.words in
   match (fact.wanted, fact.given, Plain_name.of_head e, List.map quote (arguments_of e)) with
   | Number _, Function (_, result), Some "foldl", [ Some f; Some xs ]
     when missing = 1 && Array_mistake.is_array result ->
@@ -151,7 +151,7 @@ let rec parameters_of words (e : Resolve.Ir.expr option) =
    a signal of the enclosing proc, it is probably meant for the last parameter. *)
 let missing_by_name fact ~missing d =
   let given = Option.fold fact.subject ~none:[] ~some:arguments_of in
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  let quote = Show.argument fact.words in
   match (with_names fact.words fact.subject, all (List.map quote given), List.rev given) with
   | Some (f, names), Some texts, last :: _
     when List.compare_length_with names (List.length given + missing) = 0 && missing <= 2 ->
@@ -318,7 +318,7 @@ let missing_in_an_operand fact =
           span;
         } )
     when Array_mistake.is_array from ->
-      let xs = Option.fold (Show.quote fact.words argument.span) ~none:"xs" ~some:Source.grouped in
+      let xs = Show.argument_or "xs" fact.words argument in
       let cure = Printf.sprintf "%simumBy id %s" name xs in
       error ~code:"E0301" ~at:span "`%s` takes two values, not an array" name
       |> hint
@@ -378,9 +378,7 @@ let missing_before fact =
   match fact.expected.because with
   | Parameter { callee = Some f; head = Some head; given; takes; position; _ }
     when List.length given < takes && fits_next fact head ~position ->
-      let text (e : Resolve.Ir.expr) =
-        Option.fold (Show.quote fact.words e.span) ~none:"…" ~some:Source.grouped
-      in
+      let text = Show.argument_or "…" fact.words in
       let start = match fact.wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
       let before = List.filteri (fun i _ -> i < position - 1) given in
       let after = List.filteri (fun i _ -> i >= position - 1) given in

@@ -11,7 +11,7 @@ let unlike_sizes a b =
 
 (* The source texts of both operands. *)
 let operands fact =
-  let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+  let quote = Show.argument fact.words in
   let texts =
     match (fact.expected.because, fact.subject) with
     | Operand { other; _ }, Some e -> [ quote other; quote e ]
@@ -179,7 +179,7 @@ let extreme fact =
           _;
         } )
     when is_array from ->
-      let xs = Option.fold (Show.quote fact.words argument.span) ~none:"xs" ~some:Source.grouped in
+      let xs = Show.argument_or "xs" fact.words argument in
       error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
         (found_text fact)
       |> hint

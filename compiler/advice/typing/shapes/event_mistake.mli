@@ -7,9 +7,18 @@ val is_maybe : Type.t -> bool
 val content : Type.t -> Type.t option
 (** The type of the value of an event or a [Maybe]. *)
 
-val by_its_use : Shape_fact.rule
-(** Selects the hint by the use of the event: [hold], [accum], [mergeE], patterns, conditions and so
-    on. *)
+val is_function : Type.t -> bool
+
+val is_an_event : Shape_fact.t -> bool
+(** Was an event found? *)
+
+val event_wanted : Shape_fact.t -> bool
+(** Was an event expected? *)
+
+val with_default : Shape_fact.t -> string -> string
+(** The event with this value in place of missing ones. *)
+
+(** {1 Rules} *)
 
 val in_a_maybe : Shape_fact.rule
 (** A [Maybe] where its content is expected. *)

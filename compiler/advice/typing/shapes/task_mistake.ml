@@ -244,7 +244,7 @@ let in_place_of_a_program fact =
   match (fact.wanted, fact.subject) with
   | Data { tycon; _ }, Some e
     when tycon = Environment.built_in "Program" && Environment.is_task fact.given ->
-      let text = Option.map Source.grouped (Show.quote fact.words e.span) in
+      let text = Show.argument fact.words e in
       let cure = "reactimateTask " ^ Option.value text ~default:"(…)" in
       let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" cure) in
       Some (if text = None then d else write e.span cure d)

@@ -65,15 +65,13 @@ let condition fact =
 let event_function fact =
   match fact.expected.because with
   | Operand { operator = "&&" | "||"; other; _ } ->
-      let b = Option.fold (Show.quote fact.words other.span) ~none:"b" ~some:Source.grouped in
+      let b = Show.argument_or "b" fact.words other in
       Some
         (Printf.sprintf
            "%s, or `gate %s %s` for an event that occurs only while the condition is True"
            (is_now fact "e") (grouped fact "e") b)
   | Parameter { callee = Some "||"; given = [ a; b ]; _ } ->
-      let text (e : Resolve.Ir.expr) name =
-        Option.fold (Show.quote fact.words e.span) ~none:name ~some:Source.grouped
-      in
+      let text (e : Resolve.Ir.expr) name = Show.argument_or name fact.words e in
       Some
         (Printf.sprintf "use `mergeE %s %s`, which occurs when one of two events does" (text a "a")
            (text b "b"))

@@ -152,10 +152,7 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
     when Environment.is_event output -> (
       let signal = signal_for words input in
       match (Plain_name.of_head e, arguments_of e) with
-      | Some "after", [ q ] ->
-          Some
-            (Printf.sprintf "elapsed %s ()"
-               (Option.fold (Show.quote words q.span) ~none:"q" ~some:Source.grouped))
+      | Some "after", [ q ] -> Some (Printf.sprintf "elapsed %s ()" (Show.argument_or "q" words q))
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
@@ -252,7 +249,7 @@ let two_judges (fact : Shape_fact.t) =
   match (fact.given, fact.expected.because) with
   | Signal_function (_, output), Parameter { callee = Some "&&"; given = [ a; b ]; position = 1; _ }
     when is_a_verdict output -> (
-      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote fact.words e.span) in
+      let quote = Show.argument fact.words in
       match (quote a, quote b) with
       | Some f, Some g ->
           let text = Printf.sprintf "bothOf %s %s" f g in

@@ -104,7 +104,7 @@ let pattern_of_another_type (fact : Shape_fact.t) =
 let of_reasons =
   [
     Task_mistake.unlike;
-    Event_mistake.by_its_use;
+    Event_use.mistake;
     Task_mistake.condition;
     Conversion_mistake.to_a_choice;
     Truth_mistake.condition;
