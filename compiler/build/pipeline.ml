@@ -54,11 +54,11 @@ let front ?(seen = ignore) (r : Request.t) sink sources =
   seen (Resolved resolved);
   let facts = Advice.Of_typing.into ~sources sink in
   let reached = reachable resolved in
-  let* typed = Typing.Of_resolved.program ~sources sink facts ~real:r.options.real reached in
+  let* typed = Typing.Of_resolved.program ~sources facts ~real:r.options.real reached in
   seen (Typed typed);
   Warnings.emit r sink ~resolved:reached typed;
   Option.iter (Robots.check_own sink typed) (Request.own_robot r);
-  Typing.Record_updates.check sink typed;
+  Typing.Record_updates.check facts typed;
   let* typed = stage r sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed in
   let* core, margin = elaborate r sink typed in
   Some { resolved; typed; core; margin }
@@ -73,24 +73,19 @@ let node sink front ~written (flow : Flow.Ir.program) =
       Some (Some node)
 
 let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition) (core, entry) =
-  match Typing.Entry.refusal front.typed ~closed:(entry <> written.name) written with
-  | Some refusal ->
-      Core.Recursion.check (Advice.Of_core.into sink) core;
-      Diagnostic.emit sink refusal;
-      None
-  | None ->
-      let options = { Specialize.Context.default with limit = r.options.specialization_limit } in
-      let name = C_file.name r.file in
-      let* default = Params.defaults sink core in
-      let* core = Operator.declared options sink front.typed ~name ~entry core in
-      let* flow =
-        Specialization.program r sink sources ~options ~default ~name ~entry ~written core
-      in
-      let* flow =
-        stage r sink Specialize ~lint:Specialization.lint ~print:Flow.Print.program flow
-      in
-      let* _ = node sink front ~written flow in
-      Some ((core, entry), flow)
+  let facts = Advice.Of_typing.into sink and closed = entry <> written.name in
+  if not (Typing.Entry.accepts facts front.typed ~closed written) then (
+    Core.Recursion.check (Advice.Of_core.into sink) core;
+    None)
+  else
+    let options = { Specialize.Context.default with limit = r.options.specialization_limit } in
+    let name = C_file.name r.file in
+    let* default = Params.defaults sink core in
+    let* core = Operator.declared options sink front.typed ~name ~entry core in
+    let* flow = Specialization.program r sink sources ~options ~default ~name ~entry ~written core in
+    let* flow = stage r sink Specialize ~lint:Specialization.lint ~print:Flow.Print.program flow in
+    let* _ = node sink front ~written flow in
+    Some ((core, entry), flow)
 
 (* {1 From Flow to C} *)
 

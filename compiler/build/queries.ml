@@ -81,7 +81,7 @@ type program = {
 
 let program sink sources (r : Request.t) =
   let* front = Pipeline.front r sink sources in
-  let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
+  let* written = Typing.Entry.find (Advice.Of_typing.into sink) front.typed ~file:r.file r.entry in
   let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
   let* closed, flow = Pipeline.to_flow r sink sources front ~written closed in
   let { Pipeline.resolved; typed; margin; core = _ } = front in

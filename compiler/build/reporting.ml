@@ -43,7 +43,8 @@ let report_exception = function
    the program. *)
 let status sink =
   let is_wrong_use (d : Diagnostic.t) =
-    List.mem d.code [ Typing.Entry.no_entry; Interpreted.no_interpreter; Probes.unknown ]
+    List.mem d.code
+      [ Advice.Entry_point_mistake.no_entry; Interpreted.no_interpreter; Probes.unknown ]
   in
   if List.exists is_wrong_use (Diagnostic.all sink) then Exit_status.wrong_use
   else if Diagnostic.has_errors sink then Exit_status.rejected

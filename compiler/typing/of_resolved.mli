@@ -3,12 +3,7 @@
 open Basis
 
 val program :
-  ?sources:Source.t ->
-  Diagnostic.sink ->
-  Fact.t Facts.t ->
-  real:Real.t ->
-  Resolve.Ir.program ->
-  Ir.program option
+  ?sources:Source.t -> Fact.t Facts.t -> real:Real.t -> Resolve.Ir.program -> Ir.program option
 (** [sources]: the files that messages quote from. [real]: the precision of [Float]. [None] after
     errors. *)
 

@@ -8,27 +8,17 @@ type of_type = { record : constructor; mutable updates : int }
 
 let size (c : constructor) = List.length c.fields
 
-let report sink ~at found =
+let report facts ~at found =
   let all o = o.updates * size o.record in
   let larger _ o = function Some other when all other >= all o -> Some other | _ -> Some o in
   match Resolve.Global_table.fold larger found None with
   | None -> ()
   | Some { record; updates } ->
-      Diagnostic.error ~code:"E0413" ~at
-        "the record updates up to here write more than %d fields, which is too many to compile"
-        most_fields
-      |> Diagnostic.note
-           (Printf.sprintf
-              "an update writes all fields of its record; `%s` has %d fields and %d updates so far"
-              record.constructor.name (size record) updates)
-      |> Diagnostic.hint "change several fields in one update: `r { a = 1, b = 2 }`"
-      |> Diagnostic.hint
-           "put fields that change together into a smaller record, or keep them in an array"
-      |> Diagnostic.emit sink
+      Facts.report facts (Fact.Too_many_updates { at; record; updates; most_fields })
 
 exception Too_many of Span.t
 
-let check sink (program : program) =
+let check facts (program : program) =
   let found = Resolve.Global_table.create 16 and fields = ref 0 in
   let count at (record : constructor) =
     fields := !fields + size record;
@@ -42,4 +32,4 @@ let check sink (program : program) =
     Walk.parts visit e
   in
   try List.iter (fun (d : definition) -> visit d.value) program.definitions
-  with Too_many at -> report sink ~at found
+  with Too_many at -> report facts ~at found

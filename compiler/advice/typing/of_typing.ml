@@ -36,6 +36,12 @@ let inference words (fact : Typing.Inference_fact.t) =
   | Unknown_size { at; of_; variable } -> Signature_mistake.unknown_size ~at ~of_ ~variable
   | Polymorphic_value { name; at; signature; ty } ->
       Signature_mistake.polymorphic_value words ~name ~at ~signature ty
+  | Over_a_turn e -> Degrees_warning.over_a_turn e
+  | In_degrees { angle; factors; beside } ->
+      Degrees_warning.in_degrees words ~angle ~factors ~beside
+  | Idle_return { statement; is_choice; next } ->
+      Statement_warning.idle_return statement ~is_choice ~next
+  | Unreachable_statement { at; endless } -> Statement_warning.unreachable ~at endless
   | Long_array { at; length; longest } -> Literal_mistake.long_array ~at ~length ~longest
   | Empty_array at -> Literal_mistake.empty_array at
   | Int_out_of_range { at; number; same_bits } ->
@@ -64,6 +70,9 @@ let diagnostic sources (fact : Typing.Fact.t) =
   | Array_size { at; size; largest } -> Annotation_mistake.array_size ~at size ~largest
   | Wrong_kind { environment; at; wanted; found } ->
       Annotation_mistake.wrong_kind sources environment ~at wanted found
+  | Too_many_updates { at; record; updates; most_fields } ->
+      Mistake.too_many_updates ~at record ~updates ~most_fields
+  | Entry fact -> Entry_point_mistake.diagnostic fact
   | Too_large { at; construct } -> Mistake.too_large ~at construct
   | Exponent_too_large at -> Mistake.exponent_too_large ~at
 

@@ -17,6 +17,7 @@ let pass_on t held =
   | None -> List.iter (Diagnostic.emit t.sink) held.diagnostics
 
 let report t fact = pass_on t { fact; diagnostics = t.advise fact }
+let report_warning t fact = List.iter (Diagnostic.emit t.sink) (t.advise fact)
 let has_errors t = Diagnostic.has_errors t.sink
 
 let hold t f =

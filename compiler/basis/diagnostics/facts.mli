@@ -24,6 +24,10 @@ val map : ('a -> 'b) -> 'b t -> 'a t
 
 val report : 'fact t -> 'fact -> unit
 
+val report_warning : 'fact t -> 'fact -> unit
+(** Reports a fact that is not a mistake. It is never held, because a caller holds facts to explain
+    a mistake better, and a warning stays right whatever the explanation is. *)
+
 val has_errors : 'fact t -> bool
 (** Does the sink contain an error? Facts that are held do not count. Always false for {!ignored}.
 *)

@@ -18,12 +18,7 @@ let of_parameters units types =
   in
   { empty with units = by_name units; types = by_name types }
 
-type t = {
-  environment : Environment.t;
-  supply : Type.supply;
-  sink : Diagnostic.sink;
-  facts : Fact.t Facts.t;
-}
+type t = { environment : Environment.t; supply : Type.supply; facts : Fact.t Facts.t }
 
 let find kind names name =
   match Names.find_opt name names with

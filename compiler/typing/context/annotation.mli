@@ -13,12 +13,7 @@ val of_parameters :
 
 val with_type : string -> Type.rigid -> scope -> scope
 
-type t = {
-  environment : Environment.t;
-  supply : Type.supply;
-  sink : Diagnostic.sink;
-  facts : Fact.t Facts.t;
-}
+type t = { environment : Environment.t; supply : Type.supply; facts : Fact.t Facts.t }
 (** Context for converting a type. *)
 
 val ty : t -> scope -> Resolve.Ir.ty -> Type.t

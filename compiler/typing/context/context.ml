@@ -276,11 +276,11 @@ let words t =
   in
   Show.words place
 
-let warn t fact = Facts.report t.reader.facts (Inference { words = words t; fact })
+let warn t fact = Facts.report_warning t.reader.facts (Inference { words = words t; fact })
 
 let tell t fact =
   t.group.errors <- t.group.errors + 1;
-  warn t fact
+  Facts.report t.reader.facts (Inference { words = words t; fact })
 
 let tell_of_instance t fact =
   t.group.errors <- t.group.errors + 1;

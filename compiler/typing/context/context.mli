@@ -101,7 +101,7 @@ val tell : t -> Inference_fact.t -> unit
 (** Reports an error. *)
 
 val warn : t -> Inference_fact.t -> unit
-(** Reports a warning. *)
+(** Reports a warning, also from within {!hold} and {!trial}. *)
 
 val tell_of_instance : t -> Instance_fact.t -> unit
 (** Reports an error. *)

@@ -44,32 +44,6 @@ let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
 let sets_output program d ty =
   match changed ty with Some changed -> is_robot_output program d changed | None -> false
 
-let apply name arguments =
-  let arguments = List.init arguments (Variable_name.nth Variable_name.Type) in
-  match arguments with
-  | [ _ ] -> Printf.sprintf "use `arr %s` to apply it at every instant" name
-  | several ->
-      Printf.sprintf "use `proc (%s) -> %s %s` to apply it at every instant"
-        (String.concat ", " several) name (String.concat " " several)
-
-let rec parameters : Ir.ty -> Ir.ty list * Ir.ty = function
-  | Function (a, b) ->
-      let others, result = parameters b in
-      (a :: others, result)
-  | result -> ([], result)
-
-(* `main x = …`, with the signature of a function *)
-let as_signal_function (d : Ir.definition) =
-  let types, result = parameters d.scheme.ty in
-  let names =
-    match types with [ _ ] -> [ "x" ] | _ -> List.mapi (fun i _ -> Variable_name.nth Type i) types
-  in
-  let tuple = function [ one ] -> one | several -> "(" ^ String.concat ", " several ^ ")" in
-  Printf.sprintf "write `%s :: SF %s %s` and `%s = proc %s -> …`" d.name.name
-    (Source.grouped (tuple (List.map Show.ty types)))
-    (Source.grouped (Show.ty result))
-    d.name.name (tuple names)
-
 (* The place of the output expression. *)
 let rec output_of (program : Ir.program) (e : Ir.expr) =
   let is_it (g : Ir.Global.t) (d : Ir.definition) =
@@ -113,67 +87,29 @@ let size_of_a_name (program : Ir.program) (d : Ir.definition) =
   in
   Option.map (fun (v : Ir.variable) -> v.name) (List.find_opt is_a_value d.scheme.types)
 
-let refusal program ~closed (d : Ir.definition) =
-  let name = d.name.name and ty = Show.scheme d.scheme in
-  let refuse ?(at = d.span) what cure =
-    Some (Diagnostic.error ~code:"E0411" ~at "`%s` cannot run: %s" name what |> Diagnostic.hint cure)
-  in
+let refusal program ~closed (d : Ir.definition) : Entry_fact.refusal option =
   match kind d.scheme.ty with
   | (Signal_function { output } | Program { output }) when sets_output program d output ->
-      refuse ~at:(output_of program d.value)
-        (Printf.sprintf "its output is a function, `%s`, not the output of a robot" (Show.ty output))
-        "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v \
-         omega)`"
+      Some (Function_as_output { output; at = output_of program d.value })
   | Program { output = Function _ | Number _ | Bool | Tuple _ } when not (is_node program d) ->
-      refuse ~at:(output_of program d.value)
-        (Printf.sprintf "its type is `%s`, whose output is not the output of a robot" ty)
-        "use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`"
+      Some (Not_a_robot_output (output_of program d.value))
   | (Signal_function _ | Program _) when closed || is_closed d -> None
-  | (Signal_function _ | Program _) when size_of_a_name program d <> None ->
-      let size = Option.get (size_of_a_name program d) in
-      refuse
-        (Printf.sprintf "its type `%s` has variables, so the input or the output is not determined"
-           ty)
-        (Printf.sprintf
-           "`%s` is a variable for any size here, not the value of that name: write a number, or a \
-            name for it, as in `type N = 4`"
-           size)
-  | Signal_function _ | Program _ ->
-      refuse
-        (Printf.sprintf "its type `%s` has variables, so the input or the output is not determined"
-           ty)
-        (Printf.sprintf "give it a signature without variables, such as `%s :: %s`" name
-           (match kind d.scheme.ty with
-           | Program _ -> "Program In Out"
-           | Signal_function _ | Task | Function _ | Value -> "SF Float Float"))
-  | Function { result = Signal_function _ | Program _; _ } ->
-      refuse
-        (Printf.sprintf "it still needs an argument, as its type `%s` shows" ty)
-        (if String.equal name "main" then
-           "give it another name, such as `run`, and write `main = run …`"
-         else Printf.sprintf "define another one with the argument, as in `main = %s …`" name)
-  | Task ->
-      refuse
-        (Printf.sprintf "it is a task, `%s`, not a signal function" ty)
-        (Printf.sprintf
-           "use `runTask %s` for a signal function, or `reactimateTask %s` for a robot program" name
-           name)
+  | Signal_function _ ->
+      Some (Type_variables { is_program = false; size = size_of_a_name program d })
+  | Program _ -> Some (Type_variables { is_program = true; size = size_of_a_name program d })
+  | Function { result = Signal_function _ | Program _; _ } -> Some Missing_argument
+  | Task -> Some Task
   | Function { arguments; _ } ->
-      refuse
-        (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
-        (if sets_output program d d.scheme.ty then
-           "to set a robot's output, write `reactimateRobot (proc i -> roMake (setVelTR v omega))`"
-         else if String.equal name "main" && is_closed d then as_signal_function d
-         else apply name arguments)
-  | Value ->
-      refuse
-        (match d.scheme.ty with
-        | Number _ | Variable _ -> "it is a value, not a signal function"
-        | ty -> Printf.sprintf "it is a value of type `%s`, not a signal function" (Show.ty ty))
-        (if String.equal name "main" then
-           "use `constant e` for a signal function that always returns it, or `main = \
-            reactimateRobot (constant e)` for a robot program"
-         else Printf.sprintf "use `constant %s` for a signal function that always returns it" name)
+      let sets_output = sets_output program d d.scheme.ty in
+      Some (Function { arguments; sets_output; is_closed = is_closed d })
+  | Value -> Some Value
+
+let accepts facts program ~closed definition =
+  match refusal program ~closed definition with
+  | None -> true
+  | Some refusal ->
+      Facts.report facts (Fact.Entry (Refused { definition; refusal }));
+      false
 
 (* {1 Choice of the entry} *)
 
@@ -182,25 +118,12 @@ let own (program : Ir.program) =
     (fun (d : Ir.definition) -> String.equal d.name.module_ program.main_module)
     program.definitions
 
-let no_entry = "E0501"
-
-let find sink program ~file name =
+let find facts program ~file name =
   let own = own program in
-  let found = List.find_opt (fun (d : Ir.definition) -> String.equal d.name.name name) own in
+  let name_of (d : Ir.definition) = d.name.name in
+  let found = List.find_opt (fun d -> String.equal (name_of d) name) own in
   if Option.is_none found then
-    Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
-      "there is no `%s` in this module to compile" name
-    |> Diagnostic.hint
-         (match
-            ( Resolve.Test_file.program file,
-              Suggest.closest name (List.map (fun (d : Ir.definition) -> d.name.name) own) )
-          with
-         | Some program, _ when String.equal name "main" ->
-             Printf.sprintf "this is a test file: give the name of its program, %s"
-               (Printable.name program)
-         | _, Some name -> Printf.sprintf "did you mean `--entry %s`?" (Printable.word name)
-         | _, None -> "define `main`, or name a signal function of this module with `--entry NAME`")
-    |> Diagnostic.emit sink;
+    Facts.report facts (Fact.Entry (No_entry { file; name; others = List.map name_of own }));
   found
 
 let all program =

@@ -40,5 +40,9 @@ type t =
   | Array_size of { at : Span.t; size : int; largest : int }  (** a size out of range *)
   | Wrong_kind of { environment : Environment.t; at : Span.t; wanted : Type.kind; found : Type.t }
       (** a size in place of a type, or the reverse *)
+  | Too_many_updates of { at : Span.t; record : Ir.constructor; updates : int; most_fields : int }
+      (** the updates up to this place write too many fields; most of them are in [updates] of this
+          record *)
+  | Entry of Entry_fact.t
   | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
   | Exponent_too_large of Span.t  (** the exponent of a unit *)

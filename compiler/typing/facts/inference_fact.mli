@@ -105,6 +105,20 @@ type t =
       signature : Span.t;
       ty : Type.t;
     }  (** a local definition with type variables that is not a function *)
+  | Over_a_turn of Resolve.Ir.expr
+      (** a constant larger than a full turn, in place of an angle in radians; a warning *)
+  | In_degrees of {
+      angle : Resolve.Ir.expr;  (** a product with the factor 180/π, in place of an angle *)
+      factors : Resolve.Ir.expr list;  (** its other factors; not empty *)
+      beside : Resolve.Ir.expr option;  (** the other operand of an operator: it is in radians *)
+    }  (** a warning *)
+  | Idle_return of {
+      statement : Resolve.Ir.expr;
+      is_choice : bool;  (** it chooses between several uses of [return] *)
+      next : Span.t option;  (** the statement after it *)
+    }  (** a [return] that is not the last statement of a [do]; a warning *)
+  | Unreachable_statement of { at : Span.t; endless : Resolve.Ir.expr }
+      (** [endless]: the head of the statement before it, a task that never ends; a warning *)
   | Long_array of { at : Span.t; length : int; longest : int }
   | Empty_array of Span.t
   | Int_out_of_range of {

@@ -166,7 +166,7 @@ let contradicts (at : Span.t) (fact : Fact.t) =
 (* Does the definition fit this signature? Checks it without reporting anything. *)
 let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
   let name, _ = top b in
-  let reader = { ctx.reader with sink = Diagnostic.sink (); facts = Facts.ignored () } in
+  let reader = { ctx.reader with facts = Facts.ignored () } in
   let trial = in_group { ctx with reader; doubts = Hashtbl.copy ctx.doubts } in
   let declared = Global_table.create 1 and entry = Global_table.find_opt ctx.globals name in
   signature trial declared { b with signature = Some written };
@@ -359,10 +359,9 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   | [] -> d
   | context -> { d with needs = List.map of_constraint context }
 
-let program ?(sources = Source.create ()) sink facts ~real (program : Resolve.Ir.program) :
-    Ir.program =
+let program ?(sources = Source.create ()) facts ~real (program : Resolve.Ir.program) : Ir.program =
   let reader : Annotation.t =
-    { environment = Environment.create (); supply = Type.supply (); sink; facts }
+    { environment = Environment.create (); supply = Type.supply (); facts }
   in
   let data = Declarations.program reader program in
   let ctx = Context.start reader ~sources ~real in

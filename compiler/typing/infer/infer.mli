@@ -8,14 +8,8 @@
 
 open Basis
 
-val program :
-  ?sources:Source.t ->
-  Diagnostic.sink ->
-  Fact.t Facts.t ->
-  real:Real.t ->
-  Resolve.Ir.program ->
-  Ir.program
+val program : ?sources:Source.t -> Fact.t Facts.t -> real:Real.t -> Resolve.Ir.program -> Ir.program
 (** [sources]: the files that messages quote from. [real]: the precision of [Float], which
-    determines the range of literals. Emits [E03xx]. After errors the result has the shape of the
+    determines the range of literals. Reports [E03xx]. After errors the result has the shape of the
     program, with arbitrary types in place of erroneous ones: the correct parts can be checked
     further, but the program cannot be translated. *)

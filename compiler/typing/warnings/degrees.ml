@@ -1,5 +1,3 @@
-open Basis
-
 let is_angle t =
   match Type.repr t with
   | Alias { alias = { module_ = "Prelude"; name = "Angle" }; _ } -> true
@@ -32,25 +30,9 @@ let rec constant (e : Resolve.Ir.expr) =
 and both compute left right =
   match (constant left, constant right) with Some a, Some b -> Some (compute a b) | _, _ -> None
 
-(* Does not use [Context.report], because that function counts errors. *)
-let report (ctx : Context.t) (e : Resolve.Ir.expr) =
-  let in_degrees (number : Resolve.Ir.expr) digits text d =
-    Diagnostic.hint (Printf.sprintf text digits) d |> Diagnostic.write number.span (digits ^ "[deg]")
-  in
-  let cure =
-    match e.desc with
-    | Number n -> in_degrees e n.digits "if you meant degrees, write `%s[deg]`"
-    | Negate ({ desc = Number n; _ } as number) ->
-        in_degrees number n.digits "if you meant degrees, write `(-%s[deg])`"
-    | _ -> Diagnostic.hint "if you meant degrees, give one of the numbers its unit, as in `90[deg]`"
-  in
-  Diagnostic.(
-    warning ~code:"W0303" ~at:e.span "this angle is in radians, so it is more than a whole turn"
-    |> cure |> emit ctx.reader.sink)
-
 let rec warn_of_angle ctx (e : Resolve.Ir.expr) =
   match (constant e, operation e) with
-  | Some value, _ -> if Float.abs value > turn then report ctx e
+  | Some value, _ -> if Float.abs value > turn then Context.warn ctx (Over_a_turn e)
   | None, Some (left, ("+" | "-"), right) ->
       warn_of_angle ctx left;
       warn_of_angle ctx right

@@ -20,26 +20,9 @@ let rec only_returns (e : Resolve.Ir.expr) =
       prelude "whenT" head && only_returns argument
   | _ -> false
 
-(* Removes the line. The next statement is on the next line, so there is nothing in between. *)
-let without (e : Resolve.Ir.expr) next d =
-  match (next : Span.t option) with
-  | Some next when Span.line next.start = Span.line e.span.stop + 1 ->
-      Diagnostic.fix ~safe:true "remove it"
-        [ (Span.make ~file:e.span.file ~start:e.span.start ~stop:next.start, "") ]
-        d
-  | Some _ | None -> d
-
-let warn (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
-  let tell message = Diagnostic.warning ~code:"W0312" ~at:e.span message in
-  if is_return e then
-    tell "this `return` has no effect: the statements after it still run"
-    |> Diagnostic.hint "remove it: a task ends after its last statement"
-    |> without e next |> Diagnostic.emit ctx.reader.sink
-  else if only_returns e then
-    tell "this does not end the task: the statements after it still run"
-    |> Diagnostic.hint
-         "move the remaining statements into the other branch: `if c then return x else do`"
-    |> Diagnostic.emit ctx.reader.sink
+let warn ctx (statement : Resolve.Ir.expr) ~next =
+  if only_returns statement then
+    Context.warn ctx (Idle_return { statement; is_choice = not (is_return statement); next })
 
 (* Does the type allow any result, so that there can be none? No argument has a value of that type
    either. *)
@@ -80,11 +63,6 @@ let never_ends (ctx : Context.t) (e : Resolve.Ir.expr) =
 let warn_of_end (ctx : Context.t) (e : Resolve.Ir.expr) ~next =
   match (next : Span.t option) with
   | Some next when never_ends ctx e ->
-      let head, _ = Resolve.Walk.application e in
-      Diagnostic.warning ~code:"W0318" ~at:next "this statement is never reached"
-      |> Diagnostic.label ~at:head.span "this task never ends"
-      |> Diagnostic.hint
-           "remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with \
-            an event"
-      |> Diagnostic.emit ctx.reader.sink
+      Context.warn ctx
+        (Unreachable_statement { at = next; endless = fst (Resolve.Walk.application e) })
   | Some _ | None -> ()

@@ -1,5 +1,3 @@
-open Basis
-
 (* A product: its constant factor, and the source expressions of the other factors. *)
 type product = { number : float; others : Resolve.Ir.expr list }
 
@@ -74,25 +72,7 @@ let rec has_degree ctx (e : Resolve.Ir.expr) =
       | _ -> false)
   | _ -> false
 
-(* Does not use [Context.report], because that function counts errors. *)
-let report (ctx : Context.t) ?beside (e : Resolve.Ir.expr) others =
-  let quote (e : Resolve.Ir.expr) = Show.quote (Context.words ctx) e.span in
-  let itself =
-    match others with
-    | [ angle ] -> Option.fold (quote angle) ~none:"" ~some:(Printf.sprintf ": write `%s`")
-    | _ -> ""
-  in
-  let other =
-    match Option.map (fun (b : Resolve.Ir.expr) -> (b.span, quote b)) beside with
-    | Some (at, Some text) -> Diagnostic.label ~at (Printf.sprintf "`%s` is in radians" text)
-    | Some (at, None) -> Diagnostic.label ~at "this is in radians"
-    | None -> Fun.id
-  in
-  Diagnostic.(
-    warning ~code:"W0313" ~at:e.span "this is in degrees, but angles are in radians"
-    |> other
-    |> hint ("remove the conversion, because `90[deg]` is in radians too" ^ itself)
-    |> emit ctx.reader.sink)
+let report ctx ?beside angle factors = Context.warn ctx (In_degrees { angle; factors; beside })
 
 let warn ctx e (expected : Expected.t) =
   if is_angular expected.ty then Option.iter (report ctx e) (in_degrees ctx e)

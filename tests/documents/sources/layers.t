@@ -40,3 +40,14 @@ No module has a mutable table of its own: state is in values that functions are 
   lib/typing/known.ml:1:let known : (string, int) Hashtbl.t = Hashtbl.create 16
   $ tables ../../../compiler
   [1]
+
+A stage reports facts, and never builds a diagnostic. It may only raise `Diagnostic.Bug`, for an
+internal error.
+
+  $ cd ../../../compiler
+  $ ls syntax/parse.ml typing/of_resolved.ml
+  syntax/parse.ml
+  typing/of_resolved.ml
+  $ grep -RnwE 'Diagnostic|Render_text' --include='*.ml*' syntax resolve typing core specialize flow step cgen interp |
+  >   grep -vE 'Diagnostic\.(bug|Bug)|\{!'
+  [1]

@@ -71,8 +71,7 @@ let diagnostics text =
   (match
      Resolve.Program.load (Of_resolve.into sink) ~files ~remember ~library:"stdlib" "main.frob"
    with
-  | Some resolved ->
-      ignore (Typing.Of_resolved.program sink (Of_typing.into sink) ~real:Double resolved)
+  | Some resolved -> ignore (Typing.Of_resolved.program (Of_typing.into sink) ~real:Double resolved)
   | None -> ());
   Diagnostic.all sink
 

@@ -20,7 +20,7 @@ let () =
     Option.bind
       (Resolve.Program.load (Advice.Of_resolve.into sink) ~files:Resolve.Files.on_disk ~remember
          ~library file)
-      (Typing.Of_resolved.program sink (Advice.Of_typing.into sink) ~real:Double)
+      (Typing.Of_resolved.program (Advice.Of_typing.into sink) ~real:Double)
   in
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
   Option.iter (print stage) typed

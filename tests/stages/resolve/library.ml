@@ -15,7 +15,7 @@ let diagnostics file =
   | Some resolved ->
       Resolve.Lint.program resolved;
       let facts = Advice.Of_typing.into sink in
-      ignore (Typing.Of_resolved.program sink facts ~real:Double resolved));
+      ignore (Typing.Of_resolved.program facts ~real:Double resolved));
   List.map
     (fun (d : Diagnostic.t) -> Format.asprintf "%a: %s: %s" Span.pp d.at d.code d.message)
     (Diagnostic.all sink)

@@ -7,7 +7,7 @@ let flow sink source ~files ~library file =
   let* resolved =
     Resolve.Program.load (Advice.Of_resolve.into sink) ~files ~remember ~library file
   in
-  let* typed = Typing.Of_resolved.program sink (Advice.Of_typing.into sink) ~real:Double resolved in
+  let* typed = Typing.Of_resolved.program (Advice.Of_typing.into sink) ~real:Double resolved in
   let core = Core.Of_typed.program typed in
   let entry : Core.Ir.Global.t = { module_ = core.main_module; name = "main" } in
   let name = Filename.remove_extension (Filename.basename file) in

@@ -26,7 +26,7 @@ let resolved =
 
 let typed =
   Typing.Levels.program (Basis.Facts.ignored ())
-    (Typing.Infer.program sink (Basis.Facts.ignored ()) ~real:Double resolved)
+    (Typing.Infer.program (Basis.Facts.ignored ()) ~real:Double resolved)
 
 let core = Core.Of_typed.program typed
 let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }

@@ -22,7 +22,7 @@ let infer text =
   let remember ~file:_ _ = () in
   let typed =
     Option.map
-      (Typing.Infer.program sink (Advice.Of_typing.into sink) ~real:Double)
+      (Typing.Infer.program (Advice.Of_typing.into sink) ~real:Double)
       (Resolve.Program.load (Advice.Of_resolve.into sink) ~files ~remember ~library:"stdlib"
          "main.frob")
   in

@@ -192,3 +192,15 @@ let too_large ~at (construct : Fact.construct) =
   |> Diagnostic.note
        (Printf.sprintf "a type can have at most %d parts, nested at most %d deep" Final.most_parts
           Final.deepest)
+
+let too_many_updates ~at (record : Ir.constructor) ~updates ~most_fields =
+  Diagnostic.error ~code:"E0413" ~at
+    "the record updates up to here write more than %d fields, which is too many to compile"
+    most_fields
+  |> Diagnostic.note
+       (Printf.sprintf
+          "an update writes all fields of its record; `%s` has %d fields and %d updates so far"
+          record.constructor.name (List.length record.fields) updates)
+  |> Diagnostic.hint "change several fields in one update: `r { a = 1, b = 2 }`"
+  |> Diagnostic.hint
+       "put fields that change together into a smaller record, or keep them in an array"

@@ -1,0 +1,28 @@
+open Basis
+
+(* Removes the line. The next statement is on the next line, so there is nothing in between. *)
+let without (e : Resolve.Ir.expr) next d =
+  match (next : Span.t option) with
+  | Some next when Span.line next.start = Span.line e.span.stop + 1 ->
+      Diagnostic.fix ~safe:true "remove it"
+        [ (Span.make ~file:e.span.file ~start:e.span.start ~stop:next.start, "") ]
+        d
+  | Some _ | None -> d
+
+let idle_return (e : Resolve.Ir.expr) ~is_choice ~next =
+  let warning message = Diagnostic.warning ~code:"W0312" ~at:e.span message in
+  if is_choice then
+    warning "this does not end the task: the statements after it still run"
+    |> Diagnostic.hint
+         "move the remaining statements into the other branch: `if c then return x else do`"
+  else
+    warning "this `return` has no effect: the statements after it still run"
+    |> Diagnostic.hint "remove it: a task ends after its last statement"
+    |> without e next
+
+let unreachable ~at (endless : Resolve.Ir.expr) =
+  Diagnostic.warning ~code:"W0318" ~at "this statement is never reached"
+  |> Diagnostic.label ~at:endless.span "this task never ends"
+  |> Diagnostic.hint
+       "remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with an \
+        event"
