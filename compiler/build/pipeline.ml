@@ -82,7 +82,9 @@ let to_flow (r : Request.t) sink sources front ~(written : Typing.Ir.definition)
     let name = C_file.name r.file in
     let* default = Params.defaults sink core in
     let* core = Operator.declared options sink front.typed ~name ~entry core in
-    let* flow = Specialization.program r sink sources ~options ~default ~name ~entry ~written core in
+    let* flow =
+      Specialization.program r sink sources ~options ~default ~name ~entry ~written core
+    in
     let* flow = stage r sink Specialize ~lint:Specialization.lint ~print:Flow.Print.program flow in
     let* _ = node sink front ~written flow in
     Some ((core, entry), flow)

@@ -48,22 +48,24 @@ let inference words (fact : Typing.Inference_fact.t) =
       Literal_mistake.int_out_of_range ~at number ~same_bits
   | Number_out_of_range { at; number; real } -> Literal_mistake.out_of_range ~at number real
 
+let wording = Wording.of_surroundings
+
 let diagnostic sources (fact : Typing.Fact.t) =
   match fact with
   | Pattern fact -> Pattern_mistake.diagnostic sources fact
   | Level fact -> Level_mistake.diagnostic sources fact
   | Warning fact -> Typing_warning.diagnostic fact
-  | Declaration { words; fact } -> Typed_declaration_mistake.diagnostic words fact
-  | Inference { words; fact } -> inference words fact
-  | Instance { words; fact } -> Instance_mistake.diagnostic words fact
-  | Misapplied { words; call; mistake } ->
-      Application_mistake.explain words call (Facts.diagnostic mistake)
-  | Called_as_method { words; call; mistake } ->
-      Missing_field_mistake.called_as_method words call (Facts.diagnostic mistake)
+  | Declaration { around; fact } -> Typed_declaration_mistake.diagnostic (wording around) fact
+  | Inference { around; fact } -> inference (wording around) fact
+  | Instance { around; fact } -> Instance_mistake.diagnostic (wording around) fact
+  | Misapplied { around; call; mistake } ->
+      Application_mistake.explain (wording around) call (Facts.diagnostic mistake)
+  | Called_as_method { around; call; mistake } ->
+      Missing_field_mistake.called_as_method (wording around) call (Facts.diagnostic mistake)
   | Refutable_input { pattern; input; mistake } ->
       Parameter_mistake.refutable_input ~pattern input (Facts.diagnostic mistake)
-  | Exchanged_signature { words; fact; mistakes } ->
-      Exchanged_signature_mistake.diagnostic words fact mistakes
+  | Exchanged_signature { around; fact; mistakes } ->
+      Exchanged_signature_mistake.diagnostic (wording around) fact mistakes
   | Scaled_power { at; unit_; exponent } -> Annotation_mistake.scaled_power ~at unit_ exponent
   | Scaled_unit_in_type { environment; places; measure } ->
       Annotation_mistake.scaled_unit environment places measure

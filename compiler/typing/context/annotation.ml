@@ -258,5 +258,5 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
   (scheme, scope)
 
 let report_declaration (t : t) fact =
-  let words = Show.words (Show.nowhere t.environment) in
-  Facts.report t.facts (Declaration { words; fact })
+  let around = Surroundings.nowhere t.environment in
+  Facts.report t.facts (Declaration { around; fact })

@@ -45,7 +45,7 @@ type t = {
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   bindings : Resolve.Ir.binding Resolve.Global_table.t;
-  owners : (int, Show.owned) Hashtbl.t;
+  owners : (int, Surroundings.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
   needs : (Instance_fact.constraint_, required) Hashtbl.t;
   scope : Annotation.scope;
@@ -220,7 +220,7 @@ let values t ty ~file =
   |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
   |> List.map snd
 
-let words t =
+let surroundings t : Surroundings.t =
   let asks input (r : required) = Type.expand r.argument == Type.expand input in
   let needs_class input = List.exists (asks input) t.group.required in
   let definition (x : Ir.Local.t) = Int_table.find_opt t.group.definitions x.id in
@@ -251,44 +251,41 @@ let words t =
   in
   let binding g = Resolve.Global_table.find_opt t.bindings g in
   let local_function (x : Ir.Local.t) = Int_table.find_opt t.group.functions x.id in
-  let place : Show.place =
-    {
-      sources = t.sources;
-      environment = t.reader.environment;
-      inputs = t.inputs;
-      unnamed_input = t.unnamed_input;
-      parameter = parameter t;
-      needs_class;
-      definition;
-      local = type_of_local t;
-      unit_ = written_unit t;
-      fields;
-      field_of;
-      choices = choices t;
-      declared;
-      named = named t;
-      values = values t;
-      binding;
-      local_function;
-      makers = makers t;
-      owner = (fun (v : Ir.variable) -> Hashtbl.find_opt t.owners v.id);
-    }
-  in
-  Show.words place
+  {
+    sources = t.sources;
+    environment = t.reader.environment;
+    inputs = t.inputs;
+    unnamed_input = t.unnamed_input;
+    parameter = parameter t;
+    needs_class;
+    definition;
+    local = type_of_local t;
+    unit_ = written_unit t;
+    fields;
+    field_of;
+    choices = choices t;
+    declared;
+    named = named t;
+    values = values t;
+    binding;
+    local_function;
+    makers = makers t;
+    owner = (fun (v : Ir.variable) -> Hashtbl.find_opt t.owners v.id);
+  }
 
-let warn t fact = Facts.report_warning t.reader.facts (Inference { words = words t; fact })
+let warn t fact = Facts.report_warning t.reader.facts (Inference { around = surroundings t; fact })
 
 let tell t fact =
   t.group.errors <- t.group.errors + 1;
-  Facts.report t.reader.facts (Inference { words = words t; fact })
+  Facts.report t.reader.facts (Inference { around = surroundings t; fact })
 
 let tell_of_instance t fact =
   t.group.errors <- t.group.errors + 1;
-  Facts.report t.reader.facts (Instance { words = words t; fact })
+  Facts.report t.reader.facts (Instance { around = surroundings t; fact })
 
 let tell_of_declaration t fact =
   t.group.errors <- t.group.errors + 1;
-  Facts.report t.reader.facts (Declaration { words = words t; fact })
+  Facts.report t.reader.facts (Declaration { around = surroundings t; fact })
 
 let hold t f = Facts.hold t.reader.facts f
 let pass_on t held = List.iter (Facts.pass_on t.reader.facts) held
@@ -458,7 +455,7 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
 let with_variables t ~by (written : Resolve.Ir.scheme) =
   let depth = t.depth + 1 in
   let scheme, scope = Annotation.signature t.reader t.scope ~depth written in
-  let owned : Show.owned = { by; place = written.span } in
+  let owned : Surroundings.owned = { by; place = written.span } in
   let own (v : Ir.variable) = Hashtbl.replace t.owners v.id owned in
   List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
   List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);

@@ -45,7 +45,7 @@ type t = {
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   bindings : Resolve.Ir.binding Resolve.Global_table.t;  (** all top-level definitions *)
-  owners : (int, Show.owned) Hashtbl.t;
+  owners : (int, Surroundings.owned) Hashtbl.t;
       (** the construct that introduces each type variable, by the variable's id *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** classes that the enclosing signatures promise for their variables, by variable id *)
@@ -56,7 +56,7 @@ type t = {
   left_operand : (Resolve.Ir.expr * string) option;
       (** the left operand that is currently being inferred, if any, and its operator *)
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
-  unnamed_input : Span.t option;  (** see {!Show.place} *)
+  unnamed_input : Span.t option;  (** see {!Surroundings.t} *)
   sources : Source.t;
   doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
       (** the signatures reported as contradicting their definitions; for each, the unit in the
@@ -95,7 +95,7 @@ val fresh_number : t -> Type.t
 
 (** {1 Diagnostics} *)
 
-val words : t -> Show.words
+val surroundings : t -> Surroundings.t
 
 val tell : t -> Inference_fact.t -> unit
 (** Reports an error. *)
@@ -157,7 +157,7 @@ val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find such a class? *)
 
-val with_variables : t -> by:Show.construct -> Resolve.Ir.scheme -> Type.scheme * t
+val with_variables : t -> by:Surroundings.construct -> Resolve.Ir.scheme -> Type.scheme * t
 (** The scheme as a type, and the state for inferring the code that has this type: the scheme's
     variables are in scope there, one level deeper. [by]: the construct that introduces the
     variables. Reports a constraint on something other than a variable ([E0365]) and on a variable

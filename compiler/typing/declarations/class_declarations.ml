@@ -88,7 +88,7 @@ let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
   let as_scheme : Resolve.Ir.scheme =
     { context = written.context; ty = written.head; span = written.span }
   in
-  let by = Show.Instance written.class_.name in
+  let by = Surroundings.Instance written.class_.name in
   let scheme, inner = Context.with_variables ctx ~by as_scheme in
   let head = scheme.body in
   match (Head.of_type head, Head.parameters head) with

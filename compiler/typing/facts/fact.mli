@@ -9,13 +9,13 @@ type t =
   | Pattern of Pattern_fact.t
   | Level of Level_fact.t
   | Warning of Warning_fact.t
-  | Declaration of { words : Show.words; fact : Declaration_fact.t }
-  | Inference of { words : Show.words; fact : Inference_fact.t }
-  | Instance of { words : Show.words; fact : Instance_fact.t }
-  | Misapplied of { words : Show.words; call : Application_fact.call; mistake : t Facts.held }
+  | Declaration of { around : Surroundings.t; fact : Declaration_fact.t }
+  | Inference of { around : Surroundings.t; fact : Inference_fact.t }
+  | Instance of { around : Surroundings.t; fact : Instance_fact.t }
+  | Misapplied of { around : Surroundings.t; call : Application_fact.call; mistake : t Facts.held }
       (** the application as a whole may explain the mistake in one of its arguments *)
   | Called_as_method of {
-      words : Show.words;
+      around : Surroundings.t;
       call : Application_fact.method_call;
       mistake : t Facts.held;  (** the array does not have this field *)
     }
@@ -25,7 +25,7 @@ type t =
       mistake : t Facts.held;  (** the mismatch *)
     }  (** the pattern [()] for another value *)
   | Exchanged_signature of {
-      words : Show.words;
+      around : Surroundings.t;
       fact : Signature_fact.t;
       mistakes : t Facts.held list;
           (** the mistakes in the definition, if the signature is right; not empty *)

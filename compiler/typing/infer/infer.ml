@@ -197,7 +197,7 @@ let exchanged_signature (ctx : Context.t) held (b : Resolve.Ir.binding) =
           match explained written first with
           | None -> held
           | Some fact ->
-              replace ctx (Exchanged_signature { words = words ctx; fact; mistakes });
+              replace ctx (Exchanged_signature { around = surroundings ctx; fact; mistakes });
               distrust ctx b written.span;
               others))
 

@@ -302,7 +302,7 @@ let tell expressions ctx e ~head arguments ~types ~takes ~failed ty held =
       with
       | Some call ->
           pass_on ctx (List.rev others);
-          replace ctx (Misapplied { words = words ctx; call; mistake = last })
+          replace ctx (Misapplied { around = surroundings ctx; call; mistake = last })
       | None -> pass_on ctx held)
 
 (* `xs.map f`, an array function that is called like a method. *)
@@ -316,7 +316,7 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
           pass_on ctx (List.rev others);
           let arguments = List.map (fun a -> a.value) arguments in
           let call : Application_fact.method_call = { at = e.span; record; field; arguments } in
-          replace ctx (Called_as_method { words = words ctx; call; mistake = last })
+          replace ctx (Called_as_method { around = surroundings ctx; call; mistake = last })
       | _ -> pass_on ctx held)
   | _ -> pass_on ctx held
 
@@ -405,7 +405,7 @@ let explain expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) argu
     ~takes ~is_only progress held =
   let replace_by fact ~kept =
     pass_on ctx kept;
-    replace ctx (Inference { words = words ctx; fact })
+    replace ctx (Inference { around = surroundings ctx; fact })
   in
   match progress.failed with
   | None -> pass_on ctx held

@@ -46,7 +46,7 @@ let owner ctx (missing : Instance_fact.promise) = Hashtbl.find_opt ctx.owners mi
 
 let same_signature ctx a b =
   match (owner ctx a, owner ctx b) with
-  | Some (a : Show.owned), Some b -> Basis.Span.compare a.place b.place = 0
+  | Some (a : Surroundings.owned), Some b -> Basis.Span.compare a.place b.place = 0
   | None, None -> true
   | Some _, None | None, Some _ -> false
 

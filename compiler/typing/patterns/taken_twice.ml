@@ -38,7 +38,7 @@ let tell (ctx : Context.t) ~before ~held ~taken (b : Resolve.Ir.branch) ty branc
         let fact : Inference_fact.t =
           Matched_twice { constructor; first; second = b.pattern; missing }
         in
-        Context.replace ctx (Inference { words = Context.words ctx; fact })
+        Context.replace ctx (Inference { around = Context.surroundings ctx; fact })
     | _ -> Context.pass_on ctx held
   in
   match takes b with

@@ -21,7 +21,7 @@ let is_angular t =
   | _ -> false
 
 let definition ctx (e : Resolve.Ir.expr) =
-  match e.desc with Local x -> Show.definition (Context.words ctx) x | _ -> None
+  match e.desc with Local x -> (Context.surroundings ctx).definition x | _ -> None
 
 (* [depth]: the maximum number of definitions to follow. *)
 let rec product ctx depth (e : Resolve.Ir.expr) =

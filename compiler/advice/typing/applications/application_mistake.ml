@@ -2,7 +2,7 @@ open Basis
 open Typing
 
 type fact = {
-  words : Show.words;
+  words : Wording.t;
   call : Application_fact.call;
   mistake : Diagnostic.t;  (** the message about the failing argument *)
 }
@@ -32,14 +32,14 @@ let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
                 rate, it is the second argument"
                cure)
             { d with Diagnostic.hints = []; fixes = [] })
-        (Show.quote words span)
+        (Wording.quote words span)
   | _ -> None
 
 (* The call with its arguments in this order, each given by its position. *)
 let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
   let text i =
     let (e : Resolve.Ir.expr) = List.nth arguments (i - 1) in
-    Show.argument words e
+    Wording.argument words e
   in
   let texts = List.map text order in
   let d =
@@ -93,8 +93,8 @@ let field_of_the_result { words; call; mistake } =
          && Span.compare mistake.at field.span = 0 -> (
       match
         ( Missing_field_mistake.path words call.result field.text,
-          Show.quote words call.head.span,
-          Show.quote words record.span )
+          Wording.quote words call.head.span,
+          Wording.quote words record.span )
       with
       | Some path, Some f, Some x ->
           let text = Printf.sprintf "(%s %s).%s" f x path in
@@ -143,7 +143,7 @@ let parentheses ({ words; call; mistake } as fact) =
     | (Global _ | Local _), Function (parameter, _) when failed < all ->
         let is_defined_as_a_function =
           match (fst (failing fact)).desc with
-          | Local x -> Option.is_none (Show.definition words x)
+          | Local x -> Option.is_none (Wording.definition words x)
           | _ -> true
         in
         is_defined_as_a_function
@@ -158,7 +158,7 @@ let parentheses ({ words; call; mistake } as fact) =
       if n > 0 && i < all then Some (i, if separates_arguments (i + 1) then 1 else min n (all - i))
       else applied (i - 1)
   in
-  let quote = Show.argument words in
+  let quote = Wording.argument words in
   let texts = List.map (fun (e, _) -> quote e) arguments in
   (* `setVelTR(v, omega)`, where the function takes no tuple *)
   let without_commas i text =
@@ -167,7 +167,7 @@ let parentheses ({ words; call; mistake } as fact) =
       when (match Type.expand parameter with Tuple _ -> false | _ -> true)
            && List.compare_length_with parts (arity (type_at i)) <= 0 -> (
         let of_part (e : Resolve.Ir.expr) =
-          Option.bind (Show.quote words e.span) Other_notation.expression
+          Option.bind (Wording.quote words e.span) Other_notation.expression
         in
         match List.map of_part parts with
         | parts when List.mem None parts -> text
@@ -206,7 +206,7 @@ let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve
   |> Diagnostic.label ~at:head.span
        (Printf.sprintf "`%s` passes the result so far, and then an element" name)
   |>
-  match (Show.quote words a.span, Show.quote words b.span) with
+  match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->
       let text = Printf.sprintf "%s %s" b a in
       fun d ->
@@ -215,7 +215,7 @@ let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve
   | _ -> Diagnostic.hint "swap the parameters"
 
 let mapped_range words ~at ~head (arguments : Resolve.Ir.expr list) =
-  let texts = List.filter_map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) arguments in
+  let texts = List.filter_map (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) arguments in
   let d =
     Diagnostic.error ~code:"E0301" ~at:head "`map` applies a function to each element of an array"
   in

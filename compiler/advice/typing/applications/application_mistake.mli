@@ -3,12 +3,12 @@
 open Basis
 open Typing
 
-val explain : Show.words -> Application_fact.call -> Diagnostic.t -> Diagnostic.t
+val explain : Wording.t -> Application_fact.call -> Diagnostic.t -> Diagnostic.t
 (** Completes or replaces the message about the failing argument, if the application explains the
     mistake better. *)
 
 val parameters_in_other_order :
-  Show.words ->
+  Wording.t ->
   head:Resolve.Ir.expr ->
   name:string ->
   Resolve.Ir.pattern ->
@@ -16,5 +16,5 @@ val parameters_in_other_order :
   Diagnostic.t
 (** The message [E0301] about [foldl (\x n -> n + x) 0 xs]. *)
 
-val mapped_range : Show.words -> at:Span.t -> head:Span.t -> Resolve.Ir.expr list -> Diagnostic.t
+val mapped_range : Wording.t -> at:Span.t -> head:Span.t -> Resolve.Ir.expr list -> Diagnostic.t
 (** The message [E0301] about [map x 0 1023 0 255]. *)

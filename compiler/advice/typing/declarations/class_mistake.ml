@@ -21,12 +21,14 @@ let instance_head words (instance : Resolve.Ir.instance) head =
   let diagnostic =
     Diagnostic.error ~code:"E0362" ~at:instance.head.span
       "the head of an instance must be a type constructor applied to distinct variables, not %s"
-      (Show.quoted words head)
+      (Wording.quoted words head)
   in
   let diagnostic =
     match Type.repr head with
     | Alias { expansion; _ } ->
-        Diagnostic.note (Printf.sprintf "it stands for %s" (Show.quoted words expansion)) diagnostic
+        Diagnostic.note
+          (Printf.sprintf "it stands for %s" (Wording.quoted words expansion))
+          diagnostic
     | _ -> diagnostic
   in
   match Type.expand head with
@@ -38,7 +40,7 @@ let instance_head words (instance : Resolve.Ir.instance) head =
   | _ -> diagnostic
 
 let shown words (instance : Resolve.Ir.instance) head =
-  Show.constraint_ words (Ir.Declared instance.class_) head
+  Wording.constraint_ words (Ir.Declared instance.class_) head
 
 let second_instance words (instance : Resolve.Ir.instance) head ~first =
   Diagnostic.error ~code:"E0361" ~at:instance.span "there are two instances `%s`"

@@ -8,8 +8,8 @@ open Typing
 val method_without_variable : Resolve.Ir.method_ -> Ir.variable -> Diagnostic.t
 val constrained_variable : Resolve.Ir.constraint_ -> Ir.variable -> Diagnostic.t
 val built_in_class : Resolve.Ir.instance -> Diagnostic.t
-val instance_head : Show.words -> Resolve.Ir.instance -> Type.t -> Diagnostic.t
-val second_instance : Show.words -> Resolve.Ir.instance -> Type.t -> first:Span.t -> Diagnostic.t
+val instance_head : Wording.t -> Resolve.Ir.instance -> Type.t -> Diagnostic.t
+val second_instance : Wording.t -> Resolve.Ir.instance -> Type.t -> first:Span.t -> Diagnostic.t
 
 val missing_methods :
-  Show.words -> Resolve.Ir.instance -> Type.t -> (Ir.Global.t * Span.t) list -> Diagnostic.t
+  Wording.t -> Resolve.Ir.instance -> Type.t -> (Ir.Global.t * Span.t) list -> Diagnostic.t

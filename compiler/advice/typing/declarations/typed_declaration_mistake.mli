@@ -3,4 +3,4 @@
 
 open Basis
 
-val diagnostic : Typing.Show.words -> Typing.Declaration_fact.t -> Diagnostic.t
+val diagnostic : Wording.t -> Typing.Declaration_fact.t -> Diagnostic.t

@@ -1,7 +1,7 @@
 open Basis
 open Typing
 
-let words environment = Show.words (Show.nowhere environment)
+let words environment = Wording.of_surroundings (Surroundings.nowhere environment)
 
 let scaled_power ~at (unit_ : Ir.Global.t) exponent =
   Diagnostic.error ~code:"E0322" ~at
@@ -10,7 +10,7 @@ let scaled_power ~at (unit_ : Ir.Global.t) exponent =
   |> Diagnostic.hint "write the number in base units"
 
 let scaled_unit environment places measure =
-  let text = Show.measure (words environment) measure in
+  let text = Wording.measure (words environment) measure in
   let first = List.hd places and others = List.tl places in
   let d =
     Diagnostic.error ~code:"E0321" ~at:first
@@ -29,7 +29,7 @@ let array_size ~at size ~largest =
     size
 
 let wrong_kind sources environment ~(at : Span.t) (wanted : Type.kind) found =
-  let shown = Show.quoted (words environment) found in
+  let shown = Wording.quoted (words environment) found in
   let error format = Diagnostic.error ~code:"E0330" ~at format in
   match (wanted, Type.expand found) with
   | Of_types, Rigid _ ->

@@ -15,8 +15,8 @@ let is_about_an_order (mistake : Fact.t) =
   | Misapplied { call = { exchanged = Some _; _ } | { rotated = Some _; _ }; _ }
   | Inference { fact = Exchanged_pair _ | Parameters_in_other_order _; _ } ->
       true
-  | Inference { words; fact = Mismatch { expected; found; clash = Different_units _; _ } } ->
-      Setting_order.wrong words ~expected ~found <> None
+  | Inference { around; fact = Mismatch { expected; found; clash = Different_units _; _ } } ->
+      Setting_order.wrong (Wording.of_surroundings around) ~expected ~found <> None
   | _ -> false
 
 (* `sign :: Float -> Int` with a result of `0.5`: the number is the likely mistake. *)
@@ -99,4 +99,4 @@ let diagnostic words (fact : Signature_fact.t) mistakes =
     ->
       d
   | [ _ ] when is_about_the_result ~written:fact.written d -> with_hint fact d
-  | _ -> in_wrong_order (Show.sources words) fact d
+  | _ -> in_wrong_order (Wording.sources words) fact d

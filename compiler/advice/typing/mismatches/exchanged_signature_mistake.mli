@@ -3,7 +3,7 @@
 open Basis
 open Typing
 
-val diagnostic : Show.words -> Signature_fact.t -> Fact.t Facts.held list -> Diagnostic.t
+val diagnostic : Wording.t -> Signature_fact.t -> Fact.t Facts.held list -> Diagnostic.t
 (** The message has the code of the first of these mistakes, which the definition contains if the
     signature is right. If one of these mistakes is an equally likely explanation, returns the
     message about it instead. *)

@@ -9,10 +9,10 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
   in
   let operand = Option.map first operand in
   let place = Option.map (fun (e : Resolve.Ir.expr) -> e.span) operand in
-  let name = Option.value (Show.quote words function_.span) ~default:"f" in
-  let operand = Option.value (Option.bind place (Show.quote words)) ~default:"1" in
+  let name = Option.value (Wording.quote words function_.span) ~default:"f" in
+  let operand = Option.value (Option.bind place (Wording.quote words)) ~default:"1" in
   error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
-  |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
+  |> label ~at:function_.span (Printf.sprintf "this is %s" (Wording.described words ty))
   |> hint (Printf.sprintf "put the negative argument in parentheses: `%s (-%s)`" name operand)
   |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
          let place at = Span.make ~file:minus.file ~start:at ~stop:at in
@@ -22,7 +22,7 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
 
 (* The head cannot take the argument at this position. *)
 type fact = {
-  words : Show.words;
+  words : Wording.t;
   head : Resolve.Ir.expr;
   position : int;  (** position of the argument, counted from 1 *)
   argument : Resolve.Ir.expr;
@@ -34,7 +34,7 @@ let not_taken fact =
   let callee =
     match Plain_name.of_expr fact.head with Some name -> "`" ^ name ^ "`" | None -> "this"
   in
-  let left = Show.described fact.words fact.left in
+  let left = Wording.described fact.words fact.left in
   match fact.position with
   | 1 ->
       error ~code:"E0302" ~at:fact.head.span "%s is %s, not a function" callee left
@@ -57,7 +57,7 @@ let not_taken fact =
 let after_a_number fact =
   match fact.head.desc with
   | Number { digits; unit_; _ } when fact.position = 1 ->
-      let factor = if unit_ = None then Show.quote fact.words fact.at else None in
+      let factor = if unit_ = None then Wording.quote fact.words fact.at else None in
       Some
         (hint
            (match factor with
@@ -77,7 +77,7 @@ let after_a_field fact =
   match fact.head.desc with
   | Field { record; field; _ } when fact.position = 1 ->
       Some
-        (match (Show.quote fact.words record.span, Show.quote fact.words fact.at) with
+        (match (Wording.quote fact.words record.span, Wording.quote fact.words fact.at) with
         | Some record, Some value ->
             hint
               (Printf.sprintf "for a record with another `%s`, write `%s { %s = %s }`" field.text
@@ -109,7 +109,7 @@ let of_two_limits fact =
               (Printf.sprintf "`limit` has one limit for both directions; for two, write `%s`" text)
               d
             |> write fact.head.span "clamp")
-        (Show.quote fact.words arguments)
+        (Wording.quote fact.words arguments)
   | _ -> None
 
 (* `when c a`, meant as a choice. *)
@@ -145,9 +145,9 @@ let element fact =
          *)
       let applied = { fact.head.span with stop = fact.at.start } in
       let array =
-        Show.quote fact.words applied |> Option.map String.trim |> Option.map without_paren
+        Wording.quote fact.words applied |> Option.map String.trim |> Option.map without_paren
       in
-      let index = Option.map without_brackets (Show.quote fact.words fact.at) in
+      let index = Option.map without_brackets (Wording.quote fact.words fact.at) in
       let index = Option.map Source.grouped index in
       let written array index = Printf.sprintf "%s ! %s" (without_closing array) index in
       let text = written (Option.value array ~default:"xs") (Option.value index ~default:"0") in
@@ -189,7 +189,7 @@ let started_afresh fact =
   | Global { name = ("integral" | "derivative") as name; _ } when fact.position = 2 && is_a_time ->
       Some
         (fun d ->
-          match Show.quote fact.words fact.at with
+          match Wording.quote fact.words fact.at with
           | Some text ->
               hint
                 (Printf.sprintf "remove `%s`: `%s` knows the time between two instants" text name)
@@ -209,7 +209,7 @@ let without_do fact =
   if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
     Some
       (hint
-         (match (Show.quote fact.words fact.head.span, Show.quote fact.words fact.at) with
+         (match (Wording.quote fact.words fact.head.span, Wording.quote fact.words fact.at) with
          | Some head, Some next when column fact.at > column fact.head.span ->
              Printf.sprintf
                "this line is indented further than the one above, so it continues it: start `%s` \
@@ -228,7 +228,7 @@ let after_a_formula fact =
             (Printf.sprintf
                "a formula in parentheses is not a function: for a product write `* %s` after it"
                (Source.grouped text)))
-        (Show.quote fact.words fact.at)
+        (Wording.quote fact.words fact.at)
   | _ -> None
 
 (* Shows the signature of a definition that is applied to too many arguments. *)
@@ -237,7 +237,7 @@ let signature fact =
   | Global g when fact.position > 1 ->
       Option.map
         (fun ty -> hint (Printf.sprintf "`%s :: %s`" g.name ty))
-        (Show.declared fact.words g)
+        (Wording.declared fact.words g)
   | _ -> None
 
 let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
@@ -251,12 +251,12 @@ let task fact =
 (* `near implies (v == 0)`, a function of two arguments without its backquotes *)
 let infix fact =
   let takes_two g =
-    match Option.map Type.expand (Show.declared_type fact.words g) with
+    match Option.map Type.expand (Wording.declared_type fact.words g) with
     | Some (Function (_, result)) -> (
         match Type.expand result with Function _ -> true | _ -> false)
     | _ -> false
   in
-  match (fact.head.desc, fact.argument.desc, Show.quote fact.words fact.head.span) with
+  match (fact.head.desc, fact.argument.desc, Wording.quote fact.words fact.head.span) with
   | (Local _ | Number _), Global g, Some left when fact.position = 1 && takes_two g ->
       let cure = Printf.sprintf "`%s`" g.name in
       Some
@@ -273,7 +273,7 @@ let local fact =
   match fact.head.desc with
   | Local x when fact.position = 1 ->
       let pair =
-        match (Type.expand fact.left, Show.quote fact.words fact.at) with
+        match (Type.expand fact.left, Wording.quote fact.words fact.at) with
         | ((Number _ | Bool) as left), Some text when not (String.contains text '[') ->
             let operator = if left = Bool then "&&" else "*" in
             let text = Source.grouped text in
@@ -293,7 +293,7 @@ let local fact =
 let event_when fact =
   match fact.head.desc with
   | Constructor { name = "Event"; module_ = "Prelude" }
-    when List.mem (Show.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
+    when List.mem (Wording.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
       Some
         (hint
            "for an event with the value `x` that occurs under a condition, write `tag (when \
@@ -337,7 +337,7 @@ let applied_without_parentheses ~name ~runs_a_task ~inner ~whole (d : Diagnostic
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
   let diagnostic =
     error ~code:"E0304" ~at:head.span "`-<` needs a signal function, but this is %s"
-      (Show.described words found)
+      (Wording.described words found)
   in
   match Type.expand found with
   | Function _ -> hint "use `arr` to turn a function into a signal function" diagnostic

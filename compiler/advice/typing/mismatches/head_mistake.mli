@@ -5,7 +5,7 @@ open Basis
 open Typing
 
 val not_a_function :
-  Show.words ->
+  Wording.t ->
   head:Resolve.Ir.expr ->
   position:int ->
   argument:Resolve.Ir.expr ->
@@ -21,7 +21,7 @@ val applied_without_parentheses :
     [inner] returns a task. *)
 
 val negative_argument :
-  Show.words ->
+  Wording.t ->
   minus:Span.t ->
   operand:Resolve.Ir.expr option ->
   Resolve.Ir.expr ->
@@ -30,5 +30,5 @@ val negative_argument :
 (** The message about [f -1], where [f] is a function of the given type. [operand]: the expression
     after the minus. *)
 
-val not_a_signal_function : Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
+val not_a_signal_function : Wording.t -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The message about the head of [sf -< e]. *)

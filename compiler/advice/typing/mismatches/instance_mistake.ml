@@ -3,7 +3,7 @@ open Typing
 open Instance_fact
 
 let through_instances words { lacking; culprit; through } diagnostic =
-  let asks = Show.constraint_ words lacking culprit in
+  let asks = Wording.constraint_ words lacking culprit in
   match through with
   | [] -> diagnostic
   | last :: _ ->
@@ -14,7 +14,7 @@ let is_signal_function t = match Type.expand t with Signal_function _ -> true | 
 let foreign_of words t =
   match Type.expand t with
   | Data { tycon; _ }
-    when (Environment.type_ (Show.environment words) tycon).definition = Environment.Foreign ->
+    when (Environment.type_ (Wording.environment words) tycon).definition = Environment.Foreign ->
       Some tycon
   | _ -> None
 
@@ -24,7 +24,7 @@ let same_foreign words a b =
 (* The types that have an instance of the class. *)
 let those_with words class_ =
   let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
-  List.filter_map name (Environment.heads (Show.environment words) class_)
+  List.filter_map name (Environment.heads (Wording.environment words) class_)
 
 (* [robot]: the named type of the robot's input or output. *)
 let for_any_robot (class_ : Ir.Global.t) robot =
@@ -69,7 +69,7 @@ let is_of_the_program (class_ : Ir.Global.t) culprit =
 (* {1 A missing instance} *)
 
 type fact = {
-  words : Show.words;
+  words : Wording.t;
   required : required;
   lack : lack;
   culprit : string;  (** the culprit as text *)
@@ -98,10 +98,10 @@ let without_hints ({ required; lack; words; culprit; _ } as fact) =
         (user fact) culprit
   | Declared _ ->
       Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
-        (Show.constraint_ words lack.lacking lack.culprit)
+        (Wording.constraint_ words lack.lacking lack.culprit)
   | (Eq | Ord) as class_ ->
       let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
-      let of_ = if lack.through = [] then Show.quoted words required.argument else culprit in
+      let of_ = if lack.through = [] then Wording.quoted words required.argument else culprit in
       Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
 
 let where_needed ({ required; lack; words; _ } as fact) d =
@@ -133,10 +133,10 @@ let output_with_an_event fact =
       let at = fact.required.at in
       let written =
         Option.bind
-          (Source.text (Show.sources fact.words) at.file)
+          (Source.text (Wording.sources fact.words) at.file)
           (fun text ->
             Option.bind (Name_in_text.application ~text at) (fun (whole, _) ->
-                Option.map (fun output -> (whole, output)) (Show.quote fact.words whole)))
+                Option.map (fun output -> (whole, output)) (Wording.quote fact.words whole)))
       in
       let name = name_of_user fact in
       let unknown = if String.equal name "roMake" then "roMake (…)" else name in
@@ -221,7 +221,7 @@ let at_rest fact constructor tycon =
       Printf.sprintf "%s { %s }" constructor
         (String.concat ", "
            (List.map (fun (name, ty) -> Printf.sprintf "%s = %s" name (value ty)) c.ir.fields)))
-    (Environment.record_of (Show.environment fact.words) tycon)
+    (Environment.record_of (Wording.environment fact.words) tycon)
 
 (* A record declared by the program, used as a robot's output. *)
 let own_output fact =
@@ -229,7 +229,7 @@ let own_output fact =
   | Declared { name = ("RobotOutput" | "DiffDrive") as class_; _ }, Data { tycon; _ }
     when is_asked_itself fact && not (is_of_the_library tycon) ->
       let rest =
-        match Show.fields fact.words fact.lack.culprit with
+        match Wording.fields fact.words fact.lack.culprit with
         | Some (constructor, _) -> at_rest fact constructor tycon
         | None -> None
       in
@@ -267,7 +267,7 @@ let two_outputs fact =
 let command_line fact =
   let at = fact.required.at in
   Option.bind
-    (Source.line (Show.sources fact.words) at.file (Span.line at.start))
+    (Source.line (Wording.sources fact.words) at.file (Span.line at.start))
     (fun line ->
       let text = String.trim line in
       let is_alone =
@@ -354,7 +354,7 @@ let parameters fact =
     | _ -> 0
   in
   let name = name_of_user fact in
-  Option.map count (Show.declared_type fact.words { module_ = "Capability"; name })
+  Option.map count (Wording.declared_type fact.words { module_ = "Capability"; name })
 
 let is_of_an_output (class_ : Ir.class_) =
   match class_ with
@@ -390,7 +390,9 @@ let mode_without_event fact =
   | Tuple [ _; e ] when Environment.is_event e && column >= 1 ->
       let start = Span.position ~line:(Span.line at.start) ~column in
       let name = name_of_user fact in
-      if Show.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop) = Some (before ^ name)
+      if
+        Wording.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop)
+        = Some (before ^ name)
       then
         let cure = Printf.sprintf "(%s &&& after 10[s])" name in
         Some
@@ -420,7 +422,7 @@ let not_declared fact =
       Some
         (Diagnostic.hint
            (Printf.sprintf "add `instance %s where`, and define the methods below it"
-              (Show.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
+              (Wording.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
   | _ -> None
 
 (* Lists the types that have an instance, if they are few. *)
@@ -464,7 +466,7 @@ let rules =
   ]
 
 let no_instance words required (lack : lack) =
-  let culprit = Show.quoted words lack.culprit in
+  let culprit = Wording.quoted words lack.culprit in
   let fact = { words; required; lack; culprit } in
   let d = without_hints fact |> where_needed fact in
   let complete = List.find_map (fun rule -> rule fact) rules in
@@ -474,13 +476,13 @@ let no_instance words required (lack : lack) =
 
 (* An example of a condition on the asserted value, with a limit in the value's unit. *)
 let asserted words ~(at : Span.t) culprit =
-  let e = Option.fold (Show.quote words at) ~none:"x" ~some:Source.grouped in
+  let e = Option.fold (Wording.quote words at) ~none:"x" ~some:Source.grouped in
   match Type.expand culprit with
   | Number (_, u) when not (Units.is_open u) ->
-      let unit_ = Show.measure words u in
+      let unit_ = Wording.measure words u in
       let limit = if String.equal unit_ "1" then "1" else Printf.sprintf "1[%s]" unit_ in
       Printf.sprintf "assert a condition: compare it with a limit, as in `(%s <= %s)`"
-        (Option.value (Show.quote words at) ~default:"x")
+        (Option.value (Wording.quote words at) ~default:"x")
         limit
   | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
       Printf.sprintf "assert a condition, such as `(%s /= Nothing)`" e
@@ -488,8 +490,8 @@ let asserted words ~(at : Span.t) culprit =
 
 (* Does not mention classes, because the user may not know about them. *)
 let not_a_condition words ~at culprit =
-  let e = Option.fold (Show.quote words at) ~none:"e" ~some:Source.grouped in
-  Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Show.quoted words culprit)
+  let e = Option.fold (Wording.quote words at) ~none:"e" ~some:Source.grouped in
+  Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Wording.quoted words culprit)
   |> Diagnostic.hint
        (if Environment.is_event culprit then
           Printf.sprintf "use `isEvent %s`, which is True when the event occurs" e

@@ -4,4 +4,4 @@
 
 open Basis
 
-val diagnostic : Typing.Show.words -> Typing.Instance_fact.t -> Diagnostic.t
+val diagnostic : Wording.t -> Typing.Instance_fact.t -> Diagnostic.t

@@ -33,13 +33,13 @@ let of_that_name words (name : Syntax.Ir.name) =
     | Signal_function _ -> Some ("signal function", parameters ty)
     | _ -> earlier
   in
-  List.fold_left found None (Show.named words name.text)
+  List.fold_left found None (Wording.named words name.text)
 
 (* The arguments in parentheses after the name, as in `e.hold(0)`, and the end of the call. *)
 let called_with words (name : Syntax.Ir.name) =
   let stop = name.span.stop in
   Option.bind
-    (Source.line (Show.sources words) name.span.file (Span.line stop))
+    (Source.line (Wording.sources words) name.span.file (Span.line stop))
     (fun line ->
       let first = Span.column stop - 1 in
       let n = String.length line in
@@ -93,7 +93,7 @@ let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) 
         (fun row -> Diagnostic.hint (Phrasebook.hint row) diagnostic)
         (Phrasebook.find Robot name.text)
   | Some (kind, parameters) ->
-      let argument = Show.argument_or "x" words record in
+      let argument = Wording.argument_or "x" words record in
       let arguments, stop = Option.value (called_with words name) ~default:([], name.span.stop) in
       let text = as_a_call parameters ty ~name:name.text ~record:argument arguments in
       Some
@@ -114,7 +114,7 @@ let rec takes_an_array (t : Type.t) =
   | _ -> false
 
 let is_of_arrays words (name : Syntax.Ir.name) =
-  List.exists takes_an_array (Show.named words name.text)
+  List.exists takes_an_array (Wording.named words name.text)
 
 (* The field of this record that is itself a record with the wanted field. *)
 let field_within words ty name =
@@ -122,7 +122,7 @@ let field_within words ty name =
     match field_type with
     | Data { tycon; _ } ->
         Option.fold
-          (Environment.record_of (Show.environment words) tycon)
+          (Environment.record_of (Wording.environment words) tycon)
           ~none:false
           ~some:(fun constructor -> Environment.position constructor name <> None)
     | _ -> false
@@ -130,7 +130,7 @@ let field_within words ty name =
   match Type.expand ty with
   | Data { tycon; _ } ->
       Option.bind
-        (Environment.record_of (Show.environment words) tycon)
+        (Environment.record_of (Wording.environment words) tycon)
         (fun constructor -> Option.map fst (List.find_opt has constructor.ir.fields))
   | _ -> None
 
@@ -139,7 +139,7 @@ let path words ty name =
     match Type.expand ty with
     | Data { tycon; _ } ->
         Option.bind
-          (Environment.record_of (Show.environment words) tycon)
+          (Environment.record_of (Wording.environment words) tycon)
           (fun constructor -> Environment.position constructor name)
     | _ -> None
   in
@@ -151,7 +151,8 @@ let path words ty name =
 let is_known t = match Type.expand t with Flexible _ | Erroneous -> false | _ -> true
 
 let has_field words t (name : Syntax.Ir.name) =
-  Option.fold (Show.fields words t) ~none:false ~some:(fun (_, fields) -> List.mem name.text fields)
+  Option.fold (Wording.fields words t) ~none:false ~some:(fun (_, fields) ->
+      List.mem name.text fields)
 
 (* Names that other languages give to the test whether there is a value. *)
 let is_a_test = function
@@ -196,15 +197,15 @@ let of_a_content (name : Syntax.Ir.name) ~grouped ~lacks_it t content =
 (* Handles types that do not have fields themselves but produce values that may have fields, such as
    signal functions. *)
 let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
-  let text = Option.value (Show.quote words record.span) ~default:"x" in
+  let text = Option.value (Wording.quote words record.span) ~default:"x" in
   let grouped = Source.grouped text in
   let whole = Span.merge record.span name.span in
   match Type.expand ty with
   | Signal_function (input, output) ->
-      let signal = Option.value (Show.signal words input) ~default:"()" in
+      let signal = Option.value (Wording.signal words input) ~default:"()" in
       let applied = Printf.sprintf "%s %s" text signal in
       let has_it =
-        Option.fold (Show.fields words output) ~none:false ~some:(fun (_, fields) ->
+        Option.fold (Wording.fields words output) ~none:false ~some:(fun (_, fields) ->
             List.mem name.text fields)
       in
       let cure = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
@@ -253,7 +254,7 @@ let is_a_tuple ty = match Type.expand ty with Tuple [ _; _ ] -> true | _ -> fals
 let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
   let elements =
     match (Bare_number.value words record).desc with
-    | Tuple [ a; b ] -> (Show.quote words a.span, Show.quote words b.span)
+    | Tuple [ a; b ] -> (Wording.quote words a.span, Wording.quote words b.span)
     | _ -> (None, None)
   in
   match (name.text, elements) with
@@ -267,7 +268,7 @@ let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
   | _ ->
       Diagnostic.hint
         (Printf.sprintf "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
-           (Option.value (Show.quote words record.span) ~default:"p"))
+           (Option.value (Wording.quote words record.span) ~default:"p"))
         d
 
 (* `i.scan`, where `i` is the input of a robot. *)
@@ -281,11 +282,11 @@ let of_an_input (record : Resolve.Ir.expr) d =
     d
 
 let is_input_of_a_proc words (record : Resolve.Ir.expr) =
-  match record.desc with Local x -> Show.is_input words x.name | _ -> false
+  match record.desc with Local x -> Wording.is_input words x.name | _ -> false
 
 (* The constructor of this type, if it is a record type that has the field. *)
 let takes_a_record words input field =
-  match Show.fields words input with
+  match Wording.fields words input with
   | Some (constructor, fields) when List.mem field fields -> Some constructor
   | Some _ | None -> None
 
@@ -304,7 +305,7 @@ let of_the_same_quantity words ty name =
   match (Type.expand ty, usual_type name) with
   | Data { tycon; _ }, Some type_ ->
       Option.bind
-        (Environment.record_of (Show.environment words) tycon)
+        (Environment.record_of (Wording.environment words) tycon)
         (fun constructor ->
           let is_it (_, field) = String.equal (Show.ty field) type_ in
           match List.filter is_it constructor.ir.fields with
@@ -313,9 +314,9 @@ let of_the_same_quantity words ty name =
   | _ -> None
 
 let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
-  let described = Show.described words ty in
+  let described = Wording.described words ty in
   let error format = Diagnostic.error ~code:"E0310" ~at:name.span format in
-  (match one_of_several (Show.environment words) ty name.text with
+  (match one_of_several (Wording.environment words) ty name.text with
   | Some { constructor; _ } ->
       error "not every %s has the field `%s`" described name.text
       |> Diagnostic.hint
@@ -342,15 +343,15 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
             | None -> d)
         | _ -> suggest name known d
       in
-      match (Type.expand ty, Show.quote words record.span) with
+      match (Type.expand ty, Wording.quote words record.span) with
       | Function (input, _), Some f when takes_a_record words input name.text <> None ->
           let constructor = Option.get (takes_a_record words input name.text) in
           Diagnostic.hint
             (Printf.sprintf "`%s` takes the record as an argument: use `%s (%s { %s = … })`" f f
                constructor name.text)
             d
-      | Function (input, _), Some f when Show.signal words input <> None ->
-          let applied = Printf.sprintf "(%s %s)" f (Option.get (Show.signal words input)) in
+      | Function (input, _), Some f when Wording.signal words input <> None ->
+          let applied = Printf.sprintf "(%s %s)" f (Option.get (Wording.signal words input)) in
           let text = Printf.sprintf "%s.%s" applied name.text in
           Diagnostic.hint (Printf.sprintf "`%s` is a function: write `%s`" f text) d
           |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
@@ -379,7 +380,7 @@ let of_no_type words (name : Syntax.Ir.name) ~record =
   match as_a_function words name ~record d with
   | Some d -> d
   | None when is_input_of_a_proc words record -> of_an_input record d
-  | None -> suggest name (Environment.field_names (Show.environment words)) d
+  | None -> suggest name (Environment.field_names (Wording.environment words)) d
 
 let of_several_types (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
   let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
@@ -391,7 +392,7 @@ let of_several_types (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candida
 
 (* `robotPose i.heading`, which was meant as a field of `robotPose i`. *)
 let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) function_ =
-  let record = Option.value (Show.quote words record.span) ~default:"r" in
+  let record = Option.value (Wording.quote words record.span) ~default:"r" in
   Diagnostic.error ~code:"E0310" ~at
     "a field binds tighter than application: this is a field of `%s`" record
   |> Diagnostic.hint
@@ -400,7 +401,7 @@ let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) fu
 
 (* An array function that is called like a method. *)
 let called_as_method words ({ at; record; field; arguments } : Application_fact.method_call) d =
-  let quote = Show.argument words in
+  let quote = Wording.argument words in
   let texts = List.map quote (arguments @ [ record ]) in
   if (not (is_of_arrays words field)) || List.mem None texts then d
   else

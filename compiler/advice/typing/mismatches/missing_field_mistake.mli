@@ -5,21 +5,21 @@ open Basis
 open Typing
 
 val of_record :
-  Show.words -> Syntax.Ir.name -> record:Resolve.Ir.expr -> Type.t -> string list -> Diagnostic.t
+  Wording.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> Type.t -> string list -> Diagnostic.t
 (** The type of [record] does not have the field; the list contains the fields that it has. *)
 
-val of_no_type : Show.words -> Syntax.Ir.name -> record:Resolve.Ir.expr -> Diagnostic.t
+val of_no_type : Wording.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> Diagnostic.t
 (** No type in scope has the field. *)
 
 val of_several_types : Syntax.Ir.name -> record:Resolve.Ir.expr -> Ir.Global.t list -> Diagnostic.t
 (** The type of [record] is unknown, and these types have such a field. *)
 
 val of_argument :
-  Show.words -> at:Span.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> string -> Diagnostic.t
+  Wording.t -> at:Span.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> string -> Diagnostic.t
 (** The field was meant as a field of the result of the function with this name. *)
 
-val called_as_method : Show.words -> Application_fact.method_call -> Diagnostic.t -> Diagnostic.t
+val called_as_method : Wording.t -> Application_fact.method_call -> Diagnostic.t -> Diagnostic.t
 (** Completes the message about the missing field. *)
 
-val path : Show.words -> Type.t -> string -> string option
+val path : Wording.t -> Type.t -> string -> string option
 (** The field of this name in a value of the type, or in a record that is one of its fields. *)

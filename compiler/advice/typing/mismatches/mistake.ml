@@ -6,7 +6,7 @@ let exponent_too_large ~at =
   Diagnostic.error ~code:"E0323" ~at "the exponent of a unit is too large"
 
 let of_two_modules words diagnostic =
-  match Show.namesakes words with
+  match Wording.namesakes words with
   | [] -> diagnostic
   | name :: _ ->
       hint
@@ -17,7 +17,7 @@ let of_two_modules words diagnostic =
 
 (* A local function without a signature has only one type. *)
 let of_one_type words (expected : Expected.t) found (clash : Unify.clash) diagnostic =
-  let shown t = Show.described words t in
+  let shown t = Wording.described words t in
   let quantity t = match Type.expand t with Type.Number _ -> true | _ -> false in
   let is_of_a_number =
     match clash with
@@ -50,7 +50,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
   | Parameter { head = Some { desc = Global { name = "atan"; _ }; _ }; given = [ y; x ]; _ } ->
       let text (e : Resolve.Ir.expr) default =
         let is_field = match e.desc with Field _ -> true | _ -> false in
-        Option.fold (Show.quote words e.span) ~none:default
+        Option.fold (Wording.quote words e.span) ~none:default
           ~some:(if is_field then Fun.id else Source.grouped)
       in
       hint
@@ -64,7 +64,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
             || List.length given > takes
             || (List.length given = 1 && takes = 2))
          && match g.name.[0] with 'a' .. 'z' -> true | _ -> false -> (
-      match Show.declared words g with
+      match Wording.declared words g with
       | Some ty ->
           hint
             (if List.length given > takes || (List.length given = 1 && takes = 2) then
@@ -98,8 +98,8 @@ let without_idle_deciders (expected : Expected.t) found (clash : Unify.clash) : 
 let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mismatch) =
   let expected = without_idle_deciders expected found clash in
   (* reserve the names in signatures, so that generated names do not clash with them *)
-  if not (Show.is_any_number expected.ty) then ignore (Show.type_ words expected.ty);
-  Show.tell_apart words [ expected.ty; found ];
+  if not (Wording.is_any_number expected.ty) then ignore (Wording.type_ words expected.ty);
+  Wording.tell_apart words [ expected.ty; found ];
   let finish diagnostic =
     Reason_label.add_all words ~subject expected diagnostic
     |> of_one_type words expected found clash
@@ -112,7 +112,7 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
       match Signature_mistake.promised_unit (wanted, given) with
       | Some (r, unit_) ->
           Signature_mistake.general_unit words ~at r unit_
-          |> here (Printf.sprintf "this is %s" (Show.described words found))
+          |> here (Printf.sprintf "this is %s" (Wording.described words found))
       | None -> (
           match
             Shared_unit_mistake.of_an_earlier_number words ~expected ~found ~subject (wanted, given)
@@ -139,20 +139,20 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
   | Infinite _ ->
       finish
         (error ~code:"E0305" ~at "this would need an infinite type: expected %s, found %s"
-           (Show.described words expected.ty)
-           (Show.described words found))
+           (Wording.described words expected.ty)
+           (Wording.described words found))
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
            "a variable of a signature cannot depend on a type outside of it: expected %s, found %s"
-           (Show.described words expected.ty)
-           (Show.described words found))
+           (Wording.described words expected.ty)
+           (Wording.described words found))
   | Out_of_range -> exponent_too_large ~at
 
 let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), first)
     ((b : Resolve.Ir.expr), second) =
   (* reserve the names in signatures *)
-  ignore (Show.type_ words expected.ty);
+  ignore (Wording.type_ words expected.ty);
   let found = Type.Tuple [ first; second ] in
   let without_decider : Expected.reason -> Expected.reason = function
     | Parameter p -> Parameter { p with decided_by = [] }
@@ -168,15 +168,15 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
     | Signature _ | Output (Signature _) -> ", or swap their types in the signature"
     | _ -> ""
   in
-  match (Show.quote words a.span, Show.quote words b.span) with
+  match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->
       let text = Printf.sprintf "(%s, %s)" b a in
       hint (Printf.sprintf "write `%s`%s" text of_signature) d |> write at text
   | _ ->
       hint
         (Printf.sprintf "expected %s, found %s"
-           (Show.described words expected.ty)
-           (Show.described words found))
+           (Wording.described words expected.ty)
+           (Wording.described words found))
         d
 
 let too_large ~at (construct : Fact.construct) =

@@ -9,10 +9,10 @@
 open Basis
 open Typing
 
-val mismatch : Show.words -> Inference_fact.mismatch -> Diagnostic.t
+val mismatch : Wording.t -> Inference_fact.mismatch -> Diagnostic.t
 
 val exchanged_pair :
-  Show.words ->
+  Wording.t ->
   at:Span.t ->
   Expected.t ->
   Resolve.Ir.expr * Type.t ->

@@ -18,7 +18,7 @@ let many_seconds = 20.
 let many_milliseconds = 100.
 
 let with_unit words ~(expected : Expected.t) ~at digits unit_ =
-  let text = Show.measure words unit_ in
+  let text = Wording.measure words unit_ in
   let cure words units d =
     let with_unit unit_ = write at (Printf.sprintf "%s[%s]" digits unit_) in
     List.fold_right with_unit (List.rev units) (hint words d)
@@ -64,7 +64,7 @@ let rec chosen (e : Resolve.Ir.expr) =
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Local x -> (
-      match Option.fold (Show.definition words x) ~none:[] ~some:chosen with
+      match Option.fold (Wording.definition words x) ~none:[] ~some:chosen with
       | [ (digits, unit_, at) ] ->
           Some
             {
@@ -89,7 +89,7 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
     match Option.bind e (literal words) with
     | Some ({ unit_ = None; _ } as number)
       when is_global e && Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
-        Some (Bare_number.give words number (Show.measure words unit_), number.at, None)
+        Some (Bare_number.give words number (Wording.measure words unit_), number.at, None)
     | Some { digits; unit_ = None; at; name; _ }
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
         Some (with_unit words ~expected ~at digits unit_, at, name)
@@ -128,7 +128,7 @@ let without_brackets words (wanted, given) diagnostic =
     hint
       (Printf.sprintf
          "use `Float[%s]` for this unit; without brackets, `Float` and `Double` have no unit"
-         (Show.measure words u))
+         (Wording.measure words u))
       diagnostic
   in
   if Units.equal given Units.one && not (Units.is_open wanted) then write wanted
@@ -145,7 +145,7 @@ let by_time words ~(expected : Expected.t) diagnostic =
         hint
           "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
       in
-      match (Show.quote words time.span, Show.quote words signal.span) with
+      match (Wording.quote words time.span, Wording.quote words signal.span) with
       | Some time, Some signal ->
           hint
             (Printf.sprintf
@@ -176,7 +176,7 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
   | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
       hint
         (Printf.sprintf "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`"
-           digits (Show.measure words given))
+           digits (Wording.measure words given))
         diagnostic
   | _ -> diagnostic
 
@@ -185,7 +185,7 @@ let rec runs words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> runs words (Some head)
   | Some { desc = Global g; _ } -> (
-      match Show.declared words g with
+      match Wording.declared words g with
       | Some ty when List.mem "SF" (String.split_on_char ' ' ty) -> Some g.name
       | _ -> None)
   | _ -> None
@@ -193,8 +193,8 @@ let rec runs words (e : Resolve.Ir.expr option) =
 (* The signature with its result type replaced by this type, if the result type is the expected
    type. *)
 let corrected_signature words at (expected : Expected.t) found =
-  let wanted = Show.type_ words expected.ty and found = Show.type_ words found in
-  match Show.quote words at with
+  let wanted = Wording.type_ words expected.ty and found = Wording.type_ words found in
+  match Wording.quote words at with
   | Some text when String.ends_with ~suffix:(" " ^ wanted) text ->
       Some (String.sub text 0 (String.length text - String.length wanted) ^ found)
   | Some text when String.equal text wanted -> Some found
@@ -213,14 +213,14 @@ let hint_for_signature words ~(expected : Expected.t) ~found d =
       | None ->
           hint
             (Printf.sprintf "if this is the right result, write `%s` in the signature"
-               (Show.type_ words found))
+               (Wording.type_ words found))
             d)
   | _ -> d
 
 (* The result may be correct and the signature wrong. *)
 let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   match expected.because with
-  | Signature { name; _ } when runs words subject <> None && Show.inputs words = [] ->
+  | Signature { name; _ } when runs words subject <> None && Wording.inputs words = [] ->
       hint
         (Printf.sprintf
            "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … \
@@ -248,7 +248,7 @@ let is_of_functions words e =
     match e.desc with
     | Apply { style = Juxtaposed; _ } -> has_no_number e
     | Local x when not (List.mem x.id followed) ->
-        Option.fold (Show.definition words x) ~none:false ~some:(go (x.id :: followed))
+        Option.fold (Wording.definition words x) ~none:false ~some:(go (x.id :: followed))
     | _ -> false
   in
   go [] e
@@ -258,21 +258,21 @@ let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
   match subject with
   | Some { desc = Apply { head = { desc = Global { name = "sqrt"; _ }; _ }; argument; _ }; _ }
     when not (Units.equal wanted Units.one) ->
-      (match Show.quote words argument.span with
+      (match Wording.quote words argument.span with
       | Some text when not (is_whole given) ->
           hint
             (Printf.sprintf
                "to take the root of the number alone, write `sqrt (%s / 1[%s]) * 1[%s]`"
                (Source.grouped text)
-               (Show.measure words (Units.multiply given given))
-               (Show.measure words wanted))
+               (Wording.measure words (Units.multiply given given))
+               (Wording.measure words wanted))
             d
       | Some _ | None -> d)
       |> note
            (Printf.sprintf
               "`sqrt` halves the exponents of the unit: for `%s`, its argument must be in `%s`"
-              (Show.measure words wanted)
-              (Show.measure words (Units.multiply wanted wanted)))
+              (Wording.measure words wanted)
+              (Wording.measure words (Units.multiply wanted wanted)))
   | _ -> d
 
 (* The signature is suggested first if the definition is consistent by itself. *)
@@ -280,7 +280,7 @@ let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, gi
   match (expected.because, subject) with
   | (Signature _ | Output (Signature _)), Some e
     when d.hints = []
-         && (Show.inputs words <> []
+         && (Wording.inputs words <> []
             || runs words (match expected.because with Signature _ -> subject | _ -> None) = None)
          && (is_of_functions words e
             || Formula.is_product words e
@@ -298,11 +298,11 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     when diagnostic.hints = []
          && Unit_conversion.is_per_second words wanted
          && not (Unit_conversion.is_operand expected || Units.is_open given) ->
-      let text = Option.value (Show.quote words e.span) ~default:"e" in
+      let text = Option.value (Wording.quote words e.span) ~default:"e" in
       hint
         (Printf.sprintf "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
-           (Show.measure words given)
-           (Show.measure words (Units.divide wanted given))
+           (Wording.measure words given)
+           (Wording.measure words (Units.divide wanted given))
            (Source.grouped text))
         diagnostic
   | _ -> diagnostic
@@ -313,23 +313,23 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
   match (expected.because, Option.bind subject (literal words)) with
   | Operand { other; other_type; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one
-         && String.equal (Show.type_ words other_type) "Angle" ->
+         && String.equal (Wording.type_ words other_type) "Angle" ->
       let text = digits ^ "[rad]" in
-      let name = Option.value (Show.quote words other.span) ~default:"the other operand" in
+      let name = Option.value (Wording.quote words other.span) ~default:"the other operand" in
       hint (Printf.sprintf "`%s` is an angle: write `%s`" name text) d |> write at text
   | Operand { other; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
-      (match Show.quote words other.span with
+      (match Wording.quote words other.span with
       | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
       | None -> hint (Printf.sprintf "write `%s` if you mean a plain number" digits) d)
       |> write at digits
   | Parameter { callee = Some "turnBy"; head = Some head; _ }, Some { unit_ = Some _; _ }
-    when d.hints = [] && Units.equal wanted Units.one && String.equal (Show.measure words given) "m"
-    ->
+    when d.hints = [] && Units.equal wanted Units.one
+         && String.equal (Wording.measure words given) "m" ->
       hint
         (Printf.sprintf "`turnBy` turns by an angle: to drive a distance, write `forward %s`"
            (Option.fold
-              (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
+              (Option.bind subject (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span))
               ~none:"1[m]" ~some:Source.grouped))
         d
       |> write head.span "forward"
@@ -390,7 +390,7 @@ let likely words ~subject ~expected units =
     ]
 
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
-  let text = Show.measure words and is_one u = Units.equal u Units.one in
+  let text = Wording.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
   let diagnostic =
     match expected.because with
@@ -403,7 +403,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   in
   let is_number t = match Type.expand t with Number _ -> true | _ -> false in
   let diagnostic =
-    here (Printf.sprintf "this is %s" (Show.described words found)) diagnostic
+    here (Printf.sprintf "this is %s" (Wording.described words found)) diagnostic
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
   let is_of_numbers = is_number expected.ty && is_number found in
@@ -427,7 +427,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     | _ when not is_signature -> d
     | _
       when Unit_conversion.is_of_a_signal words expected
-           && String.equal (Show.measure words (Units.divide wanted given)) "s" ->
+           && String.equal (Wording.measure words (Units.divide wanted given)) "s" ->
         { d with hints = d.hints @ diagnostic.hints }
     | _ -> { d with hints = diagnostic.hints @ d.hints })
     |> by_time words ~expected
@@ -457,5 +457,5 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     | _ -> d)
     |> note
          (Printf.sprintf "expected %s, found %s"
-            (Show.described words expected.ty)
-            (Show.described words found))
+            (Wording.described words expected.ty)
+            (Wording.described words found))

@@ -7,7 +7,7 @@ open Basis
 open Typing
 
 val units :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   at:Span.t ->
   expected:Expected.t ->

@@ -6,7 +6,7 @@ open Typing
 let as_one_tuple words ~name parameters (expected : Expected.t) =
   match (name, Type.expand expected.ty) with
   | Some name, Function (first, _) -> (
-      let quote (p : Resolve.Ir.pattern) = Show.quote words p.span in
+      let quote (p : Resolve.Ir.pattern) = Wording.quote words p.span in
       let all = List.filter_map quote parameters in
       match Type.expand first with
       | Tuple elements
@@ -39,7 +39,7 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
            (Option.get (as_one_tuple words ~name parameters expected)))
         diagnostic
   | Signal_function _ ->
-      let quote (p : Resolve.Ir.pattern) = Show.quote words p.span in
+      let quote (p : Resolve.Ir.pattern) = Wording.quote words p.span in
       let texts = List.filter_map quote parameters in
       let hint =
         match (name, List.rev texts) with
@@ -54,7 +54,7 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
       Diagnostic.hint hint diagnostic
   | _ -> (
       let texts =
-        List.filter_map (fun (p : Resolve.Ir.pattern) -> Show.quote words p.span) parameters
+        List.filter_map (fun (p : Resolve.Ir.pattern) -> Wording.quote words p.span) parameters
       in
       match (name, expected.because) with
       | Some name, Signature _ when List.length texts = List.length parameters ->
@@ -68,7 +68,7 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
       | _ -> diagnostic)
 
 let in_a_tuple words ~name ~at (parts : Resolve.Ir.pattern list) expected =
-  let quote (p : Resolve.Ir.pattern) = Option.map Source.grouped (Show.quote words p.span) in
+  let quote (p : Resolve.Ir.pattern) = Option.map Source.grouped (Wording.quote words p.span) in
   let texts = List.filter_map quote parts in
   Diagnostic.error ~code:"E0301" ~at "`%s` takes %d separate arguments, not a tuple" name
     (List.length parts)
@@ -100,7 +100,7 @@ let with_types signature types =
 (* `f d = proc i -> …` with the signature `f :: SF a b`: the signature lacks types. *)
 let lacking_types words ~name ~at (expected : Expected.t) lacking =
   let names, types = List.split lacking in
-  let types = List.map (fun t -> Source.grouped (Show.type_ words t)) types in
+  let types = List.map (fun t -> Source.grouped (Wording.type_ words t)) types in
   let shown = Enumeration.all (List.map (Printf.sprintf "`%s`") names) in
   let d =
     Diagnostic.error ~code:"E0302" ~at "the signature of `%s` lacks the type of %s" name shown
@@ -108,7 +108,7 @@ let lacking_types words ~name ~at (expected : Expected.t) lacking =
   in
   match expected.because with
   | Signature { at; _ } -> (
-      match Option.bind (Show.quote words at) (fun text -> with_types text types) with
+      match Option.bind (Wording.quote words at) (fun text -> with_types text types) with
       | Some text ->
           Diagnostic.hint (Printf.sprintf "write `%s :: %s`" name text) d
           |> Diagnostic.write at text

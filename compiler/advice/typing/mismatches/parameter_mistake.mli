@@ -5,7 +5,7 @@ open Basis
 open Typing
 
 val too_many :
-  Show.words ->
+  Wording.t ->
   name:string option ->
   at:Span.t ->
   parameters:Resolve.Ir.pattern list ->
@@ -16,11 +16,11 @@ val too_many :
 (** More parameters than the type allows. *)
 
 val in_a_tuple :
-  Show.words -> name:string -> at:Span.t -> Resolve.Ir.pattern list -> Expected.t -> Diagnostic.t
+  Wording.t -> name:string -> at:Span.t -> Resolve.Ir.pattern list -> Expected.t -> Diagnostic.t
 (** A tuple in place of separate parameters. *)
 
 val lacking_types :
-  Show.words -> name:string -> at:Span.t -> Expected.t -> (string * Type.t) list -> Diagnostic.t
+  Wording.t -> name:string -> at:Span.t -> Expected.t -> (string * Type.t) list -> Diagnostic.t
 (** A signature without the types of some parameters. *)
 
 val refutable_input : pattern:Resolve.Ir.pattern -> Type.t -> Diagnostic.t -> Diagnostic.t

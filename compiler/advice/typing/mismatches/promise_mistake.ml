@@ -2,8 +2,8 @@ open Basis
 open Typing
 open Instance_fact
 
-let owner words missing = Show.owner words missing.variable
-let constraint_ words (m : promise) = Show.constraint_ words m.class_ m.of_
+let owner words missing = Wording.owner words missing.variable
+let constraint_ words (m : promise) = Wording.constraint_ words m.class_ m.of_
 
 (* The corrected context, if the context promises all needed classes, only for the wrong
    variables. *)
@@ -37,11 +37,11 @@ let promised words ~by (place : Span.t) needed d =
   in
   (* The place of an instance covers only its head, not its context. *)
   let is_whole =
-    match (by : Show.construct option) with
+    match (by : Surroundings.construct option) with
     | Some (Class _ | Instance _) -> false
     | Some (Signature _) | None -> true
   in
-  match Show.quote words place with
+  match Wording.quote words place with
   | Some text
     when is_whole && String.length text > 0 && Span.line place.start = Span.line place.stop -> (
       let arrow = List.exists (String.equal "=>") (String.split_on_char ' ' text) in

@@ -5,5 +5,5 @@
 open Basis
 open Typing
 
-val unpromised : Show.words -> Instance_fact.promise -> Instance_fact.promise list -> Diagnostic.t
+val unpromised : Wording.t -> Instance_fact.promise -> Instance_fact.promise list -> Diagnostic.t
 (** All missing promises belong to the same signature. *)

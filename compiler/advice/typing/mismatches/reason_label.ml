@@ -6,7 +6,7 @@ let decided words (decided_by : Expected.decider list) diagnostic =
   match decided_by with
   | { place; decides; _ } :: _ ->
       label ~at:place
-        (Printf.sprintf "because this is %s" (Show.described words decides))
+        (Printf.sprintf "because this is %s" (Wording.described words decides))
         diagnostic
   | [] -> diagnostic
 
@@ -17,7 +17,7 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
   | Unknown | Condition | Statement None -> diagnostic
   | Last_statement reason -> label_reason words reason expected diagnostic
   | Signature { name; at } ->
-      let described = Show.described words expected in
+      let described = Wording.described words expected in
       label ~at
         (match Resolve.Labels.kind_of_check name with
         | Some _ -> Printf.sprintf "the value after this name must be %s" described
@@ -25,46 +25,49 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
         diagnostic
   | Annotation at ->
       label ~at
-        (Printf.sprintf "the annotation requires %s" (Show.described words expected))
+        (Printf.sprintf "the annotation requires %s" (Wording.described words expected))
         diagnostic
   | Parameter { callee; at; position; decided_by; _ } ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
       label ~at
-        (Printf.sprintf "argument %d of %s is %s" position callee (Show.described words expected))
+        (Printf.sprintf "argument %d of %s is %s" position callee
+           (Wording.described words expected))
         diagnostic
       |> decided words decided_by
   | Operand { other; other_type; _ } ->
       label ~at:other.span
-        (Printf.sprintf "this is %s" (Show.described words other_type))
+        (Printf.sprintf "this is %s" (Wording.described words other_type))
         diagnostic
   | Branch at ->
-      label ~at (Printf.sprintf "this branch is %s" (Show.described words expected)) diagnostic
+      label ~at (Printf.sprintf "this branch is %s" (Wording.described words expected)) diagnostic
   | Statement (Some at) ->
       label ~at
-        (Printf.sprintf "each task of this `do` must be %s" (Show.described words expected))
+        (Printf.sprintf "each task of this `do` must be %s" (Wording.described words expected))
         diagnostic
   | Element at ->
       label ~at
-        (Printf.sprintf "the first element is %s" (Show.described words expected))
+        (Printf.sprintf "the first element is %s" (Wording.described words expected))
         diagnostic
   | Value at ->
-      label ~at (Printf.sprintf "the value is %s" (Show.described words expected)) diagnostic
+      label ~at (Printf.sprintf "the value is %s" (Wording.described words expected)) diagnostic
   | Pattern at ->
-      label ~at (Printf.sprintf "the pattern matches %s" (Show.described words expected)) diagnostic
+      label ~at
+        (Printf.sprintf "the pattern matches %s" (Wording.described words expected))
+        diagnostic
   | Uses { name; at } ->
       label ~at
-        (Printf.sprintf "elsewhere `%s` is used as %s" name (Show.described words expected))
+        (Printf.sprintf "elsewhere `%s` is used as %s" name (Wording.described words expected))
         diagnostic
   | Output (Signature { name; at }) ->
       label ~at
         (Printf.sprintf "the signature of `%s` requires the output %s" name
-           (Show.described words expected))
+           (Wording.described words expected))
         diagnostic
   | Output (Parameter { callee; at; position; decided_by; _ }) ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
       label ~at
         (Printf.sprintf "argument %d of %s has the output %s" position callee
-           (Show.described words expected))
+           (Wording.described words expected))
         diagnostic
       |> decided words decided_by
   | Output reason -> label_reason words reason expected diagnostic
@@ -82,7 +85,7 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
       | None ->
           let relate constructor = note (Record_units.relation constructor) in
           Option.fold constructor ~none:Fun.id ~some:relate diagnostic)
-      |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
+      |> label ~at (Printf.sprintf "the field `%s` is %s" name (Wording.described words expected))
 
 let definition name = Printf.sprintf "this defines `%s`" name
 let is_of_definition name (label : label) = String.equal label.text (definition name)

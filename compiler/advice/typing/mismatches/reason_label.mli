@@ -6,9 +6,9 @@ open Typing
 val definition : string -> string
 (** The label at the definition of this name. *)
 
-val add : Show.words -> Expected.t -> Diagnostic.t -> Diagnostic.t
+val add : Wording.t -> Expected.t -> Diagnostic.t -> Diagnostic.t
 (** Labels the place that determines the expected type. *)
 
 val add_all :
-  Show.words -> subject:Resolve.Ir.expr option -> Expected.t -> Diagnostic.t -> Diagnostic.t
+  Wording.t -> subject:Resolve.Ir.expr option -> Expected.t -> Diagnostic.t -> Diagnostic.t
 (** Like {!add}. If no place determines the type, labels where the offending variable is bound. *)

@@ -3,8 +3,8 @@
 open Basis
 open Typing
 
-val add : Show.words -> Instance_fact.required -> Diagnostic.t -> Diagnostic.t
+val add : Wording.t -> Instance_fact.required -> Diagnostic.t -> Diagnostic.t
 (** Labels the place that imposes the constraint. *)
 
-val user : Show.words -> Instance_fact.required -> string
+val user : Wording.t -> Instance_fact.required -> string
 (** The expression or construct that requires the class, in backticks. *)

@@ -8,7 +8,7 @@ open Basis
 open Typing
 
 val shapes :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   at:Span.t ->
   expected:Expected.t ->

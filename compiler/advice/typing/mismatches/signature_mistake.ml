@@ -2,7 +2,7 @@ open Basis
 open Typing
 open Diagnostic
 
-let construct : Show.construct -> string = function
+let construct : Surroundings.construct -> string = function
   | Signature name -> Printf.sprintf "the signature of `%s`" name
   | Class name -> Printf.sprintf "the class `%s`" name
   | Instance name -> Printf.sprintf "the instance of `%s`" name
@@ -10,7 +10,7 @@ let construct : Show.construct -> string = function
 (* The places in a signature where this name occurs. *)
 let mentions words (place : Span.t) name =
   let is_part = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
-  match Show.quote words place with
+  match Wording.quote words place with
   | Some text when Span.line place.start = Span.line place.stop ->
       let n = String.length name and length = String.length text in
       let stands i =
@@ -36,8 +36,8 @@ let variable_like_a_type words ~at (variable : Ir.variable) type_ =
 
 (* Suggests the signature with the variable replaced by the required type. The head of an instance
    is not a signature. *)
-let less_general words ({ by; place } : Show.owned) (variable : Ir.variable) needed d =
-  match (by, Show.quote words place, mentions words place variable.name) with
+let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.variable) needed d =
+  match (by, Wording.quote words place, mentions words place variable.name) with
   | Signature _, Some text, (_ :: _ as places) ->
       let piece (at : Span.t) = Span.column at.start - Span.column place.start in
       let replaced =
@@ -56,7 +56,7 @@ let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
     error ~code:"E0306" ~at "the signature allows every %s `%s`, but the definition needs %s" kind
       variable.name needed
   in
-  (match Show.owner words variable with
+  (match Wording.owner words variable with
   | Some { by; place } ->
       label ~at:place
         (Printf.sprintf "`%s` is any %s in %s" variable.name kind (construct by))
@@ -66,15 +66,15 @@ let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
   match Variable_name.type_meant variable.name with
   | Some type_ ->
       let meant =
-        Option.bind (Show.owner words variable) (fun ({ place; _ } : Show.owned) ->
-            Option.bind (Show.quote words place) Other_type.of_text)
+        Option.bind (Wording.owner words variable) (fun ({ place; _ } : Surroundings.owned) ->
+            Option.bind (Wording.quote words place) Other_type.of_text)
       in
       hint
         (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s"
            (Option.value meant ~default:type_)
            kind)
   | None -> (
-      match (Show.owner words variable, instead) with
+      match (Wording.owner words variable, instead) with
       | Some owner, Some needed -> less_general words owner variable needed
       | _ -> Fun.id)
 
@@ -82,12 +82,12 @@ let general_type words ~at (r : Type.rigid) t =
   let kind = match r.kind with Of_types -> "type" | Of_sizes -> "size" in
   let instead =
     match Type.expand t with
-    | Bool | String | Size _ | Data { arguments = []; _ } -> Some (Show.type_ words t)
-    | Number (Float, u) when not (Units.is_open u) -> Some (Show.type_ words t)
+    | Bool | String | Size _ | Data { arguments = []; _ } -> Some (Wording.type_ words t)
+    | Number (Float, u) when not (Units.is_open u) -> Some (Wording.type_ words t)
     | _ -> None
   in
   too_general words ~at ~kind ~instead r.variable
-    (Printf.sprintf "it to be %s" (Show.described words t))
+    (Printf.sprintf "it to be %s" (Wording.described words t))
 
 (* The power (`s^2`) that the user probably meant by a name such as `s2` in a unit. The parser reads
    `s2` as a variable. *)
@@ -98,10 +98,10 @@ let power_meant (variable : Ir.variable) =
   | _ -> None
 
 let general_unit words ~at (r : Units.rigid) u =
-  let instead = if Units.is_open u then None else Some (Show.measure words u) in
+  let instead = if Units.is_open u then None else Some (Wording.measure words u) in
   let instead = if power_meant r.variable = None then instead else None in
   too_general words ~at ~kind:"unit" ~instead r.variable
-    (Printf.sprintf "it to be `%s`" (Show.measure words u))
+    (Printf.sprintf "it to be `%s`" (Wording.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
          hint
            (Printf.sprintf "`%s` is a variable here: write a power as `%s`" r.variable.name power))
@@ -109,11 +109,11 @@ let general_unit words ~at (r : Units.rigid) u =
 let general_representation words ~at (r : Units.rigid) n =
   let instead =
     match n with
-    | Type.Float | Int -> Some (Show.representation words n)
+    | Type.Float | Int -> Some (Wording.representation words n)
     | Flexible_representation _ | Rigid_representation _ -> None
   in
   too_general words ~at ~kind:"representation" ~instead r.variable
-    (Printf.sprintf "it to be `%s`" (Show.representation words n))
+    (Printf.sprintf "it to be `%s`" (Wording.representation words n))
 
 let promised_unit (a, b) =
   let alone u =
@@ -131,7 +131,8 @@ let idle_constraint ~at (variable : Ir.variable) ~ty =
   |> label ~at:ty (Printf.sprintf "nothing here determines the type `%s`" variable.name)
 
 let constraint_on_type words ~at ty =
-  error ~code:"E0365" ~at "a context can only constrain a variable, not %s" (Show.quoted words ty)
+  error ~code:"E0365" ~at "a context can only constrain a variable, not %s"
+    (Wording.quoted words ty)
 
 let unknown_size ~at ~of_ ~variable =
   error ~code:"E0331" ~at "nothing determines the size of an array where `%s` is used" of_
@@ -149,5 +150,5 @@ let unknown_size ~at ~of_ ~variable =
 let polymorphic_value words ~name ~at ~signature ty =
   let name = match name with Some name -> "`" ^ name ^ "`" | None -> "this" in
   error ~code:"E0314" ~at "only a local function can be polymorphic, and %s is %s" name
-    (Show.quoted words ty)
+    (Wording.quoted words ty)
   |> label ~at:signature "its signature has its own variables"

@@ -5,23 +5,23 @@
 open Basis
 open Typing
 
-val construct : Show.construct -> string
+val construct : Surroundings.construct -> string
 (** The construct as part of a sentence. *)
 
-val general_type : Show.words -> at:Span.t -> Type.rigid -> Type.t -> Diagnostic.t
+val general_type : Wording.t -> at:Span.t -> Type.rigid -> Type.t -> Diagnostic.t
 (** The message about a signature that has a variable where the definition requires this type or
     array size. *)
 
-val general_unit : Show.words -> at:Span.t -> Units.rigid -> Units.t -> Diagnostic.t
+val general_unit : Wording.t -> at:Span.t -> Units.rigid -> Units.t -> Diagnostic.t
 
 val general_representation :
-  Show.words -> at:Span.t -> Units.rigid -> Type.representation -> Diagnostic.t
+  Wording.t -> at:Span.t -> Units.rigid -> Type.representation -> Diagnostic.t
 
 val promised_unit : Units.t * Units.t -> (Units.rigid * Units.t) option
 (** The variable and the other unit, if one of two clashing units is a single variable of a
     signature and the other unit contains no variables of signatures. *)
 
-val variable_like_a_type : Show.words -> at:Span.t -> Ir.variable -> string -> Diagnostic.t
+val variable_like_a_type : Wording.t -> at:Span.t -> Ir.variable -> string -> Diagnostic.t
 (** The warning [W0302] about a type variable that differs from the name of a type only in the case
     of a letter. *)
 
@@ -30,8 +30,8 @@ val variable_like_a_type : Show.words -> at:Span.t -> Ir.variable -> string -> D
     Their arguments are those of {!Typing.Inference_fact.t}. *)
 
 val idle_constraint : at:Span.t -> Ir.variable -> ty:Span.t -> Diagnostic.t
-val constraint_on_type : Show.words -> at:Span.t -> Type.t -> Diagnostic.t
+val constraint_on_type : Wording.t -> at:Span.t -> Type.t -> Diagnostic.t
 val unknown_size : at:Span.t -> of_:string -> variable:string option -> Diagnostic.t
 
 val polymorphic_value :
-  Show.words -> name:string option -> at:Span.t -> signature:Span.t -> Type.t -> Diagnostic.t
+  Wording.t -> name:string option -> at:Span.t -> signature:Span.t -> Type.t -> Diagnostic.t

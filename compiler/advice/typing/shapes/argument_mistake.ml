@@ -8,7 +8,7 @@ open Unrun_mistake
 let rec declared words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> declared words (Some head)
-  | Some { desc = Global g; _ } -> Option.map (fun ty -> (g.name, ty)) (Show.declared words g)
+  | Some { desc = Global g; _ } -> Option.map (fun ty -> (g.name, ty)) (Wording.declared words g)
   | _ -> None
 
 let rec missing_arguments t =
@@ -18,7 +18,7 @@ let rec missing_arguments t =
 
 (* `foldl max row` with an initial value inserted *)
 let start_lacking fact ~missing (e : Resolve.Ir.expr) =
-  let quote = Show.argument fact.words in
+  let quote = Wording.argument fact.words in
   match (fact.wanted, fact.given, Plain_name.of_head e, List.map quote (arguments_of e)) with
   | Number _, Function (_, result), Some "foldl", [ Some f; Some xs ]
     when missing = 1 && Array_mistake.is_array result ->
@@ -30,14 +30,14 @@ let start_lacking fact ~missing (e : Resolve.Ir.expr) =
 let missing_in_definition fact ~missing d =
   match fact.subject with
   | Some { desc = Local x; _ }
-    when Option.bind (Show.definition fact.words x) (start_lacking fact ~missing) <> None ->
-      let e = Option.get (Show.definition fact.words x) in
+    when Option.bind (Wording.definition fact.words x) (start_lacking fact ~missing) <> None ->
+      let e = Option.get (Wording.definition fact.words x) in
       let text = Option.get (start_lacking fact ~missing e) in
       label ~at:e.span (Printf.sprintf "this is `%s`; it lacks its second argument" x.name) d
       |> hint (Printf.sprintf "`foldl` begins with a value: write `%s`" text)
       |> write e.span text |> Option.some
   | Some { desc = Local x; _ } -> (
-      match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition fact.words x) with
+      match Option.map (fun e -> (e, Plain_name.of_head e)) (Wording.definition fact.words x) with
       | Some (({ desc = Apply _; _ } as e), Some head) ->
           let all = missing + List.length (arguments_of e) in
           label ~at:e.span (Printf.sprintf "this is `%s`; it lacks %s" x.name (count missing)) d
@@ -59,8 +59,8 @@ let signal_of words t =
   match Type.expand t with
   | Type.Function (argument, _) -> (
       match Type.expand argument with
-      | Flexible _ when not (Show.needs_class words argument) -> None
-      | _ -> Show.signal words argument)
+      | Flexible _ when not (Wording.needs_class words argument) -> None
+      | _ -> Wording.signal words argument)
   | _ -> None
 
 (* A function that takes `()`, like a foreign function without arguments. *)
@@ -112,7 +112,7 @@ let input_given fact =
   in
   match (fact.subject, Option.map Type.expand (last fact.found)) with
   | Some { desc = Apply { argument = { desc = Local x; _ }; _ }; _ }, Some (Flexible _)
-    when Show.is_input fact.words x.name ->
+    when Wording.is_input fact.words x.name ->
       Some x.name
   | _ -> None
 
@@ -129,7 +129,7 @@ let rec with_names words (e : Resolve.Ir.expr option) =
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> with_names words (Some head)
   | Some { desc = Global g; _ } ->
       let name (p : Resolve.Ir.pattern) = match p.desc with Bound x -> Some x.name | _ -> None in
-      Option.bind (Show.binding words g) (fun (b : Resolve.Ir.binding) ->
+      Option.bind (Wording.binding words g) (fun (b : Resolve.Ir.binding) ->
           Option.map (fun names -> (g.name, names)) (all (List.map name b.parameters)))
   | _ -> None
 
@@ -144,21 +144,21 @@ let rec parameters_of words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> parameters_of words (Some head)
   | Some { desc = Global g; _ } ->
-      Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
+      Option.fold (Wording.declared_type words g) ~none:[] ~some:parameters
   | _ -> []
 
 (* Says which parameters lack an argument, by their names in the definition. If the last argument is
    a signal of the enclosing proc, it is probably meant for the last parameter. *)
 let missing_by_name fact ~missing d =
   let given = Option.fold fact.subject ~none:[] ~some:arguments_of in
-  let quote = Show.argument fact.words in
+  let quote = Wording.argument fact.words in
   match (with_names fact.words fact.subject, all (List.map quote given), List.rev given) with
   | Some (f, names), Some texts, last :: _
     when List.compare_length_with names (List.length given + missing) = 0 && missing <= 2 ->
       let n = List.length given in
       let types = parameters_of fact.words fact.subject in
       let fits_the_last (x : Resolve.Ir.Local.t) =
-        match (List.assoc_opt x.name (Show.inputs fact.words), List.rev types) with
+        match (List.assoc_opt x.name (Wording.inputs fact.words), List.rev types) with
         | Some input, last :: _ -> (
             match (Type.expand input, Type.expand last) with
             | Number (_, u), Number (_, v)
@@ -169,7 +169,7 @@ let missing_by_name fact ~missing d =
       in
       let is_signal =
         match last.desc with
-        | Local x -> Show.is_input fact.words x.name && fits_the_last x
+        | Local x -> Wording.is_input fact.words x.name && fits_the_last x
         | _ -> false
       in
       (* `smaller a` for `smaller a b`: the input has the name of the first parameter *)
@@ -260,7 +260,7 @@ let more_missing_than_expected fact =
            | 1, Function (parameter, _), Some (_ :: _ as written) ->
                Printf.sprintf "`%s` lacks its %s argument, %s%s" head
                  (ordinal (List.length written + 1))
-                 (Show.described fact.words parameter)
+                 (Wording.described fact.words parameter)
                  (match (Type.expand parameter, source fact) with
                  | Number _, Some text -> Printf.sprintf ": write `%s 0`, for example" text
                  | _ -> "")
@@ -287,12 +287,12 @@ let with_one_more fact =
       match List.nth_opt given (position - 1) with
       | Some { desc = Lambda { parameters; body }; _ } ->
           let texts =
-            List.map (fun (p : Resolve.Ir.pattern) -> Show.quote fact.words p.span) parameters
+            List.map (fun (p : Resolve.Ir.pattern) -> Wording.quote fact.words p.span) parameters
           in
           Option.bind (all texts) (fun texts ->
               Option.map
                 (Printf.sprintf "\\%s _ -> %s" (String.concat " " texts))
-                (Show.quote fact.words body.span))
+                (Wording.quote fact.words body.span))
       | _ -> None)
   | _ -> None
 
@@ -318,7 +318,7 @@ let missing_in_an_operand fact =
           span;
         } )
     when Array_mistake.is_array from ->
-      let xs = Show.argument_or "xs" fact.words argument in
+      let xs = Wording.argument_or "xs" fact.words argument in
       let cure = Printf.sprintf "%simumBy id %s" name xs in
       error ~code:"E0301" ~at:span "`%s` takes two values, not an array" name
       |> hint
@@ -355,7 +355,7 @@ let one_too_many fact =
   | ( Function _,
       (Number _ | Bool | Data _ | Tuple _),
       Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e) ) -> (
-      match (Plain_name.of_head e, Show.quote fact.words head.span) with
+      match (Plain_name.of_head e, Wording.quote fact.words head.span) with
       | Some name, Some text ->
           Some
             (hinted fact
@@ -378,7 +378,7 @@ let missing_before fact =
   match fact.expected.because with
   | Parameter { callee = Some f; head = Some head; given; takes; position; _ }
     when List.length given < takes && fits_next fact head ~position ->
-      let text = Show.argument_or "…" fact.words in
+      let text = Wording.argument_or "…" fact.words in
       let start = match fact.wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
       let before = List.filteri (fun i _ -> i < position - 1) given in
       let after = List.filteri (fun i _ -> i >= position - 1) given in

@@ -11,7 +11,7 @@ let unlike_sizes a b =
 
 (* The source texts of both operands. *)
 let operands fact =
-  let quote = Show.argument fact.words in
+  let quote = Wording.argument fact.words in
   let texts =
     match (fact.expected.because, fact.subject) with
     | Operand { other; _ }, Some e -> [ quote other; quote e ]
@@ -47,12 +47,12 @@ let second_operand fact =
     | Apply { style = Juxtaposed; _ } -> (
         match Resolve.Walk.application e with
         | { desc = Global g; _ }, arguments ->
-            Option.bind (Show.declared_type fact.words g) (result arguments)
+            Option.bind (Wording.declared_type fact.words g) (result arguments)
         | _ -> None)
     | Local x -> (
-        match List.assoc_opt x.name (Show.inputs fact.words) with
+        match List.assoc_opt x.name (Wording.inputs fact.words) with
         | Some t -> Some t
-        | None -> Show.local fact.words x)
+        | None -> Wording.local fact.words x)
     | _ -> None
   in
   match fact.expected.because with
@@ -63,7 +63,7 @@ let second_operand fact =
 let is_a_reading fact =
   match fact.subject with
   | Some { desc = Field { record = { desc = Local x; _ }; field = { text = "sonar"; _ }; _ }; _ } ->
-      Show.is_input fact.words x.name
+      Wording.is_input fact.words x.name
   | Some _ | None -> false
 
 (* `a * x` for a matrix and a vector, or for two matrices *)
@@ -143,7 +143,7 @@ let mapped_over_a_value fact =
   match (fact.given, fact.expected.because) with
   | (Number _ | Bool | String), Parameter { callee = Some "map"; position = 2; given = [ f; x ]; _ }
     when is_array fact.expected.ty -> (
-      match (Show.quote fact.words f.span, Show.quote fact.words x.span) with
+      match (Wording.quote fact.words f.span, Wording.quote fact.words x.span) with
       | Some f, Some x ->
           Some
             (hinted fact
@@ -156,7 +156,7 @@ let mapped fact =
   let applied name =
     match fact.expected.because with
     | Parameter { given = [ f; x ]; _ } -> (
-        match (Show.quote fact.words f.span, Show.quote fact.words x.span) with
+        match (Wording.quote fact.words f.span, Wording.quote fact.words x.span) with
         | Some f, Some x ->
             Printf.sprintf "write `%s %s %s`" name (Source.grouped f) (Source.grouped x)
         | _ -> Printf.sprintf "use `%s`" name)
@@ -179,7 +179,7 @@ let extreme fact =
           _;
         } )
     when is_array from ->
-      let xs = Show.argument_or "xs" fact.words argument in
+      let xs = Wording.argument_or "xs" fact.words argument in
       error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
         (found_text fact)
       |> hint
@@ -249,7 +249,7 @@ let of_records fact =
          (List.hd (List.rev shown)))
   in
   match (Option.map Type.expand (element fact.wanted), element fact.found) with
-  | Some (Number _ | Bool), Some record -> Option.map message (Show.fields fact.words record)
+  | Some (Number _ | Bool), Some record -> Option.map message (Wording.fields fact.words record)
   | _ -> None
 
 let of_several_types fact =

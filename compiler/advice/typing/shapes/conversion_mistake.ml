@@ -22,7 +22,7 @@ let of_a_text fact =
          | Signature _ | Output _ | Branch _ | Parameter _ | Field _ -> not (is_operator fact)
          | _ -> false ->
       let zero =
-        match Show.measure fact.words u with "1" -> "0" | unit_ -> Printf.sprintf "0[%s]" unit_
+        match Wording.measure fact.words u with "1" -> "0" | unit_ -> Printf.sprintf "0[%s]" unit_
       in
       Some
         (hinted fact
@@ -36,7 +36,7 @@ let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") 
 let by_a_constructor fact =
   match (fact.wanted, fact.given) with
   | Data _, Data _ -> (
-      match Show.makers fact.words fact.expected.ty ~of_:fact.found with
+      match Wording.makers fact.words fact.expected.ty ~of_:fact.found with
       | [] -> None
       | makers ->
           Some (hinted fact (Printf.sprintf "use %s to convert this value" (alternatives makers))))
@@ -46,7 +46,7 @@ let capital_choice fact =
   match fact.subject with
   | Some { desc = Global { name; _ } | Local { name; _ }; _ } ->
       let meant = String.capitalize_ascii name in
-      if List.mem meant (Show.choices fact.words fact.expected.ty) then
+      if List.mem meant (Wording.choices fact.words fact.expected.ty) then
         Some
           (hinted fact (Printf.sprintf "did you mean `%s`?" meant)
           |> Basis.Diagnostic.write fact.at meant)
@@ -56,7 +56,7 @@ let capital_choice fact =
 let to_a_choice fact =
   match fact.expected.because with
   | Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _ -> (
-      match (Show.choices fact.words fact.expected.ty, fact.given) with
+      match (Wording.choices fact.words fact.expected.ty, fact.given) with
       | [], _ -> None
       | ([ _; _ ] as choices), Bool ->
           Some

@@ -13,7 +13,7 @@ let content t =
   match Type.expand t with Type.Data { arguments = [ content ]; _ } -> Some content | _ -> None
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
-let is_record words t = Show.fields words t <> None
+let is_record words t = Wording.fields words t <> None
 let is_an_event fact = Environment.is_event fact.found
 let event_wanted fact = Environment.is_event fact.wanted
 
@@ -21,7 +21,7 @@ let event_wanted fact = Environment.is_event fact.wanted
 let mapped fact =
   match Option.map Resolve.Walk.application fact.subject with
   | Some ({ desc = Global { name = "mapE"; _ }; _ }, [ f; e ]) ->
-      all [ Show.argument fact.words f; Show.argument fact.words e ]
+      all [ Wording.argument fact.words f; Wording.argument fact.words e ]
   | _ -> None
 
 let with_default fact start =
@@ -30,7 +30,7 @@ let with_default fact start =
   | _ -> Printf.sprintf "mapE (fromMaybe %s) %s" start (grouped fact "e")
 
 let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) =
-  let text = Show.argument_or "…" words in
+  let text = Wording.argument_or "…" words in
   match arguments with
   | [ (start, _); (f, change); (e, event) ] when Environment.is_event event && is_function change ->
       let takes_its_value =
@@ -60,7 +60,7 @@ let false_at_first fact =
       in
       match other.desc with
       | Number { digits; _ } when is_less -> (
-          match (float_of_string_opt digits, Show.quote fact.words other.span) with
+          match (float_of_string_opt digits, Wording.quote fact.words other.span) with
           | Some limit, Some text when limit > 0. && String.starts_with ~prefix:digits text ->
               let unit_ =
                 String.sub text (String.length digits) (String.length text - String.length digits)

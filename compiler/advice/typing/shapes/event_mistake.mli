@@ -32,7 +32,7 @@ val of_a_truth : Shape_fact.rule
 (** {1 Other messages} *)
 
 val accumulated :
-  Show.words ->
+  Wording.t ->
   name:string ->
   at:Basis.Span.t ->
   (Resolve.Ir.expr * Type.t) list ->

@@ -12,7 +12,7 @@ let is_plain t =
 (* An example of a value of this type: a record expression if it is a small record, otherwise `x`.
    *)
 let value words t =
-  match Show.fields words t with
+  match Wording.fields words t with
   | Some (constructor, fields) when List.compare_length_with fields 4 <= 0 ->
       Printf.sprintf "(%s { %s })" constructor
         (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
@@ -35,7 +35,7 @@ let is_of_nothing t =
 (* The time in `after 5[s] ()`. *)
 let after words subject =
   match Option.map Resolve.Walk.application subject with
-  | Some ({ desc = Global { name = "after"; _ }; _ }, [ time; _ ]) -> Show.argument words time
+  | Some ({ desc = Global { name = "after"; _ }; _ }, [ time; _ ]) -> Wording.argument words time
   | _ -> None
 
 let of_numbers found =
@@ -45,7 +45,7 @@ let of_numbers found =
 
 (* The event and the amount it adds, for `accumHold 0 (tag e 1)`. *)
 let added_up words (subject : Resolve.Ir.expr option) =
-  let quoted = Show.argument words in
+  let quoted = Wording.argument words in
   let event =
     match (Option.map Resolve.Walk.application subject, subject) with
     | Some ({ desc = Global { name = "tag"; _ }; _ }, [ e; x ]), _ -> (
@@ -64,7 +64,7 @@ let for_a_time words wanted found =
   Type.expand found = Bool
   &&
   match Option.map Type.expand (content wanted) with
-  | Some (Number (_, u)) -> String.equal (Show.measure words u) "s"
+  | Some (Number (_, u)) -> String.equal (Wording.measure words u) "s"
   | _ -> false
 
 (* Is this a record, a tuple or other data that is not an event, a task or a `Maybe`? *)
@@ -76,7 +76,7 @@ let is_thing t =
 (* How to get a value of the wanted type from a value `x` of this type. Uses the field named after
    the wanted type, if there is one. *)
 let within words t wanted =
-  match (Show.fields words t, Type.expand wanted) with
+  match (Wording.fields words t, Type.expand wanted) with
   | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields
     ->
       "x." ^ String.uncapitalize_ascii tycon.name
@@ -86,7 +86,7 @@ let within words t wanted =
 let default fact wanted =
   match fact.expected.because with
   | Parameter { callee = Some ("hold" | "dHold"); position = 2; given = start :: _; _ } ->
-      Show.argument_or "x0" fact.words start
+      Wording.argument_or "x0" fact.words start
   | _ -> ( match Type.expand wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0")
 
 (* {1 Hints}
@@ -122,7 +122,7 @@ let compared_with_content fact =
     when (event_wanted fact || is_maybe fact.wanted) && not (is_an_event fact || is_maybe fact.found)
     -> (
       let constructor = if is_maybe fact.wanted then "Just" else "Event" in
-      match (Show.quote fact.words other.span, source fact) with
+      match (Wording.quote fact.words other.span, source fact) with
       | Some other, Some text ->
           Some
             (Printf.sprintf "compare the values like this: `%s %s %s %s`" other operator constructor
@@ -167,7 +167,7 @@ let held_after_its_event fact =
       Some content )
     when is_of_nothing content && is_plain fact.found && fact.given <> Bool ->
       let start = match fact.given with Number _ -> "0" | _ -> "x0" in
-      let e = Show.argument_or "e" fact.words e in
+      let e = Wording.argument_or "e" fact.words e in
       Some
         (Printf.sprintf
            "`%s` takes the initial value first, and then an event that carries the value: write \
@@ -188,10 +188,10 @@ let wrapped_twice fact =
     | Some content, _ ->
         Option.map
           (Printf.sprintf "the content is an event already: write `%s` without `Event`")
-          (Show.quote fact.words content.span)
+          (Wording.quote fact.words content.span)
     | None, ({ desc = Global { name = "tag"; _ }; _ }, [ e; made ]) -> (
-        let value = Option.bind (content_of_event made) (Show.argument fact.words) in
-        match (Show.argument fact.words e, value) with
+        let value = Option.bind (content_of_event made) (Wording.argument fact.words) in
+        match (Wording.argument fact.words e, value) with
         | Some e, Some value ->
             Some
               (Printf.sprintf "`tag` makes the event: write the value alone, `tag %s %s`" e value)

@@ -19,7 +19,7 @@ let is_output t =
   | _ -> false
 
 let hint_for_a_twist words t =
-  match (Type.expand t, Show.fields words t) with
+  match (Type.expand t, Wording.fields words t) with
   | Data { tycon = { name = "Twist"; _ }; _ }, Some (_, fields) when List.mem "linear" fields ->
       Some
         "a robot's output is a command, not a `Twist`: write `roMake (setVelTR v omega)`, where \
@@ -68,7 +68,8 @@ let rec output_of (e : Resolve.Ir.expr) =
 let to_make (fact : Shape_fact.t) =
   Option.bind fact.subject (fun (e : Resolve.Ir.expr) ->
       let e = Option.value (output_of e) ~default:e in
-      if is_of_a_capability e then Option.map (fun text -> (e, text)) (Show.quote fact.words e.span)
+      if is_of_a_capability e then
+        Option.map (fun text -> (e, text)) (Wording.quote fact.words e.span)
       else None)
 
 let not_made (fact : Shape_fact.t) =
@@ -99,7 +100,7 @@ let speeds_of_a_program (fact : Shape_fact.t) =
   with
   | Some wanted, Some (Tuple [ v; omega ]), Some { desc = Tuple [ v'; omega' ]; span }
     when is_output wanted && is_number v && is_number omega -> (
-      match (Show.quote fact.words v'.span, Show.quote fact.words omega'.span) with
+      match (Wording.quote fact.words v'.span, Wording.quote fact.words omega'.span) with
       | Some v, Some omega ->
           let text =
             Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v) (Source.grouped omega)
@@ -119,10 +120,10 @@ let task_of_a_program (fact : Shape_fact.t) =
   | Some wanted, Some given, Some { span; _ } when is_output wanted && Environment.is_task given ->
       let d =
         Diagnostic.error ~code:"E0301" ~at:span "expected the robot's output, found a task: %s"
-          (Show.described fact.words given)
+          (Wording.described fact.words given)
       in
       Some
-        (match (fact.subject, Show.quote fact.words span) with
+        (match (fact.subject, Wording.quote fact.words span) with
         | ( Some
               {
                 desc = Apply { head = { desc = Global { name = "reactimateRobot"; _ }; _ }; _ };
@@ -154,11 +155,11 @@ let speeds (fact : Shape_fact.t) =
 let of_sleeping words ~(subject : Resolve.Ir.expr option) other =
   match Option.map (fun (e : Resolve.Ir.expr) -> (e.span, Resolve.Walk.application e)) subject with
   | Some (span, ({ desc = Global { name = "sleepT"; _ }; _ }, [ time; output ])) -> (
-      match (Type.expand other, Show.quote words time.span, Show.quote words output.span) with
+      match (Type.expand other, Wording.quote words time.span, Wording.quote words output.span) with
       | Function _, _, Some text when changed other <> None && is_of_a_capability output ->
           let made = Printf.sprintf "roMake (%s)" text in
           Diagnostic.error ~code:"E0301" ~at:output.span
-            "expected the robot's output during that time, found %s" (Show.described words other)
+            "expected the robot's output during that time, found %s" (Wording.described words other)
           |> Diagnostic.hint (Printf.sprintf "write `%s`" made)
           |> Diagnostic.fix (Printf.sprintf "write `%s`" made) [ (output.span, made) ]
           |> Option.some

@@ -12,8 +12,7 @@ val speeds : Shape_fact.rule
 val task_of_a_program : Shape_fact.rule
 (** A task as the output of the signal function that a robot runs. *)
 
-val of_sleeping :
-  Show.words -> subject:Resolve.Ir.expr option -> Type.t -> Basis.Diagnostic.t option
+val of_sleeping : Wording.t -> subject:Resolve.Ir.expr option -> Type.t -> Basis.Diagnostic.t option
 (** The message for [sleepT 2[s] (setVelTR v omega)], and for [sleepT] with its arguments exchanged,
     whose output has this type in place of any output. *)
 
@@ -23,7 +22,7 @@ val statement : Shape_fact.rule
 val hint_without_instance : Type.t -> string option
 (** The hint for a type without an instance of [RobotOutput], where an output is required. *)
 
-val hint_for_a_twist : Show.words -> Type.t -> string option
+val hint_for_a_twist : Wording.t -> Type.t -> string option
 (** The hint for a [Twist] of ROS in place of a robot's output. *)
 
 val twist : Shape_fact.rule

@@ -1,12 +1,11 @@
 open Basis
-open Typing
 open Shape_fact
 
 let with_each fields = String.concat ", " (List.map (Printf.sprintf "%s = …") fields)
 
 (* How to build the record that is the first of two arguments, if only the second one is given. *)
 let before fact ~callee ~(next : Resolve.Ir.expr) whole =
-  match Show.quote fact.words next.span with
+  match Wording.quote fact.words next.span with
   | Some next ->
       let next = Source.grouped next in
       Printf.sprintf "write the record before `%s`: `%s (%s) %s`" next callee whole next
@@ -18,7 +17,7 @@ let is_number words (e : Resolve.Ir.expr) =
 (* `pid 0.5 0.1 0 e`: the values of the fields, and then the signal. *)
 let from_numbers fact ~callee constructor fields (given : Resolve.Ir.expr list) =
   let numbers, rest = List.partition (is_number fact.words) given in
-  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
   let value i field =
     Printf.sprintf "%s = %s" field
       (Option.value (Option.bind (List.nth_opt numbers i) quote) ~default:"…")
@@ -56,7 +55,7 @@ let how_to_build fact constructor fields =
   | _ -> None
 
 let built fact =
-  match (fact.wanted, fact.given, Show.fields fact.words fact.expected.ty) with
+  match (fact.wanted, fact.given, Wording.fields fact.words fact.expected.ty) with
   | Data _, (Number _ | Bool), Some (constructor, fields)
     when List.compare_length_with fields 8 <= 0 ->
       Option.map (hinted fact) (how_to_build fact constructor fields)
@@ -68,7 +67,7 @@ let bound_too_tightly words (subject : Resolve.Ir.expr option) fields =
     match e.desc with
     | Apply { head; argument = { desc = Field { record; field; _ }; _ }; style = Juxtaposed }
       when List.mem field.text fields -> (
-        match (Show.quote words head.span, Show.quote words record.span) with
+        match (Wording.quote words head.span, Wording.quote words record.span) with
         | Some f, Some x ->
             Some
               (Printf.sprintf "a field binds tighter than application: write `(%s %s).%s`" f x
@@ -77,7 +76,7 @@ let bound_too_tightly words (subject : Resolve.Ir.expr option) fields =
     | _ -> None
   in
   match subject with
-  | Some { desc = Local x; _ } -> Option.bind (Show.definition words x) of_application
+  | Some { desc = Local x; _ } -> Option.bind (Wording.definition words x) of_application
   | Some e -> of_application e
   | None -> None
 
@@ -99,7 +98,7 @@ let in_place_of_a_number fact =
   | Number _, Data _ ->
       Option.map
         (fun (_, fields) -> hinted fact (parts fact fields))
-        (Show.fields fact.words fact.found)
+        (Wording.fields fact.words fact.found)
   | _ -> None
 
 let compared_with_a_number fact =
@@ -112,7 +111,7 @@ let compared_with_a_number fact =
                "the other operand is a record with the fields %s: choose one, as in `r.%s`"
                (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
                (List.hd fields)))
-        (Show.fields fact.words fact.expected.ty)
+        (Wording.fields fact.words fact.expected.ty)
   | _ -> None
 
 let in_place_of_a_part fact =
@@ -126,5 +125,5 @@ let in_place_of_a_part fact =
           | Some e ->
               Diagnostic.fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ] d
           | None -> d)
-        (Show.field_of fact.words fact.found ~of_:fact.expected.ty)
+        (Wording.field_of fact.words fact.found ~of_:fact.expected.ty)
   | _ -> None

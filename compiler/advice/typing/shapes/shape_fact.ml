@@ -3,7 +3,7 @@ open Typing
 open Diagnostic
 
 type t = {
-  words : Show.words;
+  words : Wording.t;
   subject : Resolve.Ir.expr option;
   at : Span.t;
   expected : Expected.t;
@@ -46,11 +46,11 @@ let callee fact =
   match fact.expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f"
 
 let name fact = Option.bind fact.subject Plain_name.of_expr
-let expected_text fact = Show.described fact.words fact.expected.ty
-let found_text fact = Show.described fact.words fact.found
+let expected_text fact = Wording.described fact.words fact.expected.ty
+let found_text fact = Wording.described fact.words fact.found
 
 let source fact =
-  Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span)
+  Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span)
 
 let raw fact default = Option.value (source fact) ~default
 let grouped fact none = Option.fold (source fact) ~none ~some:Source.grouped
@@ -58,7 +58,7 @@ let grouped fact none = Option.fold (source fact) ~none ~some:Source.grouped
 let elements fact =
   match fact.subject with
   | Some { desc = Tuple es; _ } ->
-      List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) es
+      List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) es
   | _ -> [ None ]
 
 let all texts = if List.mem None texts then None else Some (List.filter_map Fun.id texts)

@@ -4,7 +4,7 @@ open Basis
 open Typing
 
 type t = {
-  words : Show.words;
+  words : Wording.t;
   subject : Resolve.Ir.expr option;  (** the expression that has the wrong type, if there is one *)
   at : Span.t;
   expected : Expected.t;
@@ -17,7 +17,7 @@ type rule = t -> Diagnostic.t option
 (** A rule returns the message if it applies to the mismatch. *)
 
 val make :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   at:Span.t ->
   expected:Expected.t ->

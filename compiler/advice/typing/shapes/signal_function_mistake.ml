@@ -48,7 +48,7 @@ let as_a_proc fact =
   let rec runs (e : Resolve.Ir.expr) =
     match e.desc with
     | Apply { head = { desc = Global g; _ } as head; argument; _ } ->
-        (match Option.map Type.expand (Show.declared_type fact.words g) with
+        (match Option.map Type.expand (Wording.declared_type fact.words g) with
         | Some (Signal_function _) -> true
         | _ -> false)
         || runs head || runs argument
@@ -59,7 +59,7 @@ let as_a_proc fact =
   in
   match (fact.subject, fact.given) with
   | Some { desc = Global g; _ }, Function (a, b) -> (
-      match Show.binding fact.words g with
+      match Wording.binding fact.words g with
       | Some { parameters = [ p ]; body = { guards = [ { condition = None; value } ]; where }; _ }
         when runs value
              || List.exists
@@ -69,20 +69,20 @@ let as_a_proc fact =
                         List.exists (fun (g : Resolve.Ir.guarded) -> runs g.value) b.body.guards)
                       group.bindings)
                   where.groups ->
-          let type_ t = Source.grouped (Show.type_ fact.words t) in
+          let type_ t = Source.grouped (Wording.type_ fact.words t) in
           Option.map
             (fun x ->
               Printf.sprintf
                 "`%s` runs signal functions, so it must be one itself: write `%s :: SF %s %s`, and \
                  `%s = proc %s -> …`"
                 g.name g.name (type_ a) (type_ b) g.name x)
-            (Show.quote fact.words p.span)
+            (Wording.quote fact.words p.span)
       | Some _ | None -> None)
   | _ -> None
 
 (* `\\i -> e` in place of `proc i -> e` *)
 let lambda_for_proc fact =
-  match (fact.wanted, fact.given, Show.quote fact.words fact.at) with
+  match (fact.wanted, fact.given, Wording.quote fact.words fact.at) with
   | Signal_function _, Function _, Some text when text.[0] = '\\' -> (
       match String.index_opt text '>' with
       | Some arrow when arrow > 2 && text.[arrow - 1] = '-' ->
@@ -107,12 +107,12 @@ let rec lacking t =
 
 (* A value for a parameter: a definition of the program that has this type, or an example. *)
 let value fact t =
-  match (Show.values fact.words t ~file:fact.at.file, Type.expand t) with
+  match (Wording.values fact.words t ~file:fact.at.file, Type.expand t) with
   | name :: _, _ -> name
   | [], Number (_, u) when Units.is_open u || Units.rigid_powers u <> [] -> "…"
   | [], Number (_, u) when Units.equal u Units.one -> "1"
-  | [], Number _ when String.equal (Show.type_ fact.words t) "AngularVelocity" -> "1[rad/s]"
-  | [], Number (_, u) -> Printf.sprintf "1[%s]" (Show.measure fact.words u)
+  | [], Number _ when String.equal (Wording.type_ fact.words t) "AngularVelocity" -> "1[rad/s]"
+  | [], Number (_, u) -> Printf.sprintf "1[%s]" (Wording.measure fact.words u)
   | [], Bool -> "True"
   | [], Tuple [] -> "()"
   | [], _ -> "…"
@@ -123,7 +123,7 @@ let rec is_inferred fact (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head; _ } -> is_inferred fact head
   | Global g -> (
-      match Show.binding fact.words g with
+      match Wording.binding fact.words g with
       | Some { signature = None; parameters = []; _ } -> true
       | Some _ | None -> false)
   | _ -> false
@@ -136,8 +136,8 @@ let without_arguments fact =
       let given = Option.fold fact.subject ~none:[] ~some:Unrun_mistake.arguments_of in
       let what =
         match (given, parameters) with
-        | [], [ only ] -> "its argument, " ^ Show.described fact.words only
-        | _, [ only ] -> "its last argument, " ^ Show.described fact.words only
+        | [], [ only ] -> "its argument, " ^ Wording.described fact.words only
+        | _, [ only ] -> "its last argument, " ^ Wording.described fact.words only
         | _, several -> Unrun_mistake.count (List.length several)
       in
       let values = List.map (value fact) parameters in
@@ -163,7 +163,7 @@ let function_not_lifted fact =
   | Signal_function _, Function _, None ->
       no_signal_function fact
       |> hint
-           (match Show.quote fact.words fact.at with
+           (match Wording.quote fact.words fact.at with
            | Some text when text.[0] = '\\' ->
                "use `proc x -> …`, with `proc` instead of `\\`, or use `arr` to turn a function \
                 into a signal function"
@@ -179,8 +179,9 @@ let by_its_use fact =
   | Parameter { callee = Some "map"; _ }, _ ->
       Some "use `mapSF` to run a signal function on each element"
   | Parameter { callee = Some "."; given = [ last; first ]; _ }, _
-    when Show.quote fact.words last.span <> None && Show.quote fact.words first.span <> None ->
-      let text (e : Resolve.Ir.expr) = Option.get (Show.quote fact.words e.span) in
+    when Wording.quote fact.words last.span <> None && Wording.quote fact.words first.span <> None
+    ->
+      let text (e : Resolve.Ir.expr) = Option.get (Wording.quote fact.words e.span) in
       Some
         (Printf.sprintf "compose signal functions from left to right with `>>>`: `%s >>> %s`"
            (text first) (text last))
@@ -193,7 +194,7 @@ let by_its_use fact =
   | Signature _, Function (input, output) ->
       Some
         (Printf.sprintf "for a signal function, write the type %s"
-           (Show.described fact.words (Signal_function (input, output))))
+           (Wording.described fact.words (Signal_function (input, output))))
   | _ -> None
 
 (* `drive = switch go drive`, whose last argument decides the type of `drive`. *)
@@ -212,7 +213,7 @@ let next_mode fact =
           _;
         } )
     when String.equal name next -> (
-      match (head.desc, Show.quote fact.words mode.span) with
+      match (head.desc, Wording.quote fact.words mode.span) with
       | Global { name = ("switch" | "dSwitch") as switch; _ }, Some mode ->
           Some (Printf.sprintf "%s %s (\\_ -> %s)" switch (Source.grouped mode) next)
       | _ -> None)

@@ -42,7 +42,7 @@ let callee (expected : Expected.t) =
 
 let input words t =
   match Type.expand t with
-  | Type.Signal_function (input, _) -> Option.value (Show.signal words input) ~default:"x"
+  | Type.Signal_function (input, _) -> Option.value (Wording.signal words input) ~default:"x"
   | _ -> "x"
 
 (* The event in the output of the mode, if it is `after` or `every`. *)
@@ -50,14 +50,14 @@ let event_of fact =
   let value =
     match fact.subject with
     | Some { desc = Global g; _ } -> (
-        match Show.binding fact.words g with
+        match Wording.binding fact.words g with
         | Some { parameters = []; body = { guards = [ { value; _ } ]; _ }; _ } -> Some value
         | Some _ | None -> None)
     | subject -> subject
   in
   match value with
   | Some { desc = Proc { body = { output = { desc = Tuple [ _; event ]; _ }; _ }; _ }; _ } -> (
-      match (Plain_name.of_head event, Show.quote fact.words event.span) with
+      match (Plain_name.of_head event, Wording.quote fact.words event.span) with
       | Some ("after" | "every"), Some text -> Some text
       | _ -> None)
   | _ -> None
@@ -87,7 +87,7 @@ let hint_for_an_output fact wanted given =
 
 (* A function of the program that is applied to the signal. *)
 let hint_for_a_function fact (name, argument) =
-  let argument = Option.value (Show.quote fact.words argument) ~default:"x" in
+  let argument = Option.value (Wording.quote fact.words argument) ~default:"x" in
   Printf.sprintf
     "`switch` needs a signal function: define `%s = proc %s -> …`, and write `switch %s … %s`" name
     argument name argument
@@ -96,7 +96,7 @@ let hint_for_a_function fact (name, argument) =
 let hint_for_a_pair fact =
   let callee = callee fact.expected in
   let x = input fact.words fact.expected.ty in
-  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
   (* `(proc i -> output, event)`: the pair should be inside the `proc` *)
   let x, pair, run =
     match fact.subject with
@@ -111,7 +111,7 @@ let hint_for_a_pair fact =
           _;
         } ->
         let text e = Option.value (quote e) ~default:"…" in
-        ( Option.value (Show.quote fact.words input.span) ~default:x,
+        ( Option.value (Wording.quote fact.words input.span) ~default:x,
           Printf.sprintf "(%s, %s)" (text output) (text event),
           "" )
     | _ -> (x, raw fact "(output, event)", Printf.sprintf ", and run that on `%s`" x)
@@ -198,7 +198,7 @@ let input_as_pair fact =
     when (not (is_pair wanted))
          && is_pair given
          && match Type.expand given with Tuple [ _; e ] -> Environment.is_event e | _ -> false ->
-      let text = Option.value (Show.quote fact.words output.span) ~default:"output" in
+      let text = Option.value (Wording.quote fact.words output.span) ~default:"output" in
       error ~code:"E0301" ~at:output.span "this mode of `%s` returns no event" name
       |> hint (needs_an_event name text)
       |> write output.span (with_an_event text)
@@ -226,7 +226,7 @@ let mode fact =
 
 let three_arguments words ~name ~at arguments =
   let raw (e : Resolve.Ir.expr) otherwise =
-    Option.value (Show.quote words e.span) ~default:otherwise
+    Option.value (Wording.quote words e.span) ~default:otherwise
   in
   let text e otherwise = Source.grouped (raw e otherwise) in
   match arguments with

@@ -18,7 +18,7 @@ val goes_on : Expected.t -> bool
 (** Does the context expect the function that returns the next mode, given the event's value? *)
 
 val three_arguments :
-  Show.words -> name:string -> at:Span.t -> (Resolve.Ir.expr * Type.t) list -> Diagnostic.t option
+  Wording.t -> name:string -> at:Span.t -> (Resolve.Ir.expr * Type.t) list -> Diagnostic.t option
 (** The message about [switch mode event next], which uses the argument order of other languages.
     The list contains the arguments with their types. *)
 

@@ -7,7 +7,7 @@ open Shape_fact
 let parts words (e : Resolve.Ir.expr) =
   match e.desc with
   | Proc { input; body = { output; _ } } ->
-      let quote at otherwise = Option.value (Show.quote words at) ~default:otherwise in
+      let quote at otherwise = Option.value (Wording.quote words at) ~default:otherwise in
       Some (quote input.span "x", quote output.span "output")
   | _ -> None
 
@@ -23,7 +23,8 @@ let waits (expected : Expected.t) (e : Resolve.Ir.expr) =
 let to_wait words (argument : Resolve.Ir.expr) =
   let how_long =
     match argument.desc with
-    | Number { unit_ = Some _; _ } -> Option.value (Show.quote words argument.span) ~default:"1[s]"
+    | Number { unit_ = Some _; _ } ->
+        Option.value (Wording.quote words argument.span) ~default:"1[s]"
     | _ -> "1[s]"
   in
   hint
@@ -34,7 +35,7 @@ let to_wait words (argument : Resolve.Ir.expr) =
 
 (* How to turn a signal function into a task that ends at an event, or into one that never ends. *)
 let to_task words (subject : Resolve.Ir.expr option) output =
-  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) in
   let name = Option.value text ~default:"sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
@@ -57,7 +58,7 @@ let to_task words (subject : Resolve.Ir.expr option) output =
 
 (* Is it probably the output of a robot? *)
 let is_an_output words t =
-  Show.needs_class words t
+  Wording.needs_class words t
   ||
   match Type.expand t with
   | Data { tycon; _ } -> String.ends_with ~suffix:"Output" tycon.name
@@ -140,9 +141,9 @@ let of_an_array fact =
          && Environment.is_task element ->
       let written =
         match fact.subject with
-        | Some { desc = Local x; _ } -> Show.definition fact.words x
+        | Some { desc = Local x; _ } -> Wording.definition fact.words x
         | Some ({ desc = Global g; _ } as e) -> (
-            match Show.binding fact.words g with
+            match Wording.binding fact.words g with
             | Some { parameters = []; body = { guards = [ { value; _ } ]; _ }; _ } -> Some value
             | Some _ | None -> Some e)
         | subject -> subject
@@ -150,7 +151,7 @@ let of_an_array fact =
       let tasks =
         match written with
         | Some { desc = Array tasks; _ } ->
-            all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) tasks)
+            all (List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) tasks)
         | Some _ | None -> None
       in
       Some
@@ -181,7 +182,8 @@ let is_only_returned words t =
   match Environment.as_task t with
   | Some (input, output, _) -> (
       match (Type.expand input, Type.expand output) with
-      | Flexible _, Flexible _ -> not (Show.needs_class words input || Show.needs_class words output)
+      | Flexible _, Flexible _ ->
+          not (Wording.needs_class words input || Wording.needs_class words output)
       | _ -> false)
   | None -> false
 
@@ -200,9 +202,9 @@ let without_tasks fact =
         when not (List.mem None all_equations) -> (
           let bindings = List.concat (List.filter_map Fun.id all_equations) in
           let texts =
-            List.map (fun (b : Resolve.Ir.binding) -> Show.quote fact.words b.span) bindings
+            List.map (fun (b : Resolve.Ir.binding) -> Wording.quote fact.words b.span) bindings
           in
-          match (Show.quote fact.words argument.span, Shape_fact.all texts) with
+          match (Wording.quote fact.words argument.span, Shape_fact.all texts) with
           | Some value, Some (_ :: _ as texts) ->
               Some
                 (Printf.sprintf
@@ -236,7 +238,7 @@ let is_beside_a_task fact =
   in
   match fact.expected.because with
   | Parameter { head = Some { desc = Global g; _ }; _ } ->
-      Option.fold (Show.declared_type fact.words g) ~none:false ~some:takes_a_task
+      Option.fold (Wording.declared_type fact.words g) ~none:false ~some:takes_a_task
   | _ -> false
 
 (* `main = watching tour` *)
@@ -244,7 +246,7 @@ let in_place_of_a_program fact =
   match (fact.wanted, fact.subject) with
   | Data { tycon; _ }, Some e
     when tycon = Environment.built_in "Program" && Environment.is_task fact.given ->
-      let text = Show.argument fact.words e in
+      let text = Wording.argument fact.words e in
       let cure = "reactimateTask " ^ Option.value text ~default:"(…)" in
       let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" cure) in
       Some (if text = None then d else write e.span cure d)
@@ -261,7 +263,7 @@ let in_place_of_its_result fact =
       let run name text = Printf.sprintf "%s <- %s" name text in
       match e.desc with
       | Local x -> (
-          match Show.definition fact.words x with
+          match Wording.definition fact.words x with
           | Some value when Span.line value.span.start >= Span.line x.span.start ->
               Option.map
                 (fun text ->
@@ -269,7 +271,7 @@ let in_place_of_its_result fact =
                     (Printf.sprintf "run the task: write `%s` in place of `let %s = %s`"
                        (run x.name text) x.name text)
                   |> label ~at:value.span "this task is named here, but not run")
-                (Show.quote fact.words value.span)
+                (Wording.quote fact.words value.span)
           | Some _ | None -> None)
       | Apply _ | Global _ ->
           Option.map
@@ -277,7 +279,7 @@ let in_place_of_its_result fact =
               hinted fact
                 (Printf.sprintf "in a `do`, run the task on the line before, `%s`, and use `x` here"
                    (run "x" text)))
-            (Show.quote fact.words e.span)
+            (Wording.quote fact.words e.span)
       | _ -> None)
   | _ -> None
 
@@ -309,8 +311,8 @@ let condition fact =
       let defined =
         match fact.subject with
         | Some { desc = Local x; _ } ->
-            Option.bind (Show.definition fact.words x) (fun (e : Resolve.Ir.expr) ->
-                Option.map (fun text -> (x.name, text)) (Show.quote fact.words e.span))
+            Option.bind (Wording.definition fact.words x) (fun (e : Resolve.Ir.expr) ->
+                Option.map (fun text -> (x.name, text)) (Wording.quote fact.words e.span))
         | Some _ | None -> None
       in
       not_a_condition fact
@@ -346,7 +348,7 @@ let of_another_result fact result result' =
       (match raw fact "" with "" -> "the" | _ -> "this")
       (grouped fact "t")
   else if returns_nothing then
-    match (Type.expand result, Show.choices fact.words result) with
+    match (Type.expand result, Wording.choices fact.words result) with
     | Bool, _ -> "return a `Bool` here: `return True` or `return False`"
     | _, choice :: _ -> Printf.sprintf "return one here, such as `return %s`" choice
     | _ -> "write the result in place of `()`: `return x`"
@@ -363,7 +365,7 @@ let of_another_input fact d =
   | _ -> d
 
 let unlike fact =
-  let text = Show.described fact.words in
+  let text = Wording.described fact.words in
   let differ a b =
     match Type.expand a with Flexible _ -> false | _ -> not (String.equal (text a) (text b))
   in

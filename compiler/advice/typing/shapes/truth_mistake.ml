@@ -18,7 +18,7 @@ let comparison fact =
       let u = Units.resolve u in
       let text =
         if Units.equal u Units.one || Units.is_open u then Printf.sprintf "%s /= 0" e
-        else Printf.sprintf "%s < 1[%s]" e (Show.measure fact.words u)
+        else Printf.sprintf "%s < 1[%s]" e (Wording.measure fact.words u)
       in
       Some
         (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
@@ -31,7 +31,7 @@ let condition_of_edge fact =
   | Some
       { desc = Apply { head = { desc = Global { name = "edge"; _ }; _ }; argument; style = _ }; _ }
     ->
-      Show.quote fact.words argument.span
+      Wording.quote fact.words argument.span
   | Some _ | None -> None
 
 let is_now fact otherwise =
@@ -65,13 +65,13 @@ let condition fact =
 let event_function fact =
   match fact.expected.because with
   | Operand { operator = "&&" | "||"; other; _ } ->
-      let b = Show.argument_or "b" fact.words other in
+      let b = Wording.argument_or "b" fact.words other in
       Some
         (Printf.sprintf
            "%s, or `gate %s %s` for an event that occurs only while the condition is True"
            (is_now fact "e") (grouped fact "e") b)
   | Parameter { callee = Some "||"; given = [ a; b ]; _ } ->
-      let text (e : Resolve.Ir.expr) name = Show.argument_or name fact.words e in
+      let text (e : Resolve.Ir.expr) name = Wording.argument_or name fact.words e in
       Some
         (Printf.sprintf "use `mergeE %s %s`, which occurs when one of two events does" (text a "a")
            (text b "b"))
@@ -102,11 +102,11 @@ let grouped_with_an_argument fact =
   | ( Bool,
       Parameter
         { before = Some operator; callee = Some name; head = Some head; given = [ left; _ ]; _ } )
-    when Span.compare left.span head.span < 0 && Show.quote fact.words left.span <> None ->
+    when Span.compare left.span head.span < 0 && Wording.quote fact.words left.span <> None ->
       Some
         (no_truth fact
            (Printf.sprintf "put parentheses around the comparison: ``%s `%s` (%s %s …)``"
-              (Option.get (Show.quote fact.words left.span))
+              (Option.get (Wording.quote fact.words left.span))
               name (raw fact "…") operator))
   | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
       Some (no_truth fact (hint_to_group ~left:(raw fact "…") name operator))
@@ -120,7 +120,7 @@ let part_of_a_comparison fact =
       Parameter { callee = Some name; takes = 1; position = 1; given = _ :: _ :: _ as given; _ } )
     ->
       let texts =
-        List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) given
+        List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) given
         |> List.map (Option.value ~default:"…")
       in
       Some
@@ -139,7 +139,7 @@ let equal_to_a_truth fact =
         | "0", "==" | "1", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" negated
         | _ -> Printf.sprintf "this is a `Bool` already: write `%s` or `%s`" truth negated
       in
-      Option.map (fun truth -> no_truth fact (itself truth)) (Show.quote fact.words other.span)
+      Option.map (fun truth -> no_truth fact (itself truth)) (Wording.quote fact.words other.span)
   | _ -> None
 
 let grouped_with_an_operand fact =
@@ -164,7 +164,7 @@ let after_a_number fact =
   | Parameter
       { callee = Some f; position = 2; given = [ { desc = Number _; span }; _ ]; decided_by; _ }
     when List.exists (fun (d : Expected.decider) -> Span.compare d.place span = 0) decided_by ->
-      let number = Option.value (Show.quote fact.words span) ~default:"the number" in
+      let number = Option.value (Wording.quote fact.words span) ~default:"the number" in
       Some (Printf.sprintf "`%s` is not a `Bool`: write `%s False %s`" number f (grouped fact "b"))
   | _ -> None
 
@@ -177,7 +177,7 @@ let in_place_of_a_number fact =
       | None ->
           let one =
             if Units.is_open u || Units.equal u Units.one then "1"
-            else Printf.sprintf "1[%s]" (Show.measure fact.words u)
+            else Printf.sprintf "1[%s]" (Wording.measure fact.words u)
           in
           let text =
             match raw fact "b" with

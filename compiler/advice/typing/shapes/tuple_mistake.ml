@@ -22,7 +22,7 @@ let selected fact =
 let of_an_input fact =
   match (fact.wanted, fact.given, fact.subject) with
   | (Number _ | Bool), Tuple (_ :: _ :: _ as parts), Some { desc = Local x; _ }
-    when Show.is_input fact.words x.name ->
+    when Wording.is_input fact.words x.name ->
       Some
         (hinted fact
            (Printf.sprintf
@@ -42,7 +42,7 @@ let gathered fact length =
           List.filteri (fun i _ -> i >= position) given )
     | _ -> ([], [])
   in
-  let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+  let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
   let before =
     List.map (fun e -> " " ^ Option.fold (quote e) ~none:"…" ~some:Source.grouped) before
   in
@@ -93,8 +93,8 @@ let without i list = List.filteri (fun j _ -> i <> j) list
 let odd_part fact wanted given =
   let text t =
     match Type.expand t with
-    | Type.Number (_, u) -> "number of " ^ Show.measure fact.words u
-    | t -> Show.type_ fact.words t
+    | Type.Number (_, u) -> "number of " ^ Wording.measure fact.words u
+    | t -> Wording.type_ fact.words t
   in
   let odd longer shorter =
     let fits i _ = List.for_all2 (fun a b -> text a = text b) (without i longer) shorter in
@@ -103,12 +103,12 @@ let odd_part fact wanted given =
     in
     match places with
     | [ (i, t, _) ] ->
-        Some (Some i, Printf.sprintf "the %s part, %s," (ordinal i) (Show.described fact.words t))
+        Some (Some i, Printf.sprintf "the %s part, %s," (ordinal i) (Wording.described fact.words t))
     | (_, t, _) :: _ ->
         Some
           ( None,
-            if Show.is_any_number t then "a number"
-            else Printf.sprintf "a part of type %s" (Show.described fact.words t) )
+            if Wording.is_any_number t then "a number"
+            else Printf.sprintf "a part of type %s" (Wording.described fact.words t) )
     | [] -> None
   in
   match List.compare_lengths wanted given with
@@ -151,7 +151,7 @@ let written_as_an_array fact =
         let tuple = "(" ^ String.concat ", " texts ^ ")" in
         hinted fact (Printf.sprintf "put a tuple in parentheses: `%s`" tuple) |> write span tuple
       in
-      List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) elements
+      List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) elements
       |> all |> Option.map message
   | _ -> None
 
@@ -168,7 +168,7 @@ let side_by_side fact components =
 (* The call, if the expression is one or a name defined as one. *)
 let call fact =
   match fact.subject with
-  | Some { desc = Local x; _ } -> Show.definition fact.words x
+  | Some { desc = Local x; _ } -> Wording.definition fact.words x
   | subject -> subject
 
 (* `max(x, 0)`, where the general type of `max` accepts a tuple as its first argument. *)
@@ -188,7 +188,7 @@ let of_all_arguments fact =
           span;
         } )
     when List.length es = 1 + Argument_mistake.missing_arguments fact.found ->
-      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
       let d =
         error ~code:"E0301" ~at:span "`%s` takes %d arguments, but is given one tuple" name
           (List.length es)
@@ -210,7 +210,7 @@ let mapped_range fact =
       Some { desc = Tuple es; _ } ) ->
       let written =
         Option.bind
-          (all (List.map (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) es))
+          (all (List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) es))
           (fun texts -> Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
       in
       error ~code:"E0301" ~at:fact.at "`map` applies a function to each element of an array"
@@ -226,7 +226,7 @@ let without_winner fact =
   | ( Tuple [ _; _ ],
       Parameter { callee = Some "latch"; position = 1; given = [ _ ]; _ },
       Some { desc = Tuple _; span } ) ->
-      let text = Option.value (Show.quote fact.words span) ~default:"(set, reset)" in
+      let text = Option.value (Wording.quote fact.words span) ~default:"(set, reset)" in
       let d =
         error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of 2" (expected_text fact)
         |> hint
@@ -266,7 +266,7 @@ let of_a_function_and_its_argument fact =
            (List.exists
               (fun t -> match Type.expand t with Type.Function _ -> true | _ -> false)
               others) -> (
-      let quote (e : Resolve.Ir.expr) = Show.quote fact.words e.span in
+      let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
       match (Type.expand first, quote head, all (List.map quote arguments)) with
       | Function _, Some head, Some arguments ->
           let text = String.concat " " (head :: List.map Source.grouped arguments) in

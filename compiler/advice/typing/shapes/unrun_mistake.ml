@@ -21,8 +21,8 @@ let rec arguments_of (e : Resolve.Ir.expr) =
 let signal_for words input =
   match Type.expand input with
   | Tuple [] -> "()"
-  | Flexible _ when not (Show.needs_class words input) -> "()"
-  | _ -> Option.value (Show.signal words input) ~default:"x"
+  | Flexible _ when not (Wording.needs_class words input) -> "()"
+  | _ -> Option.value (Wording.signal words input) ~default:"x"
 
 (* Does the expression mention a local name, other than in arguments to an operator? *)
 let rec is_a_signal (e : Resolve.Ir.expr) =
@@ -43,7 +43,7 @@ let in_one_tuple (e : Resolve.Ir.expr) =
 
 (* [f 1 x], where [f 1 y x] was meant. *)
 let signal_in_place_of_an_argument words name arguments =
-  match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
+  match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Wording.quote words e.span)) arguments with
   | (last, Some signal) :: before when before <> [] && is_a_signal last ->
       let before =
         List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
@@ -67,7 +67,7 @@ let instead (e : Resolve.Ir.expr option) text d =
 let meant words (subject : Resolve.Ir.expr option) =
   match subject with
   | Some { desc = Local x; _ } -> (
-      match Show.definition words x with
+      match Wording.definition words x with
       | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
         when Plain_name.of_head e <> None && (has_signal e || in_one_tuple e <> None) ->
           Some e
@@ -77,7 +77,7 @@ let meant words (subject : Resolve.Ir.expr option) =
 
 (* An input of the enclosing proc that is not an event. *)
 let is_no_event words (x : Resolve.Ir.Local.t) =
-  match List.assoc_opt x.name (Show.inputs words) with
+  match List.assoc_opt x.name (Wording.inputs words) with
   | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
   | None -> false
 
@@ -91,7 +91,7 @@ let rec initial t =
 
 (* The argument in the notation of Frob *)
 let rewritten words (e : Resolve.Ir.expr) =
-  match Show.quote words e.span with
+  match Wording.quote words e.span with
   | Some text -> Source.grouped (Option.value (Other_notation.expression text) ~default:text)
   | None -> "…"
 
@@ -107,7 +107,7 @@ let hint_to_run words subject input d =
   let arguments = Option.fold subject ~none:[] ~some:arguments_of in
   let argument = function
     | ({ span; _ } : Resolve.Ir.expr) ->
-        Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
+        Option.fold (Wording.quote words span) ~none:"…" ~some:Source.grouped
   in
   hint
     (match (Option.bind subject Plain_name.of_head, arguments) with
@@ -146,35 +146,36 @@ let hint_to_run words subject input d =
 
 (* `after 5[s]` used as a condition. *)
 let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
-  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  let text = Option.bind subject (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) in
   match (Type.expand wanted, Type.expand found, subject, text) with
   | Type.Bool, Type.Signal_function (input, output), Some e, Some text
     when Environment.is_event output -> (
       let signal = signal_for words input in
       match (Plain_name.of_head e, arguments_of e) with
-      | Some "after", [ q ] -> Some (Printf.sprintf "elapsed %s ()" (Show.argument_or "q" words q))
+      | Some "after", [ q ] ->
+          Some (Printf.sprintf "elapsed %s ()" (Wording.argument_or "q" words q))
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
 (* A name defined as a signal function that is not applied to a signal, as in `let x = frontSonar`.
    The definition is probably in a task. *)
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
-  let is_robot = Show.needs_class words input in
+  let is_robot = Wording.needs_class words input in
   match subject with
   | Some { desc = Global { name; _ }; _ }
-    when is_robot && Show.inputs words = [] && Show.unnamed_input words <> None ->
+    when is_robot && Wording.inputs words = [] && Wording.unnamed_input words <> None ->
       Some
         (Printf.sprintf "give the input of the `proc` a name, `proc i -> …`, and write `%s i` here"
            name)
-  | Some { desc = Local x; _ } when Show.inputs words = [] && is_robot -> (
-      match Option.bind (Show.definition words x) Plain_name.of_expr with
+  | Some { desc = Local x; _ } when Wording.inputs words = [] && is_robot -> (
+      match Option.bind (Wording.definition words x) Plain_name.of_expr with
       | Some sf ->
           Some
             (Printf.sprintf
                "in a task, read its present value first: `%s <- ask %s` in place of `let %s = %s`"
                x.name sf x.name sf)
       | None -> None)
-  | Some { desc = Global { name; _ }; _ } when Show.inputs words = [] && is_robot ->
+  | Some { desc = Global { name; _ }; _ } when Wording.inputs words = [] && is_robot ->
       Some
         (Printf.sprintf
            "in a task, read its present value first, with `x <- ask %s`, and write `x` here" name)
@@ -184,7 +185,7 @@ let message words ~subject ~at ~wanted ~input ~found =
   let d =
     error ~code:"E0303" ~at
       "expected a value, found a signal function that is not applied to a signal"
-    |> here (Printf.sprintf "this is %s" (Show.described words found))
+    |> here (Printf.sprintf "this is %s" (Wording.described words found))
   in
   match truth_of_event words ~subject ~wanted ~found with
   | Some cure ->
@@ -213,7 +214,9 @@ let program (fact : Shape_fact.t) =
     |> here (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
     |> note (Printf.sprintf "expected %s" (Shape_fact.expected_text fact))
   in
-  let text = Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Show.quote fact.words e.span) in
+  let text =
+    Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span)
+  in
   match text with
   | None -> hint "use `reactimateRobot` to turn a signal function into a program" d
   | Some text ->
@@ -236,7 +239,7 @@ let program_without_input (fact : Shape_fact.t) =
          && tycon' = tycon && is_unit given
          && not (is_unit wanted) ->
       error ~code:"E0301" ~at:span "expected the input %s, found `()`"
-        (Show.described fact.words wanted)
+        (Wording.described fact.words wanted)
       |> hint "if the program does not use its input, write `proc _ -> …`"
       |> write span "_" |> Option.some
   | _ -> None
@@ -249,7 +252,7 @@ let two_judges (fact : Shape_fact.t) =
   match (fact.given, fact.expected.because) with
   | Signal_function (_, output), Parameter { callee = Some "&&"; given = [ a; b ]; position = 1; _ }
     when is_a_verdict output -> (
-      let quote = Show.argument fact.words in
+      let quote = Wording.argument fact.words in
       match (quote a, quote b) with
       | Some f, Some g ->
           let text = Printf.sprintf "bothOf %s %s" f g in

@@ -7,13 +7,13 @@ let vector words ?(elements = []) wanted =
   let unit_ =
     match Type.expand wanted with
     | Type.Data { units = [ u ]; _ } when not (Units.is_open u || Units.equal u Units.one) ->
-        Printf.sprintf "[%s]" (Show.measure words u)
+        Printf.sprintf "[%s]" (Wording.measure words u)
     | _ -> ""
   in
   let built name fields =
     let value i field =
       let element = List.nth_opt elements i in
-      let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+      let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) in
       let is_bare =
         match Option.bind element (Bare_number.literal words) with
         | Some { unit_ = None; name = None; _ } -> true

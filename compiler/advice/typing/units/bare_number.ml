@@ -1,5 +1,4 @@
 open Basis
-open Typing
 
 type t = {
   digits : string;
@@ -15,9 +14,9 @@ type t = {
    out, because a fix edits one file. *)
 let definition words (e : Resolve.Ir.expr) =
   match e.desc with
-  | Local x -> Option.map (fun e -> (x.name, e, None)) (Show.definition words x)
+  | Local x -> Option.map (fun e -> (x.name, e, None)) (Wording.definition words x)
   | Global g -> (
-      match Show.binding words g with
+      match Wording.binding words g with
       | Some
           {
             parameters = [];
@@ -36,8 +35,8 @@ let own_function words (f : Resolve.Ir.expr) =
   in
   match
     match f.desc with
-    | Global g -> Show.binding words g
-    | Local x -> Show.local_function words x
+    | Global g -> Wording.binding words g
+    | Local x -> Wording.local_function words x
     | _ -> None
   with
   | Some b when is_own b -> Some b
@@ -171,7 +170,7 @@ let written_factor words e =
 let is_per_millisecond words e =
   match literal words e with
   | Some { unit_ = Some _; at; _ } ->
-      Option.fold (Show.quote words at) ~none:false ~some:(String.ends_with ~suffix:"[ms^-1]")
+      Option.fold (Wording.quote words at) ~none:false ~some:(String.ends_with ~suffix:"[ms^-1]")
   | Some _ | None -> false
 
 let gain words e =
@@ -225,7 +224,7 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
       (* a `param` has its signature and its value on one line *)
       let cure, edits =
         match signature with
-        | Some place when Show.quote words place <> None ->
+        | Some place when Wording.quote words place <> None ->
             ( (if Span.line place.start = Span.line at.start then
                  Printf.sprintf "`param %s :: %s = %s`" name float text
                else Printf.sprintf "`%s :: %s` and `%s = %s`" name float name text),

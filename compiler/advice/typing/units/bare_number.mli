@@ -1,7 +1,6 @@
 (** Numbers that are written without a unit, and names that are defined as such numbers. *)
 
 open Basis
-open Typing
 
 type t = {
   digits : string;  (** without the sign *)
@@ -13,35 +12,35 @@ type t = {
   of_record : bool;  (** [name] is a field, so its declaration needs the unit too *)
 }
 
-val literal : Show.words -> Resolve.Ir.expr -> t option
+val literal : Wording.t -> Resolve.Ir.expr -> t option
 (** The literal, if the expression is a literal other than zero or a name defined as one. *)
 
-val factor : Show.words -> Resolve.Ir.expr -> (t * int) list
+val factor : Wording.t -> Resolve.Ir.expr -> (t * int) list
 (** The named constants without a unit that scale this expression, each with its exponent, 1 or -1.
     In a product, only the first such constant counts; in a sum, one for each operand. The list is
     empty if an operand of a sum has no such constant. Looks through the definitions of names and
     the fields of constant records. *)
 
-val written_factor : Show.words -> Resolve.Ir.expr -> (t * int) list
+val written_factor : Wording.t -> Resolve.Ir.expr -> (t * int) list
 (** Like {!factor}, for number literals that are written in the expression itself, with or without a
     unit. *)
 
-val gain : Show.words -> Resolve.Ir.expr -> (t * int) list
+val gain : Wording.t -> Resolve.Ir.expr -> (t * int) list
 (** Like {!factor}, for numbers, written in the expression or named, whose unit has only negative
     exponents apart from angles, such as [1/s] and [rad/(m s)]. *)
 
-val is_per_millisecond : Show.words -> Resolve.Ir.expr -> bool
+val is_per_millisecond : Wording.t -> Resolve.Ir.expr -> bool
 (** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
 
-val own_function : Show.words -> Resolve.Ir.expr -> Resolve.Ir.binding option
+val own_function : Wording.t -> Resolve.Ir.expr -> Resolve.Ir.binding option
 (** The definition of a function that has parameters and no signature, if it is in the file of the
     expression. *)
 
-val value : Show.words -> Resolve.Ir.expr -> Resolve.Ir.expr
+val value : Wording.t -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, the result of a function without a signature, or the expression
     itself. *)
 
-val give : Show.words -> t -> string -> Diagnostic.t -> Diagnostic.t
+val give : Wording.t -> t -> string -> Diagnostic.t -> Diagnostic.t
 (** Labels the literal, and suggests adding this unit to it. *)
 
 val give_literals : (t * string) list -> Diagnostic.t -> Diagnostic.t

@@ -46,7 +46,7 @@ let has_unit words u (number : Bare_number.t) =
   match number.unit_ with
   | None -> is_one u
   | Some written -> (
-      match Show.unit_written words written with Some v -> Units.equal u v | None -> false)
+      match Wording.unit_written words written with Some v -> Units.equal u v | None -> false)
 
 let distinct (numbers : Bare_number.t list) =
   let add found (n : Bare_number.t) =
@@ -62,7 +62,7 @@ let angle (number : Bare_number.t) =
 
 (* The unit to write after these numbers. *)
 let unit_for words ~given ~wanted numbers =
-  match Show.measure words wanted with
+  match Wording.measure words wanted with
   | "1/s" when is_one given ->
       Option.fold (angle (List.hd numbers)) ~none:"deg/s" ~some:(fun angle -> angle ^ "/s")
   | "1/s" -> "rad/s"
@@ -77,7 +77,7 @@ let give words ~given ~wanted ~where numbers d =
   let text (n : Bare_number.t) = (if n.negative then "-" else "") ^ literal n in
   let what =
     if is_one given then "lacks the unit"
-    else Printf.sprintf "is in `%s`" (Show.measure words given)
+    else Printf.sprintf "is in `%s`" (Wording.measure words given)
   in
   let label d (n : Bare_number.t) =
     label ~at:n.at

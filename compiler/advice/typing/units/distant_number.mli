@@ -8,7 +8,7 @@ open Basis
 open Typing
 
 val chosen :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -17,5 +17,5 @@ val chosen :
     [speed d = if d > 1[m] then 0.3 else 0.1]. *)
 
 val compared :
-  Show.words -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
+  Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
 (** The function compares its parameter with a number, or adds them: [near d = d < 0.4]. *)

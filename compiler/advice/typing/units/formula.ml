@@ -12,7 +12,7 @@ let binary (e : Resolve.Ir.expr) =
       Some (name, a, b)
   | _ -> None
 
-let text words (e : Resolve.Ir.expr) = Show.quote words e.span
+let text words (e : Resolve.Ir.expr) = Wording.quote words e.span
 let grouped words e = Option.map Source.grouped (text words e)
 
 let as_factor words (e : Resolve.Ir.expr) =
@@ -34,12 +34,12 @@ let rec result t =
 let rec find words (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { unit_ = None; _ } -> Some Units.one
-  | Number { unit_ = Some u; _ } -> Show.unit_written words u
+  | Number { unit_ = Some u; _ } -> Wording.unit_written words u
   | Negate e -> find words e
   | Power { base; exponent } when abs exponent < 10 ->
       Option.map (fun u -> Units.power u (Rational.of_int exponent)) (find words base)
-  | Local x -> Option.bind (Show.local words x) number
-  | Global g -> Option.bind (Show.declared_type words g) number
+  | Local x -> Option.bind (Wording.local words x) number
+  | Global g -> Option.bind (Wording.declared_type words g) number
   | Apply { style = Operator _; _ } -> (
       match binary e with
       | Some ((("*" | "/") as operator), a, b) -> (
@@ -58,8 +58,8 @@ let rec find words (e : Resolve.Ir.expr) =
 and applied words (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head; style = Juxtaposed; _ } -> applied words head
-  | Global g -> Option.bind (Show.declared_type words g) result
-  | Local x -> Option.bind (Show.local words x) result
+  | Global g -> Option.bind (Wording.declared_type words g) result
+  | Local x -> Option.bind (Wording.local words x) result
   | _ -> None
 
 let unit_of words e = try find words e with Rational.Out_of_range -> None

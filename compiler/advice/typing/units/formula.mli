@@ -7,28 +7,28 @@ open Typing
 val binary : Resolve.Ir.expr -> (string * Resolve.Ir.expr * Resolve.Ir.expr) option
 (** The operator and the operands of an expression such as [a + b]. *)
 
-val unit_of : Show.words -> Resolve.Ir.expr -> Units.t option
+val unit_of : Wording.t -> Resolve.Ir.expr -> Units.t option
 (** The unit of the value, if it follows from written units, declared types and the types of local
     variables. *)
 
 val factors : Resolve.Ir.expr -> (Resolve.Ir.expr * int) list
 (** The factors of a product, each with its exponent, 1 or -1. *)
 
-val is_square : Show.words -> Resolve.Ir.expr -> bool
+val is_square : Wording.t -> Resolve.Ir.expr -> bool
 (** Is the value a square, a sum or difference of squares, or one of these multiplied by a number?
 *)
 
-val is_product : Show.words -> Resolve.Ir.expr -> bool
+val is_product : Wording.t -> Resolve.Ir.expr -> bool
 (** Is the expression a product or quotient whose operands are variables and applications, not
     numbers? *)
 
-val text : Show.words -> Resolve.Ir.expr -> string option
+val text : Wording.t -> Resolve.Ir.expr -> string option
 
-val grouped : Show.words -> Resolve.Ir.expr -> string option
+val grouped : Wording.t -> Resolve.Ir.expr -> string option
 (** The text with parentheses if it needs them as an argument. *)
 
-val as_factor : Show.words -> Resolve.Ir.expr -> string option
+val as_factor : Wording.t -> Resolve.Ir.expr -> string option
 (** The text with parentheses if it needs them as a factor of a product. *)
 
-val with_part : Show.words -> Resolve.Ir.expr -> part:Span.t -> string -> string option
+val with_part : Wording.t -> Resolve.Ir.expr -> part:Span.t -> string -> string option
 (** The text of the expression with another text in place of one part. *)

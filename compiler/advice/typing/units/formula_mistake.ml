@@ -81,7 +81,7 @@ let root words ~subject ~(expected : Expected.t) (wanted, given) =
 
 (* {1 A missing factor} *)
 
-let is_rate words u = List.mem (Show.measure words u) [ "s"; "1/s"; "Hz" ]
+let is_rate words u = List.mem (Wording.measure words u) [ "s"; "1/s"; "Hz" ]
 
 let power words ~subject ~expected units =
   let of_side ((e : Resolve.Ir.expr), (wanted, given)) =
@@ -122,7 +122,7 @@ let power words ~subject ~expected units =
                     (Printf.sprintf
                        "the missing factor `%s` is the unit of `%s`: write `%s` if its square is \
                         meant"
-                       (Show.measure words missing) name text)
+                       (Wording.measure words missing) name text)
                     d
                   |> write x.span (grouped ^ " ^ 2"))
                 (Formula.with_part words formula ~part:x.span (grouped ^ " ^ 2"))
@@ -176,7 +176,7 @@ let within_root words ~subject (wanted, given) =
         || not (List.for_all is_whole (Units.base_powers missing))
       then None
       else
-        let unit_ = Show.measure words missing in
+        let unit_ = Wording.measure words missing in
         Option.map
           (fun inside ->
             hint
@@ -209,7 +209,7 @@ let rounded words ~subject (wanted, given) =
     when closed (wanted, given) && Units.equal wanted Units.one ->
       Option.map
         (fun inside d ->
-          let text = Printf.sprintf "%s (%s / 1[%s])" name inside (Show.measure words given) in
+          let text = Printf.sprintf "%s (%s / 1[%s])" name inside (Wording.measure words given) in
           hint (Printf.sprintf "divide by the unit before rounding: `%s`" text) d
           |> write span ("(" ^ text ^ ")"))
         (as_a_factor words argument)
@@ -224,7 +224,7 @@ let rate_for_angle words ~subject (wanted, given) =
   in
   match subject with
   | Some ({ desc = Number { digits; unit_ = Some { factors; _ }; _ }; span } : Resolve.Ir.expr)
-    when Units.equal wanted Units.one && String.equal (Show.measure words given) "1/s" -> (
+    when Units.equal wanted Units.one && String.equal (Wording.measure words given) "1/s" -> (
       match List.find_opt is_angle factors with
       | Some (Declared { name; _ }, _) ->
           let text = Printf.sprintf "%s[%s]" digits name in
@@ -261,7 +261,7 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
             (Printf.sprintf
                "the gain of a rate of change has another unit: write `Float[%s]` for `%s` in the \
                 signature"
-               (Show.measure words u) name))
+               (Wording.measure words u) name))
         (List.find_map gain factors)
   in
   match (expected.because, subject) with
@@ -273,7 +273,7 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
 
 (* `integral x` for `derivative x`, and the other way round *)
 let opposite words ~subject (wanted, given) =
-  let seconds k = String.equal (Show.measure words (Units.divide wanted given)) k in
+  let seconds k = String.equal (Wording.measure words (Units.divide wanted given)) k in
   match subject with
   | Some
       ({
@@ -311,7 +311,7 @@ let upside_down words ~subject (wanted, given) =
             (fun d ->
               hint
                 (Printf.sprintf "the quotient the other way round has the unit `%s`: `%s`"
-                   (Show.measure words wanted) quotient)
+                   (Wording.measure words wanted) quotient)
                 d
               |> write whole quotient)
       | _ -> None)
@@ -320,7 +320,7 @@ let upside_down words ~subject (wanted, given) =
 (* {1 A quantity and its rate} *)
 
 let rate words ~subject ~(expected : Expected.t) (wanted, given) =
-  let per_second u v = List.mem (Show.measure words (Units.divide u v)) [ "s" ] in
+  let per_second u v = List.mem (Wording.measure words (Units.divide u v)) [ "s" ] in
   let is_bare (e : Resolve.Ir.expr) =
     Bare_number.literal words e <> None || Bare_number.written_factor words e <> []
   in
@@ -340,14 +340,14 @@ let rate words ~subject ~(expected : Expected.t) (wanted, given) =
       let rate_is_second = per_second wanted given in
       let quantity, rate = if rate_is_second then (wanted, e) else (given, other) in
       let is_it = rate_is_second || per_second given wanted in
-      let duration = String.equal (Show.measure words quantity) "s" in
+      let duration = String.equal (Wording.measure words quantity) "s" in
       let time =
         let is_time (_, t) =
           match Type.expand t with
-          | Type.Number (_, u) -> String.equal (Show.measure words u) "s"
+          | Type.Number (_, u) -> String.equal (Wording.measure words u) "s"
           | _ -> false
         in
-        match List.find_opt is_time (Show.inputs words) with
+        match List.find_opt is_time (Wording.inputs words) with
         | Some (name, _) -> name
         | None -> "0.5[s]"
       in
@@ -361,7 +361,7 @@ let rate words ~subject ~(expected : Expected.t) (wanted, given) =
           in
           let times = Printf.sprintf "%s * %s" factor time in
           let integral = "integral " ^ argument in
-          let in_a_proc = Show.inputs words <> [] in
+          let in_a_proc = Wording.inputs words <> [] in
           Some
             (fun d ->
               hint

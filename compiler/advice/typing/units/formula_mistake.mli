@@ -5,18 +5,18 @@ open Basis
 open Typing
 
 val root :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A square, or a sum of squares, whose square root is needed: [dx * dx + dy * dy > 0.5[m]]. *)
 
-val is_of_square : Show.words -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
+val is_of_square : Wording.t -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> bool
 (** Is the expression a square or a sum of squares, and does its root have the expected unit? *)
 
 val power :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -25,7 +25,7 @@ val power :
     [v ^ 2 / (2 * a)]. *)
 
 val rate :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -33,35 +33,35 @@ val rate :
 (** The sum of a quantity and its rate of change: [heading + turnRate i]. *)
 
 val within_root :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A square root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
 
 val opposite :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** [integral x] where the unit of [derivative x] is expected, or the other way round. *)
 
 val upside_down :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** [a / b] where the unit of [b / a] is expected. *)
 
 val rounded :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A rounded quantity where a plain number is expected: [round (d * 100)]. *)
 
 val gain_of_rate :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -69,7 +69,7 @@ val gain_of_rate :
 (** A sum with [kd * derivative e], where the unit of the parameter [kd] is wrong. *)
 
 val rate_for_angle :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option

@@ -2,7 +2,7 @@ open Basis
 open Typing
 open Diagnostic
 
-let text words (e : Resolve.Ir.expr) = Show.quote words e.span
+let text words (e : Resolve.Ir.expr) = Wording.quote words e.span
 let grouped words e = Option.map Source.grouped (text words e)
 
 (* Is the value the same at every instant? Equations may be recursive, so the function keeps the
@@ -12,7 +12,7 @@ let is_fixed words e =
     match e.desc with
     | Number _ | Global _ -> true
     | Local x when List.mem x.id followed -> false
-    | Local x -> Option.fold (Show.definition words x) ~none:false ~some:(go (x.id :: followed))
+    | Local x -> Option.fold (Wording.definition words x) ~none:false ~some:(go (x.id :: followed))
     | Negate e -> go followed e
     | Power { base; _ } -> go followed base
     | Apply { head; argument; style = Operator _ } -> go followed head && go followed argument
@@ -36,7 +36,7 @@ let as_factor words (e : Resolve.Ir.expr) =
 let angle_of_a_rate words ~subject ~(expected : Expected.t) (_, given) =
   match (expected.because, subject) with
   | Parameter { callee = Some (("sin" | "cos" | "tan") as f); _ }, Some (e : Resolve.Ir.expr)
-    when List.mem (Show.measure words given) [ "1/s"; "Hz" ] ->
+    when List.mem (Wording.measure words given) [ "1/s"; "Hz" ] ->
       let angle =
         if is_fixed words e then Option.map (Printf.sprintf "%s * time ()") (as_factor words e)
         else Option.map (Printf.sprintf "integral %s") (grouped words e)
@@ -159,4 +159,4 @@ let quotient words ~(expected : Expected.t) =
 let complete words ~subject ~expected (wanted, given) =
   match angle_of_a_rate words ~subject ~expected (wanted, given) with
   | Some complete -> Some complete
-  | None -> power words ~expected ~unit_:(Show.measure words given) ()
+  | None -> power words ~expected ~unit_:(Wording.measure words given) ()

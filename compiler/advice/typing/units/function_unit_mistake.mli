@@ -5,7 +5,7 @@ open Basis
 open Typing
 
 val complete :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -14,16 +14,12 @@ val complete :
     contains the expected unit and the actual one. *)
 
 val power :
-  Show.words ->
-  expected:Expected.t ->
-  ?unit_:string ->
-  unit ->
-  (Diagnostic.t -> Diagnostic.t) option
+  Wording.t -> expected:Expected.t -> ?unit_:string -> unit -> (Diagnostic.t -> Diagnostic.t) option
 (** [d ** 2] for a base [d] that `**` does not accept, because it has a unit or is an `Int`. *)
 
 val whole_numbers :
-  Show.words -> expected:Expected.t -> found:Type.t -> (Diagnostic.t -> Diagnostic.t) option
+  Wording.t -> expected:Expected.t -> found:Type.t -> (Diagnostic.t -> Diagnostic.t) option
 (** Numbers with a fractional part as arguments of [mod] or [div]. *)
 
-val quotient : Show.words -> expected:Expected.t -> (Diagnostic.t -> Diagnostic.t) option
+val quotient : Wording.t -> expected:Expected.t -> (Diagnostic.t -> Diagnostic.t) option
 (** Whole numbers as operands of [/]. *)

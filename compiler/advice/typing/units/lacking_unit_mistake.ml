@@ -10,7 +10,7 @@ let is_operand (expected : Expected.t) =
 let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rational.of_int power)
 
 let give words units d ((number : Bare_number.t), power) =
-  Bare_number.give words number (Show.measure words (needed units power)) d
+  Bare_number.give words number (Wording.measure words (needed units power)) d
 
 (* The operand whose constants would correct the units, with its expected and its actual unit. *)
 let sides ~subject ~(expected : Expected.t) (wanted, given) =
@@ -62,7 +62,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
           when (not (is_one wanted || is_one given))
                || is_one given && is_product_with_value words e
                   && not (is_one wanted || is_operand expected) ->
-            let text = Printf.sprintf "%s[%s]" number.digits (Show.measure words unit_) in
+            let text = Printf.sprintf "%s[%s]" number.digits (Wording.measure words unit_) in
             let what = if power > 0 then "factor" else "divisor" in
             let is_elsewhere =
               match subject with
@@ -80,7 +80,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
                 |> write number.at text)
         | None -> None
         | Some _ -> (
-            match Show.quote words number.at with
+            match Wording.quote words number.at with
             | Some text when not (is_operand expected) ->
                 let own =
                   Units.divide
@@ -88,7 +88,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
                     (if power > 0 then wanted else given)
                 in
                 (* without its unit, the number would fit *)
-                if String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words own)) text
+                if String.ends_with ~suffix:(Printf.sprintf "[%s]" (Wording.measure words own)) text
                 then
                   Some
                     (fun d ->
@@ -124,7 +124,7 @@ let of_the_only_decimal words ~(subject : Resolve.Ir.expr option) ~expected (wan
          && not (List.for_all (fun (e, _) -> is_number e) factors) ->
       Option.map
         (fun (number : Bare_number.t) d ->
-          let unit_ = Show.measure words wanted in
+          let unit_ = Wording.measure words wanted in
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
           label ~at:number.at "this number has no unit" d
           |> hint (Printf.sprintf "if `%s` is in `%s`, write `%s`" number.digits unit_ text)
@@ -160,7 +160,7 @@ let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
     | None, _ -> None
   in
   match subject with
-  | Some e when List.mem (Show.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] ->
+  | Some e when List.mem (Wording.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] ->
       let cure x =
         let cure = "derivative " ^ x in
         fun d ->
@@ -184,35 +184,35 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
     | [ (_, power) ], false, [] -> Rational.equal power Rational.one
     | _ -> false
   in
-  let is_a_rate u = String.equal (Show.measure words u) "m/s" in
+  let is_a_rate u = String.equal (Wording.measure words u) "m/s" in
   match (expected.because, subject) with
   | Operand { operator = ("+" | "-") as operator; other; _ }, Some (e : Resolve.Ir.expr)
     when not (is_one wanted || is_one given) -> (
       let product = Units.multiply wanted given in
       let gain = Units.divide wanted given in
-      match (Show.quote words other.span, Show.quote words e.span) with
+      match (Wording.quote words other.span, Wording.quote words e.span) with
       | Some a, Some b when is_a_rate product ->
           let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
           Some
             (fun d ->
               hint
                 (Printf.sprintf "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
-                   (Show.measure words product) text)
+                   (Wording.measure words product) text)
                 d
               |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
       | Some a, Some b when simple gain ->
-          let factor = Printf.sprintf "1[%s]" (Show.measure words gain) in
+          let factor = Printf.sprintf "1[%s]" (Wording.measure words gain) in
           Some
             (hint
                (Printf.sprintf
                   "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * \
                    %s`"
-                  operator b (Show.measure words gain) a operator b factor))
+                  operator b (Wording.measure words gain) a operator b factor))
       | Some a, Some b when simple product ->
           Some
             (hint
                (Printf.sprintf "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
-                  (Source.grouped a) (Source.grouped b) (Show.measure words product)))
+                  (Source.grouped a) (Source.grouped b) (Wording.measure words product)))
       | _ -> None)
   | _ -> None
 
@@ -242,7 +242,7 @@ let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
       match fields words record with
       | [] -> None
       | numbers ->
-          let unit_ = Show.measure words unit_ in
+          let unit_ = Wording.measure words unit_ in
           let literal (number : Bare_number.t) = Printf.sprintf "%s[%s]" number.digits unit_ in
           let shown (name, (number : Bare_number.t)) =
             Printf.sprintf "%s = %s%s" name (if number.negative then "-" else "") (literal number)
@@ -296,9 +296,9 @@ let of_an_argument words ~(subject : Resolve.Ir.expr option) (wanted, given) =
     let literals = Option.fold subject ~none:[] ~some:(literals words) in
     match (literals, List.filter is_decimal literals) with
     | [ number ], _ when is_bare number ->
-        Some (Bare_number.give words number (Show.measure words wanted))
+        Some (Bare_number.give words number (Wording.measure words wanted))
     (* an integer is more likely to be a count *)
-    | _, [ number ] -> Some (Bare_number.give words number (Show.measure words wanted))
+    | _, [ number ] -> Some (Bare_number.give words number (Wording.measure words wanted))
     | _, _ -> None
 
 (* `v * r` in place of `v / r`, for an input or a parameter [r]. *)

@@ -15,7 +15,7 @@ val sides :
     should have and the unit that it has. *)
 
 val complete :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -24,7 +24,7 @@ val complete :
     pair contains the expected unit and the actual one. *)
 
 val of_a_literal :
-  Show.words ->
+  Wording.t ->
   likely:bool ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
@@ -35,7 +35,7 @@ val of_a_literal :
     Otherwise, considers only literals without a decimal point. *)
 
 val of_the_only_decimal :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -43,7 +43,7 @@ val of_the_only_decimal :
 (** The only number with a decimal point in a product without a unit. *)
 
 val of_a_difference :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
@@ -51,7 +51,7 @@ val of_a_difference :
     expected. *)
 
 val of_operands :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -59,26 +59,26 @@ val of_operands :
 (** A sum of quantities that should be a product. *)
 
 val of_fields :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** A record whose numbers lack their unit, such as [Vec2 { x = 1, y = 2 }]. *)
 
-val scaled : Show.words -> Resolve.Ir.expr -> (Bare_number.t * int) list
+val scaled : Wording.t -> Resolve.Ir.expr -> (Bare_number.t * int) list
 (** The named constants without a unit that scale the expression, or an argument in it, as in
     [tag e (kp * err)]. *)
 
 val of_an_argument :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
 (** An event or another container of a number without a unit, as in [tag e 0.5]. *)
 
 val of_the_inverse :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option

@@ -13,9 +13,9 @@ let relation (constructor : Environment.constructor) =
 (* `Pid[m, m/s]` (u is `m`, v is `m/s`). *)
 let with_unit_variables words (constructor : Environment.constructor) ty units =
   let variable ({ variable = v; _ } : Units.rigid) u =
-    Printf.sprintf "%s is `%s`" v.name (Show.measure words u)
+    Printf.sprintf "%s is `%s`" v.name (Wording.measure words u)
   in
-  Printf.sprintf "`%s` (%s)" (Show.type_ words ty)
+  Printf.sprintf "`%s` (%s)" (Wording.type_ words ty)
     (String.concat ", " (List.map2 variable constructor.scheme.units units))
 
 let completed words (constructor : Environment.constructor)
@@ -23,20 +23,20 @@ let completed words (constructor : Environment.constructor)
   let field ((name : Syntax.Ir.name), (number : Expected.number option), unit_) =
     match (number, unit_) with
     | Some { negative; digits; unit_ = written; at }, Some u when not (Units.is_open u) ->
-        let measure = Show.measure words u in
+        let measure = Wording.measure words u in
         let is_zero = float_of_string_opt digits = Some 0. in
         let literal =
           if is_zero || String.equal measure "1" then digits
           else Printf.sprintf "%s[%s]" digits measure
         in
         let is_right =
-          match Option.bind written (Show.unit_written words) with
+          match Option.bind written (Wording.unit_written words) with
           | Some unit_ -> Units.equal unit_ u
           | None -> String.equal literal digits
         in
         (* keep a correct unit as it is written: `60[deg/s]`, not `60[1/s]` *)
         let literal =
-          if is_right then Option.value (Show.quote words at) ~default:literal else literal
+          if is_right then Option.value (Wording.quote words at) ~default:literal else literal
         in
         let edit = if is_right then None else Some (at, literal) in
         Some (Printf.sprintf "%s = %s%s" name.text (if negative then "-" else "") literal, edit)

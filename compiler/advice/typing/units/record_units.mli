@@ -7,7 +7,7 @@ val relation : Environment.constructor -> string
 (** Describes how the units of the fields are related. *)
 
 val completed :
-  Show.words ->
+  Wording.t ->
   Environment.constructor ->
   Expected.completed ->
   (string * (Span.t * string) list) option

@@ -27,7 +27,7 @@ let for_each t =
   | _ -> None
 
 let to_float words ~found (e : Resolve.Ir.expr option) =
-  let text = Option.bind e (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  let text = Option.bind e (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) in
   match (text, for_each found) with
   | Some text, Some each ->
       fun d ->
@@ -59,10 +59,10 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
   in
   match (wanted, e) with
   | Some u, Some e -> (
-      let measure = Show.measure words u in
-      match (Bare_number.literal words e, Show.quote words e.span) with
+      let measure = Wording.measure words u in
+      match (Bare_number.literal words e, Wording.quote words e.span) with
       | (Some { name = Some name; signature = Some place; at; negative = false; _ } as number), _
-        when Show.quote words place <> None && Span.line place.start <> Span.line at.start ->
+        when Wording.quote words place <> None && Span.line place.start <> Span.line at.start ->
           let number = Option.get number in
           let unit_ = unit_of_count measure number in
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
@@ -108,7 +108,7 @@ let to_int words ~found (e : Resolve.Ir.expr option) =
                 `truncate` instead of `round`"
                each)
       | _ -> (
-          match Option.bind e (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
+          match Option.bind e (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) with
           | Some text ->
               let text = "round " ^ Source.grouped text in
               fun d ->
@@ -131,16 +131,16 @@ let superfluous words ~(expected : Expected.t) (e : Resolve.Ir.expr option) =
         (fun text d ->
           hint (Printf.sprintf "remove `toFloat`: `%s` is a `Float` already" text) d
           |> fix (Printf.sprintf "write `%s`" text) [ (Span.merge at e.span, Source.grouped text) ])
-        (Show.quote words e.span)
+        (Wording.quote words e.span)
   | _ -> None
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
-  let text = Show.representation words in
+  let text = Wording.representation words in
   let found = without_open_unit found in
   let plain () =
     error ~code:"E0312" ~at "expected %s, found %s"
-      (Show.described words expected.ty)
-      (Show.described words found)
+      (Wording.described words expected.ty)
+      (Wording.described words found)
   in
   let of_function =
     match ((wanted : Type.representation), (given : Type.representation)) with
@@ -166,9 +166,9 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
   | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
       let number = if given = Int then subject else Some other in
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
-        (Show.described words expected.ty)
-        (Show.described words found)
-      |> here (Printf.sprintf "this is %s" (Show.described words found))
+        (Wording.described words expected.ty)
+        (Wording.described words found)
+      |> here (Printf.sprintf "this is %s" (Wording.described words found))
       |> to_float words ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
       plain () |> hint "to divide whole numbers, use `div`" |> to_float words ~found subject

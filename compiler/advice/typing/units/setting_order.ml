@@ -32,8 +32,8 @@ let unit_of words (signal : Resolve.Ir.expr) ~position ~(decided_by : Expected.d
 
 let unit_text words kind u =
   match kind with
-  | Of_signal _ -> Show.measure words u
-  | Per_second -> Show.measure words (Units.divide u (Units.base (Environment.built_in "s")))
+  | Of_signal _ -> Wording.measure words u
+  | Per_second -> Wording.measure words (Units.divide u (Units.base (Environment.built_in "s")))
   | Second -> "s"
 
 let with_unit unit_ (e : Resolve.Ir.expr) text =
@@ -52,7 +52,7 @@ let wrong words ~(expected : Expected.t) ~found =
       let is_library =
         match head.desc with Global { module_ = "Control" | "Filters"; _ } -> true | _ -> false
       in
-      let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
+      let quote (e : Resolve.Ir.expr) = Wording.quote words e.span in
       match (settings name, unit_of words signal ~position ~decided_by found, quote signal) with
       | Some kind, Some u, Some text
         when is_library

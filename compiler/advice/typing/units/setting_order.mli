@@ -3,5 +3,5 @@
 
 open Typing
 
-val wrong : Show.words -> expected:Expected.t -> found:Type.t -> Basis.Diagnostic.t option
+val wrong : Wording.t -> expected:Expected.t -> found:Type.t -> Basis.Diagnostic.t option
 (** The message, if the mismatch is in an argument of a function that takes its settings first. *)

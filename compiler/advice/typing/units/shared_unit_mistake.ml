@@ -24,7 +24,7 @@ let rec parameters (t : Type.t) =
 let declared words (head : Resolve.Ir.expr option) =
   match head with
   | Some { desc = Global g; _ } ->
-      Option.fold (Show.declared_type words g) ~none:[] ~some:parameters
+      Option.fold (Wording.declared_type words g) ~none:[] ~some:parameters
   | Some _ | None -> []
 
 (* The argument at [position] has the unit [given] instead of [wanted]. Returns the unit that the
@@ -53,7 +53,7 @@ let is_function (t : Type.t) = match Type.expand t with Function _ -> true | _ -
 let is_general words (e : Resolve.Ir.expr) =
   match e.desc with
   | Global g -> (
-      match Option.map Type.expand (Show.declared_type words g) with
+      match Option.map Type.expand (Wording.declared_type words g) with
       | Some (Function (parameter, _)) -> exponent parameter <> None
       | _ -> false)
   | _ -> false
@@ -127,7 +127,7 @@ let written words (number : Bare_number.t) unit_ =
     | Some { factors = (Declared { name = ("deg" | "rad") as name; _ }, _) :: _; _ } -> Some name
     | Some _ | None -> None
   in
-  match (angle, Show.measure words unit_) with
+  match (angle, Wording.measure words unit_) with
   | Some angle, "1" -> angle
   | Some angle, "1/s" -> angle ^ "/s"
   | None, "1" -> ""
@@ -135,7 +135,7 @@ let written words (number : Bare_number.t) unit_ =
 
 let give words { number; unit_; _ } d =
   match (number.unit_, number.name) with
-  | None, _ -> Bare_number.give words number (Show.measure words unit_) d
+  | None, _ -> Bare_number.give words number (Wording.measure words unit_) d
   | Some _, name -> (
       let sign = if number.negative then "-" else "" in
       let text =
@@ -162,7 +162,7 @@ let give words { number; unit_; _ } d =
           else Fun.id)
 
 let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
-  let text = Show.measure words in
+  let text = Wording.measure words in
   let error format = error ~code:"E0320" ~at format in
   let d =
     if Units.equal first.current Units.one then
@@ -175,13 +175,13 @@ let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
   |> here (Printf.sprintf "argument %d of `%s`" first.position callee)
   |> label ~at:subject.span
        (Printf.sprintf "because this is %s, and `%s` needs matching units"
-          (Show.described words found) callee)
+          (Wording.described words found) callee)
   |> fun d ->
   let all = first :: rest in
   let is_bare { number; _ } = number.unit_ = None && number.name = None in
   if rest <> [] && List.for_all is_bare all then
     Bare_number.give_literals
-      (List.map (fun { number; unit_; _ } -> (number, Show.measure words unit_)) all)
+      (List.map (fun { number; unit_; _ } -> (number, Wording.measure words unit_)) all)
       d
   else List.fold_left (fun d suspect -> give words suspect d) d all
 
@@ -192,7 +192,7 @@ let agrees_with_a_later words ~given ~position unit_ =
     &&
     match e.desc with
     | Local x -> (
-        match Option.bind (List.assoc_opt x.name (Show.inputs words)) unit_of with
+        match Option.bind (List.assoc_opt x.name (Wording.inputs words)) unit_of with
         | Some u -> Units.equal u unit_
         | None -> false)
     | _ -> false
@@ -202,13 +202,13 @@ let agrees_with_a_later words ~given ~position unit_ =
 (* `delay 0.5[s] v`, meant as a delay by a time. *)
 let is_a_time words ~callee { number; current; _ } =
   String.equal callee "delay" && number.unit_ <> None
-  && String.equal (Show.measure words current) "s"
+  && String.equal (Wording.measure words current) "s"
 
 (* The argument [e] contains a constant that lacks a unit; with the unit, the argument would be
    correct. The numbers with units among the other arguments are right. *)
 let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : Resolve.Ir.expr)
     ~current unit_ constants =
-  let text = Show.measure words in
+  let text = Wording.measure words in
   let error format = error ~code:"E0320" ~at:e.span format in
   let d =
     if Units.equal current Units.one then error "expected the unit `%s`, found none" (text unit_)
@@ -222,7 +222,7 @@ let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : 
   |> here (Printf.sprintf "argument %d of `%s`" place callee)
   |> label ~at:subject.span
        (Printf.sprintf "because this is %s, and `%s` needs matching units"
-          (Show.described words found) callee)
+          (Wording.described words found) callee)
   |> fun d -> List.fold_left give d constants
 
 (* A product with a constant that lacks its unit, as an argument before a number that has one: `min
@@ -251,14 +251,15 @@ let of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subjec
 (* Is the argument itself wrong, although the mismatch is with the unit of earlier numbers? *)
 let is_to_blame words ~(subject : Resolve.Ir.expr) (wanted, given) =
   Formula_mistake.is_of_square words ~subject:(Some subject) (wanted, given)
-  || (not (String.equal (Show.measure words (Units.divide wanted given)) "s"))
+  || (not (String.equal (Wording.measure words (Units.divide wanted given)) "s"))
      && (Lacking_unit_mistake.scaled words subject <> []
         ||
         match Bare_number.written_factor words subject with
         | [ ({ unit_ = None; digits; _ }, _) ] ->
             Bare_number.literal words subject = None
             && (String.contains digits '.'
-               || String.starts_with ~prefix:"1/" (Show.measure words (Units.divide wanted given)))
+               || String.starts_with ~prefix:"1/"
+                    (Wording.measure words (Units.divide wanted given)))
         | _ -> false)
 
 let is_number_with_unit words (e : Resolve.Ir.expr) =

@@ -5,7 +5,7 @@ open Basis
 open Typing
 
 val of_an_earlier_number :
-  Show.words ->
+  Wording.t ->
   expected:Expected.t ->
   found:Type.t ->
   subject:Resolve.Ir.expr option ->

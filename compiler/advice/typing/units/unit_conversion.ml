@@ -2,7 +2,7 @@ open Basis
 open Typing
 open Diagnostic
 
-let is_per_second words u = String.equal (Show.measure words u) "1/s"
+let is_per_second words u = String.equal (Wording.measure words u) "1/s"
 
 (* The unitless number literals among the arguments, which determine the unit of the function's
    result. *)
@@ -41,7 +41,7 @@ let with_units words (e : Resolve.Ir.expr option) unit_ =
         ^ Printf.sprintf "%s[%s]" digits unit_
         ^ String.sub text until (String.length text - until)
       in
-      Option.map (fun text -> List.fold_left add text (numbers e)) (Show.quote words e.span))
+      Option.map (fun text -> List.fold_left add text (numbers e)) (Wording.quote words e.span))
 
 let is_operand (expected : Expected.t) =
   match expected.because with Operand _ -> true | _ -> false
@@ -57,7 +57,7 @@ let is_argument (expected : Expected.t) =
 (* The source text of the expression with this change. In a command, the change applies to the input
    if the signal function is `returnA`, and otherwise to a name for the output. *)
 let changed words (subject : Resolve.Ir.expr option) change =
-  let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
+  let quote (e : Resolve.Ir.expr) = Wording.quote words e.span in
   match subject with
   | Some { desc = Apply { head = { desc = Global g; _ }; argument; style = Command }; _ }
     when String.equal g.name "returnA" ->
@@ -78,7 +78,7 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
       let quantity, plain, unit_ =
         if Units.equal wanted Units.one then (right, other, given) else (other, right, wanted)
       in
-      let unit_ = Show.measure words unit_ in
+      let unit_ = Wording.measure words unit_ in
       hint
         (match Formula.binary plain with
         | Some ("!", _, _) ->
@@ -103,7 +103,7 @@ let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
     && (not (is_operand expected || is_delayed expected))
     && subject <> None
   then
-    let unit_ = Show.measure words wanted in
+    let unit_ = Wording.measure words wanted in
     hint
       (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`" unit_
          (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_)))
@@ -126,7 +126,7 @@ let gravities words (subject : Resolve.Ir.expr option) wanted =
           Number { digits; unit_ = Some { factors = [ (Declared { name = "g"; _ }, _) ]; _ }; _ };
         span;
       }
-    when String.equal (Show.measure words wanted) "m/s^2" ->
+    when String.equal (Wording.measure words wanted) "m/s^2" ->
       Option.map
         (fun x -> (Printf.sprintf "%.5g[m/s^2]" (x *. 9.80665), span))
         (float_of_string_opt digits)
@@ -156,14 +156,14 @@ let power words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) di
 let is_of_a_signal words (expected : Expected.t) =
   match expected.because with
   | Output _ -> true
-  | Signature _ -> Show.inputs words <> []
+  | Signature _ -> Wording.inputs words <> []
   | _ -> false
 
 (* `way < 2[m]`, where `way` is a velocity: it may lack an [integral]. *)
 let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
   match expected.because with
-  | Operand { operator; other; _ } when Show.inputs words <> [] ->
-      let factor = Show.measure words (Units.divide given wanted) in
+  | Operand { operator; other; _ } when Wording.inputs words <> [] ->
+      let factor = Wording.measure words (Units.divide given wanted) in
       let run what f =
         Option.map
           (fun text ->
@@ -171,7 +171,7 @@ let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
             fun d ->
               hint (Printf.sprintf "for its %s, write `%s` before the `%s`" what text operator) d
               |> write other.span text)
-          (Show.quote words other.span)
+          (Wording.quote words other.span)
       in
       if Bare_number.literal words other <> None then None
       else if String.equal factor "s" then run "sum over time" "integral"
@@ -204,7 +204,7 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
   let replace text =
     Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) -> write e.span text)
   in
-  if is_of_a_filter expected && not (String.equal (Show.measure words wanted) "Hz") then
+  if is_of_a_filter expected && not (String.equal (Wording.measure words wanted) "Hz") then
     let cutoff = with_e "(1 / (2 * pi * %s))" in
     hint
       (Printf.sprintf "this is a time constant: for the cutoff frequency `%s`, write `%s`"
@@ -221,7 +221,7 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
 (* A function whose result has the unit of its numbers, such as `knob`. *)
 let of_numbers words ~subject ~wanted d =
   let digits = List.hd (numbers_without_units words subject) in
-  let unit_ = Show.measure words wanted in
+  let unit_ = Wording.measure words wanted in
   hint
     (match with_units words subject unit_ with
     | Some text -> Printf.sprintf "give its numbers the unit: `%s`" text
@@ -231,13 +231,14 @@ let of_numbers words ~subject ~wanted d =
   match subject with
   | Some { desc = Local x; span } ->
       let at =
-        Option.fold (Show.definition words x) ~none:span ~some:(fun (e : Resolve.Ir.expr) -> e.span)
+        Option.fold (Wording.definition words x) ~none:span ~some:(fun (e : Resolve.Ir.expr) ->
+            e.span)
       in
       label ~at (Reason_label.definition x.name)
   | _ -> Fun.id
 
 let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
-  let factor = Show.measure words (Units.divide wanted given) in
+  let factor = Wording.measure words (Units.divide wanted given) in
   let with_e format = changed words subject (Printf.sprintf format) in
   let written =
     match subject with
@@ -248,7 +249,7 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   if Units.is_open wanted || Units.is_open given then diagnostic
   else if
     List.mem
-      (Show.measure words wanted, Show.measure words given)
+      (Wording.measure words wanted, Wording.measure words given)
       [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
   then between_rate_and_time words ~subject ~expected ~wanted diagnostic
   else if Units.equal given Units.one && plain then of_numbers words ~subject ~wanted diagnostic
@@ -263,7 +264,7 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     Units.equal wanted Units.one && diagnostic.hints = [] && written = None
     && not (is_operand expected)
   then
-    let unit_ = Show.measure words given in
+    let unit_ = Wording.measure words given in
     hint
       (Printf.sprintf "to get a plain number, divide by the unit: `%s`"
          (changed words subject (fun e -> Printf.sprintf "%s / 1[%s]" e unit_)))
@@ -281,7 +282,7 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     |> write at text
   else if written <> None then
     let digits, at = Option.get written in
-    let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
+    let text = Printf.sprintf "%s[%s]" digits (Wording.measure words wanted) in
     hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic
     |> write at text
     |> Option.value (of_the_other_operand words ~expected (wanted, given)) ~default:Fun.id

@@ -3,19 +3,19 @@
 open Basis
 open Typing
 
-val is_per_second : Show.words -> Units.t -> bool
+val is_per_second : Wording.t -> Units.t -> bool
 val is_operand : Expected.t -> bool
 
-val is_of_a_signal : Show.words -> Expected.t -> bool
+val is_of_a_signal : Wording.t -> Expected.t -> bool
 (** Must a signal have this type: the output of a signal function, or a local signal of a proc? *)
 
 val of_the_other_operand :
-  Show.words -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
+  Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
 (** For [way < 2[m]], where [way] is a velocity: suggests the integral of [way], or the derivative
     in the opposite case. *)
 
 val suggest :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->

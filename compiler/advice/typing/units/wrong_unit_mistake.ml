@@ -11,10 +11,10 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
   let is_conversion excess power (e : Resolve.Ir.expr) =
     match e.desc with
     | Number { digits; unit_ = Some u; _ } when float_of_string_opt digits = Some 1. -> (
-        match (Show.unit_written words u, Show.quote words e.span) with
+        match (Wording.unit_written words u, Wording.quote words e.span) with
         | Some unit_, Some text ->
             (* do not write `1[km]`, which would also change the number *)
-            String.ends_with ~suffix:(Printf.sprintf "[%s]" (Show.measure words unit_)) text
+            String.ends_with ~suffix:(Printf.sprintf "[%s]" (Wording.measure words unit_)) text
             && Units.equal (Units.power unit_ (Rational.of_int power)) excess
         | _ -> false)
     | _ -> false
@@ -36,7 +36,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
     else
       match find (Units.divide given wanted) (Bare_number.value words e) with
       | Some (whole, operator, factor, rest) -> (
-          match (Show.quote words factor.span, Formula.text words rest) with
+          match (Wording.quote words factor.span, Formula.text words rest) with
           | Some factor, Some text ->
               let is_multiplied = String.equal operator "" in
               Some
@@ -46,7 +46,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
                        (if is_multiplied then " *" else "")
                        text
                        (if is_one wanted then "a plain number"
-                        else Printf.sprintf "in `%s`" (Show.measure words wanted)))
+                        else Printf.sprintf "in `%s`" (Wording.measure words wanted)))
                     d
                   |> fix (Printf.sprintf "write `%s`" text) [ (whole.span, text) ])
           | _ -> None)
@@ -71,7 +71,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
               (fun d ->
                 hint
                   (Printf.sprintf "remove `%s`: `%s` is in `%s` already" name text
-                     (Show.measure words wanted))
+                     (Wording.measure words wanted))
                   d
                 |> fix (Printf.sprintf "write `%s`" text) [ (e.span, Source.grouped text) ])
         | _ -> None)
@@ -85,7 +85,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
 (* The text of the unit in a literal. If a gain was written with [rad], the text also contains
    [rad]. *)
 let unit_like words (number : Bare_number.t) u =
-  let measure = Show.measure words u in
+  let measure = Wording.measure words u in
   let is_angle ((f : Resolve.Ir.unit_factor), _) =
     match f with Declared { name = "rad"; _ } -> true | Declared _ | Unit_variable _ -> false
   in
@@ -104,7 +104,7 @@ let with_unit words (number : Bare_number.t) u =
   let type_ = if is_one u then "Float" else Printf.sprintf "Float[%s]" unit_ in
   let of_signature =
     match number.signature with
-    | Some place when Show.quote words place <> None -> [ (place, type_) ]
+    | Some place when Wording.quote words place <> None -> [ (place, type_) ]
     | Some _ | None -> []
   in
   let shown =
@@ -137,12 +137,12 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
   let of_side (e, (wanted, given)) =
     match Bare_number.gain words e with
     | [ ((number : Bare_number.t), power) ] when Bare_number.literal words e = None -> (
-        match Option.bind number.unit_ (Show.unit_written words) with
+        match Option.bind number.unit_ (Wording.unit_written words) with
         | Some own ->
             let needed = Lacking_unit_mistake.needed (wanted, given) power in
             let unit_ = Units.multiply own needed in
             let what =
-              match (number.name, Show.quote words number.at) with
+              match (number.name, Wording.quote words number.at) with
               | Some name, _ | None, Some name -> name
               | None, None -> number.digits
             in
@@ -190,7 +190,7 @@ let constant words ~subject ~(expected : Expected.t) (wanted, given) =
         let text =
           if is_one wanted then number.digits
           else if is_angular_velocity expected.ty then number.digits ^ "[rad/s]"
-          else Printf.sprintf "%s[%s]" number.digits (Show.measure words wanted)
+          else Printf.sprintf "%s[%s]" number.digits (Wording.measure words wanted)
         in
         let edits = List.map (fun (at, _) -> (at, text)) edits in
         let shown = if number.negative then "-" ^ text else text in
@@ -212,7 +212,9 @@ let constant words ~subject ~(expected : Expected.t) (wanted, given) =
     | _ -> None
   in
   let between_rate_and_time =
-    List.for_all (fun u -> List.mem (Show.measure words u) [ "s"; "1/s"; "Hz" ]) [ wanted; given ]
+    List.for_all
+      (fun u -> List.mem (Wording.measure words u) [ "s"; "1/s"; "Hz" ])
+      [ wanted; given ]
   in
   if is_open (wanted, given) || is_one given || between_rate_and_time then None
   else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
@@ -230,9 +232,9 @@ type declared = { type_ : Resolve.Ir.ty; with_type : string -> string }
 (* The declared type of a parameter of a top-level function, and a function that replaces this type
    in the signature. *)
 let declared_parameter words (x : Resolve.Ir.Local.t) =
-  match Show.parameter words x with
+  match Wording.parameter words x with
   | Some ({ signature = Some signature; name; _ }, index) -> (
-      match (nth_parameter index signature.ty, Show.quote words signature.span) with
+      match (nth_parameter index signature.ty, Wording.quote words signature.span) with
       | Some ({ desc = Named _; span } as type_), Some whole
         when Span.line span.start = Span.line signature.span.start ->
           let from = Span.column span.start - Span.column signature.span.start in
@@ -268,7 +270,7 @@ let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
     let factors = Formula.factors e in
     match List.filter_map of_factor factors with
     | (x, { type_; with_type }, power) :: _ when List.length factors > 1 ->
-        let unit_ = Show.measure words (Lacking_unit_mistake.needed units power) in
+        let unit_ = Wording.measure words (Lacking_unit_mistake.needed units power) in
         let text = Printf.sprintf "Float[%s]" unit_ in
         Some
           (fun d ->
@@ -288,7 +290,7 @@ let parameter words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
     when not (is_open units) -> (
       match declared_parameter words x with
       | Some { type_ = { span; _ }; with_type } ->
-          let type_ = Show.type_ words expected.ty in
+          let type_ = Wording.type_ words expected.ty in
           Some
             (fun d ->
               let others = (Unit_conversion.suggest words ~subject ~expected units d).hints in

@@ -6,7 +6,7 @@ open Basis
 open Typing
 
 val superfluous_factor :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -14,7 +14,7 @@ val superfluous_factor :
 (** [sqrt (x ^ 2 + y ^ 2) * 1[m]] where a length is needed. *)
 
 val superfluous_function :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -22,7 +22,7 @@ val superfluous_function :
 (** [integral v] or [derivative x] where [v] or [x] is needed. *)
 
 val gain :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -30,7 +30,7 @@ val gain :
 (** A term with a gain of the wrong unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
 
 val constant :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -38,7 +38,7 @@ val constant :
 (** A name that is defined as a number with the wrong unit. *)
 
 val bare_parameter :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
@@ -46,7 +46,7 @@ val bare_parameter :
 (** A factor that is a parameter, whose type in the signature has no unit. *)
 
 val parameter :
-  Show.words ->
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->

@@ -1,5 +1,4 @@
 open Basis
-open Typing
 
 let over_a_turn (e : Resolve.Ir.expr) =
   let write (number : Resolve.Ir.expr) digits text d =
@@ -15,7 +14,7 @@ let over_a_turn (e : Resolve.Ir.expr) =
   | _ -> Diagnostic.hint "if you meant degrees, give one of the numbers its unit, as in `90[deg]`"
 
 let in_degrees words ~(angle : Resolve.Ir.expr) ~factors ~beside =
-  let quote (e : Resolve.Ir.expr) = Show.quote words e.span in
+  let quote (e : Resolve.Ir.expr) = Wording.quote words e.span in
   let itself =
     match factors with
     | [ factor ] -> Option.fold (quote factor) ~none:"" ~some:(Printf.sprintf ": write `%s`")

@@ -2,12 +2,11 @@
     an angle that was converted to degrees ([W0313]). *)
 
 open Basis
-open Typing
 
 val over_a_turn : Resolve.Ir.expr -> Diagnostic.t
 
 val in_degrees :
-  Show.words ->
+  Wording.t ->
   angle:Resolve.Ir.expr ->
   factors:Resolve.Ir.expr list ->
   beside:Resolve.Ir.expr option ->

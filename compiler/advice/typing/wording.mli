@@ -1,0 +1,81 @@
+(** The words of one message: texts of types and units, and what the message may mention.
+
+    Unsolved variables get names in the usual style: [a], [b] for types, [u], [v] for units, [n] for
+    representations. A name is the same in all texts of one message and differs from all names that
+    a signature uses. *)
+
+open Basis
+open Typing
+
+type t
+(** The variable names chosen so far, and the surroundings of the fact. *)
+
+val of_surroundings : Surroundings.t -> t
+val sources : t -> Source.t
+val environment : t -> Environment.t
+
+val quote : t -> Span.t -> string option
+(** The source text in this span, if it is short. *)
+
+val argument : t -> Resolve.Ir.expr -> string option
+(** The source text of the expression, if it is short, in parentheses if it needs them as an
+    argument. *)
+
+val argument_or : string -> t -> Resolve.Ir.expr -> string
+(** Like {!argument}, or this text in place of a long one. *)
+
+val needs_class : t -> Type.t -> bool
+val definition : t -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
+val local : t -> Resolve.Ir.Local.t -> Type.t option
+val unit_written : t -> Resolve.Ir.unit_ -> Units.t option
+val binding : t -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
+val local_function : t -> Resolve.Ir.Local.t -> Resolve.Ir.binding option
+val parameter : t -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
+val unnamed_input : t -> Span.t option
+val declared_type : t -> Resolve.Ir.Global.t -> Type.t option
+val named : t -> string -> Type.t list
+val values : t -> Type.t -> file:string -> string list
+
+val inputs : t -> (string * Type.t) list
+(** The input signals of the enclosing proc. *)
+
+val fields : t -> Type.t -> (string * string list) option
+val field_of : t -> Type.t -> of_:Type.t -> string option
+val choices : t -> Type.t -> string list
+val owner : t -> Ir.variable -> Surroundings.owned option
+val makers : t -> Type.t -> of_:Type.t -> string list
+
+val declared : t -> Resolve.Ir.Global.t -> string option
+(** The type that the signature contains. *)
+
+val is_input : t -> string -> bool
+(** Is this the name of an input of the enclosing proc? *)
+
+val signal : t -> Type.t -> string option
+(** An input of the enclosing proc that may have this type. *)
+
+val tell_apart : t -> Type.t list -> unit
+(** From now on, shows the module name for data types whose name occurs in several modules among
+    these types. *)
+
+val namesakes : t -> string list
+(** The names that are shown with their module. *)
+
+val type_ : t -> Type.t -> string
+(** Uses the type's alias if it has one. *)
+
+val quoted : t -> Type.t -> string
+(** The type in backticks; the alias of a number is followed by its unit, as in [`Velocity` (m/s)].
+*)
+
+val is_any_number : Type.t -> bool
+(** Is the type known only to be a number? If so, its text does not contain variable names. *)
+
+val described : t -> Type.t -> string
+(** A type as part of a sentence: quoted, or [a number]. *)
+
+val constraint_ : t -> Ir.class_ -> Type.t -> string
+(** For example [Eq (Maybe a)]. *)
+
+val measure : t -> Units.t -> string
+val representation : t -> Type.representation -> string

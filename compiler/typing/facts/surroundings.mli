@@ -1,0 +1,44 @@
+(** The part of the program around a fact that messages may mention. *)
+
+open Basis
+
+(** A construct that has type variables. A [Signature] is that of the definition with this name. A
+    [Class] or an [Instance] is that of the class with this name. *)
+type construct = Signature of string | Class of string | Instance of string
+
+type owned = { by : construct; place : Span.t }
+
+type t = {
+  environment : Environment.t;
+  sources : Source.t;
+  inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
+  needs_class : Type.t -> bool;  (** whether some use requires a class for this type *)
+  definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
+      (** the value of a local variable without parameters *)
+  local : Resolve.Ir.Local.t -> Type.t option;  (** the type of a local variable *)
+  unit_ : Resolve.Ir.unit_ -> Units.t option;  (** a written unit without variables *)
+  fields : Type.t -> (string * string list) option;
+      (** the constructor and the fields of a record type *)
+  field_of : Type.t -> of_:Type.t -> string option;
+      (** the field of the record whose data type has the same constructor as the second type, if
+          there is exactly one *)
+  choices : Type.t -> string list;
+      (** the constructors of an enumeration with few cases; otherwise the empty list *)
+  declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
+  named : string -> Type.t list;  (** the types of all definitions with this name *)
+  values : Type.t -> file:string -> string list;
+      (** the definitions without parameters of this file that have this type *)
+  binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
+  local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
+      (** the definition of a local variable with parameters *)
+  parameter : Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option;
+      (** the top-level definition that has this parameter, and the index of the parameter *)
+  unnamed_input : Span.t option;
+      (** the [_] in place of an input of the enclosing proc, if there is one *)
+  makers : Type.t -> of_:Type.t -> string list;
+      (** constructors of the first type that have a field of type [of_], shown with their fields *)
+  owner : Ir.variable -> owned option;  (** the construct that introduces this type variable *)
+}
+
+val nowhere : Environment.t -> t
+(** A context that answers no question about the program. *)
