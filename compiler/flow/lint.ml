@@ -193,7 +193,7 @@ let instance scope names (i : Ir.instance) =
     | None -> (inputs, outputs)
     | Some l ->
         if l.count < 1 || List.compare_lengths l.arguments inputs <> 0 then
-          bug "the loop `%s` in `%s` has a wrong form" i.name scope.node.name;
+          bug "the loop `%s` in `%s` has the wrong form" i.name scope.node.name;
         loop scope i l inputs outputs
   in
   check_all scope "an input" inputs i.inputs;

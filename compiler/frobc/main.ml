@@ -292,7 +292,7 @@ let extras =
     let doc =
       "The groups to install: "
       ^ String.concat "; " (List.map describe Tools.Extras.groups)
-      ^ ". Without a group, $(b,install) installs the groups of the last time again."
+      ^ ". Without a group, $(b,install) installs the groups that were installed last."
     in
     Arg.(value & pos_right 0 string [] & info [] ~docv:"GROUP" ~doc)
   in
@@ -306,7 +306,7 @@ let extras =
     [
       `S Manpage.s_description;
       `P
-        "Some commands use Python packages of others. $(tname) installs them from the Python \
+        "Some commands use third-party Python packages. $(tname) installs them from the Python \
          package index in a virtual environment in $(b,~/.local/share/frobc) (or \
          $(b,XDG_DATA_HOME)), and frobc then uses that environment. A new environment replaces the \
          old one when it is complete.";
@@ -345,7 +345,7 @@ let ros2 =
       `P
         "Reads the definition of a type of messages from the packages of the sourced ROS 2, and \
          writes a module with its record, for nodes with topics of their own. The file states what \
-         it leaves out, such as text. You can edit it.";
+         it omits, such as text. You can edit it.";
     ]
   in
   command "ros2" ~man ~doc:"import message types of ROS 2"
@@ -356,9 +356,9 @@ let doctor =
     [
       `S Manpage.s_description;
       `P
-        "Looks at everything that a command may need, and prints a line for each: $(b,ok); \
-         $(b,note) if something is missing that only some commands need, with the command to type; \
-         or $(b,FAIL) if frobc does not work on this computer.";
+        "Checks everything that a command may need, and prints a line for each: $(b,ok); $(b,note) \
+         if something is missing that only some commands need, with the command to type; or \
+         $(b,FAIL) if frobc does not work on this computer.";
       `P "The exit status is 1 if there is a $(b,FAIL), otherwise 0.";
     ]
   in

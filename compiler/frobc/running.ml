@@ -8,8 +8,8 @@ let trace =
   let input =
     let doc =
       "The recorded input: CSV with a header, which may be compressed ($(b,.csv.gz), \
-       $(b,.csv.zst)). $(b,-) is standard input. Or a ROS 2 bag with the instants of a node: a \
-       folder, or a file $(b,.db3) or $(b,.mcap)."
+       $(b,.csv.zst)). $(b,-) is standard input. Alternatively, a ROS 2 bag with the instants of a \
+       node: a folder, or a file $(b,.db3) or $(b,.mcap)."
     in
     Arg.(value & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
   in

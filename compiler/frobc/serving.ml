@@ -64,9 +64,9 @@ let serve =
       `P "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again and prints the new device.";
       `P
         "The robot $(b,ros) has no serial line: it is a ROS 2 node, which publishes $(b,odom), \
-         $(b,scan), $(b,imu) and $(b,/clock), and drives as $(b,cmd_vel) says. Source the setup \
-         script of ROS 2 first. The first lines on standard output are the names of the node and \
-         of its topics.";
+         $(b,scan), $(b,imu) and $(b,/clock), and drives with the speeds from $(b,cmd_vel). Source \
+         the setup script of ROS 2 first. The first lines on standard output are the names of the \
+         node and of its topics.";
     ]
   in
   command "serve" ~man ~doc:"simulate a robot at a serial port, or in ROS 2"

@@ -9,7 +9,7 @@ let plan =
 let shard =
   let doc =
     "Perform only part K of N of the runs, as in $(b,3/100). A batch system can use this to \
-     distribute the runs over several machines. When all parts are done, make the table with \
+     distribute the runs over several machines. When all parts are done, create the table with \
      $(b,--merge)."
   in
   let parse text =
@@ -28,13 +28,13 @@ let shard =
     & info [ "shard" ] ~docv:"K/N" ~doc)
 
 let merge =
-  let doc = "Make the table from the existing rows, without any further runs." in
+  let doc = "Create the table from the existing rows, without any further runs." in
   Arg.(value & flag & info [ "merge" ] ~doc)
 
 let dry =
   let doc =
-    "Make no runs. Check the plan, and print the number of runs, how many of them are done, and a \
-     digest. Machines that would make the same runs print the same digest."
+    "Do not perform any runs. Check the plan, and print the number of runs, how many of them are \
+     done, and a digest. Machines that would perform the same runs print the same digest."
   in
   Arg.(value & flag & info [ "dry-run" ] ~doc)
 
@@ -70,7 +70,7 @@ let sweep =
     [
       `S Manpage.s_description;
       `P
-        "Makes many runs of a trial with different worlds, robots, parameter values and seeds. \
+        "Performs many runs of a trial with different worlds, robots, parameter values and seeds. \
          Writes a table with a row for each run: its result and the quantities that the trial \
          measures.";
       `Pre
@@ -80,11 +80,11 @@ let sweep =
          gap = \"0.2[m] to 0.6[m], 9 steps\"";
       `P
         "Each row is saved as soon as its run is done. If a sweep is interrupted, run the same \
-         command to continue. If you add runs to the plan, the same command makes only the new \
+         command to continue. If you add runs to the plan, the same command performs only the new \
          ones.";
     ]
   in
-  command "sweep" ~man ~doc:"make many runs of a trial and a table of the results"
+  command "sweep" ~man ~doc:"perform many runs of a trial and write a table of the results"
     Term.(
       const run $ general $ sources $ jobs $ shard $ merge $ dry $ rows $ also $ table $ picture
       $ plan)

@@ -70,11 +70,11 @@ let param c k =
   | None -> bug "`%s` reads a missing parameter" c.node.name
 
 let dt c : Ir.ty =
-  if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
+  if not c.node.seconds then bug "`%s` reads dt but does not declare it" c.node.name;
   Float
 
 let dt_nanoseconds c : Ir.ty =
-  if not c.node.nanoseconds then bug "`%s` reads nanoseconds and does not say so" c.node.name;
+  if not c.node.nanoseconds then bug "`%s` reads nanoseconds but does not declare it" c.node.name;
   Nanoseconds
 
 let payload_leaf c sum k leaf =
@@ -164,7 +164,7 @@ and callee c k : Ir.node =
 
 and call c known (parameters : Ir.variable list) arguments =
   if List.compare_lengths parameters arguments <> 0 then
-    bug "`%s` calls with a wrong number of arguments" c.node.name;
+    bug "`%s` calls with the wrong number of arguments" c.node.name;
   List.iter2
     (fun (p : Ir.variable) e -> expect c "an argument" p.ty (expr c known e))
     parameters arguments
@@ -221,7 +221,7 @@ let entered c known =
 (* Checks that the variables have the types of the values assigned to them. *)
 let results c variables types =
   if List.compare_lengths variables types <> 0 then
-    bug "`%s` takes a wrong number of results" c.node.name;
+    bug "`%s` takes the wrong number of results" c.node.name;
   List.iter2 (fun (v : Ir.variable) ty -> expect c "a result" v.ty ty) variables types
 
 let declare_all c known variables =
@@ -288,7 +288,7 @@ let loop c known (l : Ir.loop) =
     expect c "an argument" p.ty found
   in
   if List.compare_lengths callee.step.parameters l.arguments <> 0 then
-    bug "`%s` loops with a wrong number of arguments" c.node.name;
+    bug "`%s` loops with the wrong number of arguments" c.node.name;
   List.iter2 argument callee.step.parameters l.arguments;
   let given k ty : Ir.ty = if k < accumulators then ty else Array (l.count, ty) in
   results c l.results (List.mapi given outputs);

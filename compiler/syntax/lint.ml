@@ -64,7 +64,7 @@ let expression span (desc : Ir.expr_desc) =
       List.iter statement statements
   | Number { digits; _ } ->
       if Exact.of_literal digits = None && String.length digits < 100 then
-        broken span "`%s` is no number" digits
+        broken span "`%s` is not a number" digits
   | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _
   | Right_section _ | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _
   | Annotated _ | Parenthesized _ ->

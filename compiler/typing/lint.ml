@@ -202,7 +202,7 @@ let global s (e : expr) (g : Global.t) i =
 let method_ s (e : expr) (g : Global.t) i =
   match Hashtbl.find_opt s.methods g with
   | Some scheme -> is_instance s e scheme i
-  | None -> fail e.span "`%s` is no method" g.name
+  | None -> fail e.span "`%s` is not a method" g.name
 
 let constructor s (e : expr) (c : constructor) =
   let rec result fields (ty : ty) =
@@ -227,7 +227,7 @@ let index (e : expr) (array : expr) k =
   | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
       fail e.span "element %d of an array of %d" k n
   | Data { arguments = [ _; element ]; _ } -> is e "an element" element
-  | _ -> fail e.span "an element of what is no array"
+  | _ -> fail e.span "an element of a value that is not an array"
 
 let rec expr s (e : expr) =
   closed s e.span e.ty;

@@ -76,8 +76,8 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
 let size_not_a_number ~at alias =
   (match alias with
   | Some alias ->
-      Diagnostic.error ~code:"E0330" ~at "`%s` is not a number, but part of a size" alias
-  | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but not a number")
+      Diagnostic.error ~code:"E0330" ~at "`%s` is part of a size, but it is not a number" alias
+  | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but it is not a number")
   |> Diagnostic.hint "define a size as `type N = 25`"
 
 (* {1 Circles} *)

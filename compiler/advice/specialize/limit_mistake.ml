@@ -90,13 +90,13 @@ let leaves ~at ty ~limit =
 
 let data_nested ~at ty ~limit =
   Diagnostic.(
-    error ~code:"E0316" ~at "a value of %s would nest data more than %d levels deep" (name_of ty)
-      limit
+    error ~code:"E0316" ~at "a value of %s would contain data nested more than %d levels deep"
+      (name_of ty) limit
     |> hint "put the fields into fewer levels of records")
 
 let functions_nested ~at (definition : Core.Ir.definition) =
   Diagnostic.(
-    error ~code:"E0413" ~at "`%s` needs functions that nest too deeply" definition.name.name
+    error ~code:"E0413" ~at "`%s` needs functions that are nested too deeply" definition.name.name
     |> note "each function or signal function contains the previous one, thousands of times"
     |> hint "compose fewer of them, or write one signal function that does the same")
 

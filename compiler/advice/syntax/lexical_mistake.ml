@@ -74,11 +74,11 @@ let of_problem ~at : Lexical_fact.problem -> Diagnostic.t option = function
         |> Diagnostic.hint "close it with `-}`; comments nest, so each `{-` needs its own `-}`")
   | Text_not_closed ->
       Some
-        (error ~code:"E0104" ~at "this text is not closed on its line"
-        |> Diagnostic.hint "end the text with another `\"` on the same line")
+        (error ~code:"E0104" ~at "this string is not closed on its line"
+        |> Diagnostic.hint "end the string with another `\"` on the same line")
   | Unknown_escape ->
       Some
-        (error ~code:"E0105" ~at "unknown escape in a text"
+        (error ~code:"E0105" ~at "unknown escape sequence in a string"
         |> Diagnostic.hint "use `\\\"`, `\\\\`, `\\n` or `\\t`")
   | Long_name { most; length } -> Some (too_long ~at "name" ~most ~length)
   | Long_number { most; length } -> Some (too_long ~at "number" ~most ~length)

@@ -68,7 +68,8 @@ let type_before_name found =
     (Typed_equation.alone (between found bol (end_of_line found bol)))
 
 let no_effect =
-  "Frob has no calls for their effect: write an equation that names a value, as in `v = 0.3[m/s]`"
+  "Frob does not call functions for their effects: write an equation that names a value, as in `v \
+   = 0.3[m/s]`"
 
 (* `proc i roMake …` without an arrow, or `proc x y -> …` with two inputs *)
 let inputs_of_proc found =

@@ -44,7 +44,7 @@ let trace ~params ~dialect core ~entry ~marks ~input ~output =
       with_output output (fun write ->
           try Interp.Trace.run ~marks ~params ~warn ~dialect core ~entry ~name ~read ~write
           with Stack_overflow ->
-            Error [ "this program nests too deeply for the interpreter; use `--engine c`" ]))
+            Error [ "this program is nested too deeply for the interpreter; use `--engine c`" ]))
 
 let no_interpreter = "E0505"
 

@@ -62,7 +62,7 @@ let hint ~name (f : F.field) =
   | Truth -> say "Bool" ""
   | Whole _ -> say "Int" ""
   | Real _ -> say "Float" ", with any unit"
-  | Text -> "a text is an enumeration with an instance of `RosText`; or leave the field out"
+  | Text -> "declare a text as an enumeration with an instance of `RosText`, or omit the field"
   | Message { package = "std_msgs"; name = "Header" } ->
       say "Header Frame" ", where `Frame` is an enumeration with an instance of `RosText`"
   | Message { package; name = type_ } -> (
@@ -114,7 +114,7 @@ let rec check_part c ~checked ~at ~in_ ~message ~name (wanted : F.field option) 
       refuse c ~at
         (Printf.sprintf "%s cannot be part of a message: its type is `%s`" in_ (Typing.Show.ty ty))
         "fields of messages are Bool, Int, Float, enumerations, arrays and records of them, and \
-         `Upto` for sequences; leave the field out, and the message has its default there"
+         `Upto` for sequences; if you omit the field, messages contain its default"
   | Elements (n, ty), Some ({ length = Exactly m; _ } as f) when n = m -> element (Some f) ty
   | Elements (n, ty), Some ({ length = At_most m; _ } as f) when n <= m -> element (Some f) ty
   | Elements (_, ty), Some ({ length = Any; _ } as f) -> element (Some f) ty

@@ -139,8 +139,8 @@ let not_found machine program =
         shown (Basis.Printable.path program)
   | first :: _ when first <> program && not is_path ->
       Printf.sprintf
-        "there is no C compiler `%s`: frobc reads the whole text as the name of one program; name \
-         a program without options, or a script that adds them"
+        "there is no C compiler `%s`: frobc interprets the whole text as the name of one program; \
+         name a program without options, or a script that adds them"
         shown
   | _ -> Printf.sprintf "there is no C compiler `%s`; %s" shown machine.cure
 

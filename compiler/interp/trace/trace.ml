@@ -34,10 +34,10 @@ let next_row name csv =
         | Unclosed_quote -> (0, "a quoted cell that starts in this row is never closed")
         | Late_quote ->
             ( List.length row.cells - 1,
-              "a space before a quote; remove the spaces next to the commas" )
-        | Zero_byte -> (0, "a zero byte: this is not a CSV file")
+              "there is a space before a quote; remove the spaces next to the commas" )
+        | Zero_byte -> (0, "there is a zero byte: this is not a CSV file")
         | Too_long ->
-            (0, "a row of more than 16 MB or more than a million cells: this is not a recording")
+            (0, "the row has more than 16 MB or more than a million cells: this is not a recording")
       in
       reject [ complaint name row cell "%s" text ]
 

@@ -63,7 +63,7 @@ let computed (eq : F.equation) rhs : computed =
       in
       make ?choice [ condition; then_; else_ ] 1 (function
         | [ condition; then_; else_ ] -> Select { condition; then_; else_; span = eq.span }
-        | _ -> broken "a choice with a wrong number of operands")
+        | _ -> broken "a choice with the wrong number of operands")
   | Construct { constructor; payload } ->
       let sum = sum_of eq.defines.ty in
       let construct payload : Ir.expr = Construct { sum; constructor; payload } in
@@ -92,12 +92,12 @@ let computed (eq : F.equation) rhs : computed =
       let count, element = array_type (Flow.Operands.ty array) in
       make [ array; index; default ] 3 (function
         | [ array; index; default ] -> At { count; element; array; index; default }
-        | _ -> broken "an element with a wrong number of operands")
+        | _ -> broken "an element with the wrong number of operands")
   | Replace { array; index; value } ->
       let count, element = array_type eq.defines.ty in
       make [ array; index; value ] (2 + count) (function
         | [ array; index; value ] -> Replace { count; element; array; index; value }
-        | _ -> broken "an element with a wrong number of operands")
+        | _ -> broken "an element with the wrong number of operands")
   | Step_time -> make [] 0 (fun _ -> Ir.Dt)
   | Param k -> make [] 0 (fun _ -> Ir.Param k)
   | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ ->

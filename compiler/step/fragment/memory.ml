@@ -86,7 +86,7 @@ let tick fresh draft (s : F.signal) time period span =
   computed next ~choice:(Signal s, Signal rest, Signal before)
     [ Signal s; Signal rest; Signal before ] (function
     | [ condition; then_; else_ ] -> Select { condition; then_; else_; span }
-    | _ -> broken "a choice with a wrong number of operands");
+    | _ -> broken "a choice with the wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
 
 (* Reads a time by converting its nanoseconds. *)

@@ -30,7 +30,7 @@ let split separator line =
     match Interp.Csv.next (Interp.Csv.reader ~separator read) with
     | Ok (Some row) -> Ok (Array.of_list (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells))
     | Ok None -> Ok [| "" |]
-    | Error _ -> Error "a quoted cell that does not end in its line or that follows a space"
+    | Error _ -> Error "a quoted cell does not end on its line, or follows a space"
 
 let without_return line =
   let n = String.length line in
@@ -120,7 +120,7 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
           lines (number + 1)
       | None -> ()
       | exception Lines.Too_long ->
-          wrong number "a row of more than %d MB: this is not a recording"
+          wrong number "the row has more than %d MB: this is not a recording"
             (Lines.longest / 1024 / 1024)
       | exception Sys_error reason -> wrong number "cannot read the file: %s" reason
     in
@@ -131,7 +131,7 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
     | () ->
         Option.iter
           (fun (number, _) ->
-            damaged (Printf.sprintf "its last line, line %d, is incomplete and was left out" number))
+            damaged (Printf.sprintf "its last line, line %d, is incomplete and was omitted" number))
           !short;
         Ok ()
     | exception Wrong (line, text) -> Error [ Printf.sprintf "%s:%d: %s" path line text ]

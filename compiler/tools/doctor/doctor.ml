@@ -171,7 +171,7 @@ let fonts () =
     List.exists Sys.file_exists
       [ "/usr/share/fonts/truetype"; "/usr/share/fonts/opentype"; "/usr/share/fonts/TTF" ]
   then Fine "/usr/share/fonts"
-  else Missing "for words in pictures: `sudo apt-get install fonts-dejavu-core fontconfig`"
+  else Missing "for text in pictures: `sudo apt-get install fonts-dejavu-core fontconfig`"
 
 (* {1 Python} *)
 

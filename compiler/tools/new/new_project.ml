@@ -44,7 +44,7 @@ let check_free path =
 (* The files of the project, each with its path, its template, and its description. *)
 let files ~program =
   [
-    (program, "program.frob", "the program, with a trial that checks what it promises");
+    (program, "program.frob", "the program, with a trial that checks its behaviour");
     (Resolve.Test_file.path program, "tests.frob", "more trials");
     ("world.toml", "world.toml", "the room in which the trials run");
     ("README.md", "README.md", "the files of the project and the commands to use");

@@ -152,7 +152,7 @@ and kept c (f : F.field) =
     Ok
       (match type_ with
       | None when f.base = Text ->
-          Left_out "text: an enumeration with an instance of `RosText` could hold it"
+          Left_out "text: an enumeration with an instance of `RosText` could represent it"
       | None -> Left_out "it contains only text"
       | Some (type_, remark) -> (
           let argument = if String.contains type_ ' ' then "(" ^ type_ ^ ")" else type_ in
@@ -196,7 +196,7 @@ and declare c ~type_ ~record (definition : F.t) fields =
   in
   let left_out ((f : F.field), kept) =
     match kept with
-    | Left_out why -> Some (Printf.sprintf "-- Left out: %s %s (%s).\n" (F.type_text f) f.name why)
+    | Left_out why -> Some (Printf.sprintf "-- Omitted: %s %s (%s).\n" (F.type_text f) f.name why)
     | Kept _ -> None
   in
   let constants = List.filter_map (constant ~record) definition.constants in
@@ -277,7 +277,8 @@ let import ~most ~output asked =
       match record with
       | Some _ -> Ok ()
       | None ->
-          Error (Printf.sprintf "%s has no field that Frob can hold: it contains only text" asked)
+          Error
+            (Printf.sprintf "%s has no field that Frob can represent: it contains only text" asked)
     in
     let* () =
       if Sys.file_exists path then

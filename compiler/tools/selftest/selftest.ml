@@ -62,7 +62,7 @@ let compiled t arguments =
   | Error (Failed { status; errors }) ->
       Error
         (Unfit
-           (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status (beginning errors)))
+           (Printf.sprintf "`%s` failed with status %d:\n%s" (command t) status (beginning errors)))
 
 let warn t said =
   if not (String.equal said "") then (

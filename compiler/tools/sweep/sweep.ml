@@ -70,7 +70,7 @@ let interrupted (t : Setup.t) options ~folder () =
   | Error _ -> "run the same command to continue"
   | Ok rows ->
       let left = List.length (Runs.missing t options.shard rows) in
-      Printf.sprintf "%d of %s are saved in %s; run the same command to make the other %d"
+      Printf.sprintf "%d of %s are saved in %s; run the same command to perform the other %d"
         (all - left) (plural all "run") folder left
 
 let made (t : Setup.t) options resources rows ~folder =
@@ -102,11 +102,11 @@ let made (t : Setup.t) options resources rows ~folder =
     Error
       (Reporting.wrong_use
          (Printf.sprintf
-            "%d of %s are missing: make their shards, or name their folder with `--also`" left
+            "%d of %s are missing: run their shards, or name their folder with `--also`" left
             (plural total "run")))
   else (
     Printf.printf
-      "%s%s done; %d remain for other shards; when all are done, make the table with `--merge`\n"
+      "%s%s done; %d remain for other shards; when all are done, create the table with `--merge`\n"
       (plural count "run") (here options.shard) left;
     Ok `Shard)
 

@@ -146,7 +146,7 @@ static bool refuse(const struct search *s, const member_type *member, const char
     snprintf(s->why, s->room, "in %s, `%s` is %s%s, but in the record `%s` it is %s: %s%s%s",
              s->type, member->name_, type_text(member->type_id_),
              member->is_array_ ? " (several)" : "", s->record == NULL ? "" : s->record, what,
-             type == NULL ? "leave the field out" : "declare it as ", type == NULL ? "" : several,
+             type == NULL ? "omit the field" : "declare it as ", type == NULL ? "" : several,
              type == NULL ? "" : type);
     return false;
 }

@@ -167,14 +167,15 @@ static bool readable(const struct trace *t, enum csv_status status)
         break;
     case CSV_LATE_QUOTE:
         complain(t, t->csv.count - 1,
-                 "a space before a quote; remove the spaces next to the commas");
+                 "there is a space before a quote; remove the spaces next to the commas");
         break;
-    case CSV_NUL: complain(t, 0, "a zero byte: this is not a CSV file"); break;
+    case CSV_NUL: complain(t, 0, "there is a zero byte: this is not a CSV file"); break;
     case CSV_RETURN: complain(t, 0, "%s", CSV_RETURN_REASON); break;
     case CSV_NO_COLUMN: complain(t, 0, "%s", t->csv.reason); break;
     case CSV_TOO_LONG:
-        complain(t, 0,
-                 "a row of more than 16 MB or more than a million cells: this is not a recording");
+        complain(
+            t, 0,
+            "the row has more than 16 MB or more than a million cells: this is not a recording");
         break;
     case CSV_NO_MEMORY: complain(t, 0, "not enough memory for this row"); break;
     }

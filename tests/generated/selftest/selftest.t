@@ -71,7 +71,7 @@ A compiler that rejects some of the code, and one that warns:
   warning: the compiler warns:
   time.c:2: mind the time
   tasks: incorrect
-  error: `./strict-cc -O1` fails with status 7:
+  error: `./strict-cc -O1` failed with status 7:
   tasks.c:1: no such luck
   verdict: unfit
   $ sed -i /tasks/d strict-cc
@@ -90,7 +90,7 @@ nothing, or it is for another machine.
   [2]
   $ frobc selftest --cc gcc --cflags --no-such-flag
   compiler: gcc --no-such-flag
-  error: the C compiler cannot compile a one-line program: `gcc --no-such-flag` fails with status 1:
+  error: the C compiler cannot compile a one-line program: `gcc --no-such-flag` failed with status 1:
   gcc: error: unrecognized command-line option '--no-such-flag'; did you mean '--no-mudflap'?
   [2]
   $ cat > cross-cc <<'END'
@@ -120,7 +120,7 @@ linked.
   $ frobc selftest --cc ./board-cc 2>&1 | head -3
   compiler: ./board-cc -std=c99 -O2 -ffp-contract=off
   error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a one-line program but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
-  `./board-cc -std=c99 -O2 -ffp-contract=off` fails with status 1:
+  `./board-cc -std=c99 -O2 -ffp-contract=off` failed with status 1:
 
 An emulator, or any other command that runs a program:
 

@@ -31,7 +31,7 @@ A lambda does not run its variable inside a larger expression:
    --> twice.frob:2:33
     |
   2 | main = proc x -> map (\f -> 2 * f x) [delay 0, identity]
-    |                        -        ^^^ `f` has a value only here
+    |                        -        ^^^ `f` only has a value here
     |                        |
     |                        `f` is bound here
     |

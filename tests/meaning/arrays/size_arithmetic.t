@@ -72,7 +72,7 @@ Mistakes:
   > main :: SF (Array (N * Bool) Float, Array (N + Array 2 Int) Float) Float
   > main = proc (xs, _) -> xs ! 0
   > FROB
-  error[E0330]: `Bool` is not a number, but part of a size
+  error[E0330]: `Bool` is part of a size, but it is not a number
    --> type.frob:2:24
     |
   2 | main :: SF (Array (N * Bool) Float, Array (N + Array 2 Int) Float) Float
@@ -80,7 +80,7 @@ Mistakes:
     |
     = hint: define a size as `type N = 25`
   
-  error[E0330]: this type is part of a size, but not a number
+  error[E0330]: this type is part of a size, but it is not a number
    --> type.frob:2:48
     |
   2 | main :: SF (Array (N * Bool) Float, Array (N + Array 2 Int) Float) Float
@@ -110,7 +110,7 @@ Mistakes:
   > main :: SF (Array (N <> 2) Float) Float
   > main = proc xs -> xs ! 0
   > FROB
-  error[E0110]: a type has its arguments after spaces, as in `Event Distance`, without `<>`
+  error[E0110]: separate type arguments with spaces, as in `Event Distance`, without `<>`
    --> other.frob:2:22
     |
   2 | main :: SF (Array (N <> 2) Float) Float

@@ -25,7 +25,7 @@ Invalid types for foreign code:
     |                  ^^^^^^^^^^^^^
     |
     = note: functions, signal functions and labels exist only at compile time
-    = hint: pass an `Int` that tells C which text you mean
+    = hint: pass an `Int` that tells C which string you mean
   
   1 error
   [1]

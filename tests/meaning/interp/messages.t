@@ -58,9 +58,9 @@ Invalid rows; the rows before them are written.
   $ row '1,"LeftSide,true,\n'
   error: row.csv:3:1: a quoted cell that starts in this row is never closed
   $ row '1,LeftSide,true, \t"Just 3"\n'
-  error: row.csv:3:17: a space before a quote; remove the spaces next to the commas
+  error: row.csv:3:17: there is a space before a quote; remove the spaces next to the commas
   $ row '1, "LeftSide",true,\n'
-  error: row.csv:3:3: a space before a quote; remove the spaces next to the commas
+  error: row.csv:3:3: there is a space before a quote; remove the spaces next to the commas
   $ row '1,"  " ",true,\n'
   error: row.csv:3:4: column `in.1.side`: expected `LeftSide`, `RightSide` or `At`, found `   "`
 

@@ -42,7 +42,7 @@ definitions of the installed packages.
   import Ros (Message, Stamp, Upto)
   
   -- | The message base_msgs/msg/Motor.
-  -- Left out: base_msgs/Label label (it contains only text).
+  -- Omitted: base_msgs/Label label (it contains only text).
   data Motor = Motor
       { isOn :: Bool          -- bool
       , temperature :: Int    -- int16
@@ -52,8 +52,8 @@ definitions of the installed packages.
       rosType _ = "base_msgs/msg/Motor"
   
   -- | The message base_msgs/msg/Wheels.
-  -- Left out: std_msgs/Header header (the node sets the stamp).
-  -- Left out: string name (text: an enumeration with an instance of `RosText` could hold it).
+  -- Omitted: std_msgs/Header header (the node sets the stamp).
+  -- Omitted: string name (text: an enumeration with an instance of `RosText` could represent it).
   data Wheels = Wheels
       { leftSpeed :: Float[rad/s]      -- float64; [rad/s], positive ahead
       , rightSpeed :: Float[rad/s]     -- float64; [rad/s]
@@ -112,7 +112,7 @@ Mistakes:
   error: a message has a package and a type, as in my_msgs/Wheels, not `Wheels`
   [2]
   $ frobc ros2 import base_msgs/Label
-  error: base_msgs/Label has no field that Frob can hold: it contains only text
+  error: base_msgs/Label has no field that Frob can represent: it contains only text
   [2]
   $ printf 'float64 x\nfloat65 y\n' >second/share/arm_msgs/msg/Arm.msg; frobc ros2 import arm_msgs/Arm
   error: the field `y`: the package arm_msgs has no message float65, but Arm

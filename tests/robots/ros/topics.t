@@ -166,7 +166,7 @@ Fields that are not topics are named.
   3 | data Odd = Odd { a :: Maybe Int }
     |                       ^^^^^^^^^
     |
-    = hint: fields of messages are Bool, Int, Float, enumerations, arrays and records of them, and `Upto` for sequences; leave the field out, and the message has its default there
+    = hint: fields of messages are Bool, Int, Float, enumerations, arrays and records of them, and `Upto` for sequences; if you omit the field, messages contain its default
   
   error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose` is not a type of messages
    --> wrong.frob:4:24
@@ -370,7 +370,7 @@ definition is known: here those of common packages.
   11 | data Plain = Plain { data_ :: Float }
      |                               ^^^^^
      |
-     = hint: a text is an enumeration with an instance of `RosText`; or leave the field out
+     = hint: declare a text as an enumeration with an instance of `RosText`, or omit the field
   
   error[E0509]: the field `data_` of `Named` cannot be a text in messages: `Unnamed` has no texts
     --> unlike.frob:15:31

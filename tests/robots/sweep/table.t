@@ -73,11 +73,11 @@ performed its runs.
 Shards, on separate machines or not, produce the same table together.
 
   $ frobc sweep gaps.toml --shard 1/3 --rows first
-  16 runs of shard 1/3 done; 32 remain for other shards; when all are done, make the table with `--merge`
+  16 runs of shard 1/3 done; 32 remain for other shards; when all are done, create the table with `--merge`
   $ frobc sweep gaps.toml --shard 2/3 --rows second
-  16 runs of shard 2/3 done; 32 remain for other shards; when all are done, make the table with `--merge`
+  16 runs of shard 2/3 done; 32 remain for other shards; when all are done, create the table with `--merge`
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv
-  error: 16 of 48 runs are missing: make their shards, or name their folder with `--also`
+  error: 16 of 48 runs are missing: run their shards, or name their folder with `--also`
   [2]
   $ frobc sweep gaps.toml --shard 3/3 --rows second > /dev/null
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv > /dev/null && cmp gaps.csv shards.csv

@@ -117,9 +117,9 @@ The variable CC names one program, with any name, without options:
   error: `./tools` is a folder, not a C compiler; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: there is no C compiler `/no/such/cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: the C compiler `./tools/plain` cannot be started: it is not executable (`chmod +x ./tools/plain`)
-  error: there is no C compiler `gcc -O2`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler `ccache gcc`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler ` gcc`: frobc reads the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `gcc -O2`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler `ccache gcc`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
+  error: there is no C compiler ` gcc`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
   error: there is no C compiler `./tools/no cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: there is no C compiler ` `; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]

@@ -61,7 +61,7 @@ A message stays on one line, whatever the name of the file.
   [2]
   $ mkdir folder && frobc new "$(printf 'folder/no\nfolder')/x"
   created folder/no\010folder/x:
-    x.frob                  the program, with a trial that checks what it promises
+    x.frob                  the program, with a trial that checks its behaviour
     x.test.frob             more trials
     world.toml              the room in which the trials run
     README.md               the files of the project and the commands to use

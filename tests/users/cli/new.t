@@ -2,7 +2,7 @@ A new project immediately runs, checks, is formatted and passes its trials.
 
   $ frobc new rover
   created rover:
-    rover.frob              the program, with a trial that checks what it promises
+    rover.frob              the program, with a trial that checks its behaviour
     rover.test.frob         more trials
     world.toml              the room in which the trials run
     README.md               the files of the project and the commands to use
@@ -28,7 +28,7 @@ A new project immediately runs, checks, is formatted and passes its trials.
   
   | | |
   | --- | --- |
-  | `rover.frob` | the program, with a trial at its end that checks what it promises |
+  | `rover.frob` | the program, with a trial at its end that checks its behaviour |
   | `rover.test.frob` | more trials; the program is compiled without them |
   | `world.toml` | the room in which the trials run |
   | `.editorconfig`, `.vscode` | settings for editors |
@@ -87,7 +87,7 @@ The project may be in other folders, which are created too; its name is that of 
 
   $ frobc new robots/big-one/ | head -2 && frobc compile robots/big-one/big-one.frob -o robots && ls robots
   created robots/big-one:
-    big-one.frob            the program, with a trial that checks what it promises
+    big-one.frob            the program, with a trial that checks its behaviour
   big-one
   big-one.c
   big-one.h

@@ -233,9 +233,9 @@ because `frobc` does not read that far:
 
   $ head -c 200M /dev/zero | gzip -1 | head -c -8 > zeros.csv.gz
   $ both zeros.csv.gz
-  error: zeros.csv.gz:1:1: a zero byte: this is not a CSV file
+  error: zeros.csv.gz:1:1: there is a zero byte: this is not a CSV file
   $ frobc convert zeros.csv.gz zeros.mcap
-  error: zeros.csv.gz:1: a row of more than 16 MB: this is not a recording
+  error: zeros.csv.gz:1: the row has more than 16 MB: this is not a recording
   [2]
   $ frobc view zeros.csv.gz same.frob --print
   error: cannot view zeros.csv.gz: it is not a recording: the first column must be `time`

@@ -72,7 +72,7 @@ The restored recording can be replayed.
   $ frobc trace $see --input back/ball.csv | cmp - traced.csv
   $ rm -r ball.frames/00000[1-4]*
   $ frobc convert ball.csv fewer.mcap
-  warning: 4 frames that ball.csv names are missing from ball.frames or are not frames; they were left out
+  warning: 4 frames that ball.csv names are missing from ball.frames or are not frames; they were omitted
 
 Echoes of a Scout, whose sonars have other positions:
 
@@ -86,12 +86,12 @@ If the end is missing, the complete part is converted:
 
   $ { cat run.csv; printf '2,1,1'; } > torn.csv
   $ frobc convert torn.csv torn.mcap
-  warning: torn.csv: its last line, line 6, is incomplete and was left out; everything before that was converted
+  warning: torn.csv: its last line, line 6, is incomplete and was omitted; everything before that was converted
   $ python3 structure.py torn.mcap | grep messages
   14 messages in 1 chunk
   $ frobc convert torn.mcap back.csv && cmp torn.csv back.csv
   $ frobc convert torn.csv whole.csv
-  warning: torn.csv: its last line, line 6, is incomplete and was left out; everything before that was converted
+  warning: torn.csv: its last line, line 6, is incomplete and was omitted; everything before that was converted
   $ cmp run.csv whole.csv
   $ head -c -12 run.csv.gz > cut.csv.gz
   $ frobc convert cut.csv.gz whole.csv
@@ -124,7 +124,7 @@ Not a recording:
   error: bad.csv:2: the time -1 is before 0, which MCAP cannot represent
   [2]
   $ bad 'time,in\n0,"never closed\n'
-  warning: bad.csv: its last line, line 2, is incomplete and was left out; everything before that was converted
+  warning: bad.csv: its last line, line 2, is incomplete and was omitted; everything before that was converted
   $ ls bad.mcap
   bad.mcap
   $ cp run.mcap fake.csv; frobc convert fake.csv bad.mcap

@@ -35,7 +35,7 @@ A C compiler that does not work:
 
   $ look 'C compiler' env CC=false frobc doctor
   status 1
-  FAIL  C compiler       false does not handle generated code correctly (the C compiler cannot compile a one-line program: `false -std=c99 -O2 -ffp-contract=off` fails with status 1): set the environment variable CC to another compiler; `frobc selftest` shows more
+  FAIL  C compiler       false does not handle generated code correctly (the C compiler cannot compile a one-line program: `false -std=c99 -O2 -ffp-contract=off` failed with status 1): set the environment variable CC to another compiler; `frobc selftest` shows more
 
 Another frobc on the PATH:
 

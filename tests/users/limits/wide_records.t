@@ -58,7 +58,7 @@ Reading and writing each field of a record takes time in proportion to their num
 Nested records, 1,500 levels deep:
 
   $ { printf 'data R0 = R0 { a0 :: Float }\n'; list 1500 'data R@ = R@ { a@ :: Float, r# :: R# }' '\n'; printf '\nmain :: SF R1500 Float\nmain = proc r -> r.a1500\n'; } | check levels
-  error[E0316]: a value of the type `R500` would nest data more than 500 levels deep
+  error[E0316]: a value of the type `R500` would contain data nested more than 500 levels deep
       --> levels.frob:1503:1
        |
   1503 | main = proc r -> r.a1500

@@ -53,7 +53,7 @@ let before_a_text (t : Unknown.t) =
     Some
       (explained t
          (Printf.sprintf
-            "remove `%s`: a text is only a label, so it cannot contain values; make the value an \
+            "remove `%s`: a string is only a label, so it cannot contain values; make the value an \
              output"
             t.name.text))
   else None

@@ -118,8 +118,8 @@ let transposed (t : Unknown.t) =
       | None -> (t.name.span, transpose)
     in
     Printf.sprintf
-      "a `'` is a part of the name: for the transpose of `%s`, write `%s`, with `import Matrix`"
-      base text
+      "`'` is part of the name: for the transpose of `%s`, write `%s`, with `import Matrix`" base
+      text
     |> Imports.without_imported t.module_.visible
     |> fun hint ->
     Some (Diagnostic.hint hint (Other_meaning.diagnostic t) |> Diagnostic.write at text)

@@ -181,7 +181,7 @@ let statement found =
               name name
         | _ when is_word && value.[0] >= 'a' && value.[0] <= 'z' ->
             Printf.sprintf
-              "for the result of a task, write `%s <- %s`; for the present value of a sensor or \
+              "for the result of a task, write `%s <- %s`; for the current value of a sensor or \
                other signal function, `%s <- ask %s`; for a value, `let %s = %s`"
               name value name value name value
         (* [frontSonar i] reads a sensor, but [driveTo goal] is probably a task *)
@@ -194,7 +194,7 @@ let statement found =
               value name value
         | _ when applied_to_a_name value <> None ->
             Printf.sprintf
-              "for a value, write `let %s = %s`; for the present value of a sensor, `%s <- ask %s`"
+              "for a value, write `let %s = %s`; for the current value of a sensor, `%s <- ask %s`"
               name value name
               (Option.get (applied_to_a_name value))
         | _ when applies_a_function value ->

@@ -134,7 +134,9 @@ let foreign_operator found (before : Layout.token) =
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
     | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
     | "++" when after found = ' ' ->
-        Some "texts and arrays cannot be joined: a text is a label, and an array has a fixed size"
+        Some
+          "strings and arrays cannot be concatenated: a string is a label, and an array has a \
+           fixed size"
     | ("++" | "--") as text ->
         let name = word_before found before.start.pos_cnum in
         let name = if name = "" then "n" else name in

@@ -168,7 +168,7 @@ let changed found =
       let name = written found field in
       Some
         (Printf.sprintf
-           "set a field with `=`, also if the value depends on the old one: `r { %s = r.%s + 1 }`"
+           "set a field with `=`, even if the value depends on the old one: `r { %s = r.%s + 1 }`"
            name name)
   | _ -> None
 

@@ -31,7 +31,7 @@ let with_parameters found =
     when Other_type.in_angles found.text start.pos_cnum <> None ->
       let text, _ = Option.get (Other_type.in_angles found.text start.pos_cnum) in
       Some
-        ("a type has its arguments after spaces, without `<>`: write "
+        ("separate type arguments with spaces, without `<>`: write "
         ^ Option.value
             (Other_type.of_signature found.text found.token.start.pos_cnum)
             ~default:(Printf.sprintf "`%s`" text))

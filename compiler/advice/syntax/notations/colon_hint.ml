@@ -36,7 +36,7 @@ let of_value = "write the choice as `"
 let is_an_else text start at =
   String.equal (String.trim (String.sub text start (at - start))) "else"
 
-let of_block = "remove the colon: indentation makes the block; a choice is `if c then a else b`"
+let of_block = "remove the colon: indentation forms the block; a choice is `if c then a else b`"
 
 (* Does the line begin like a record declaration in another language? *)
 let declares_a_record line =

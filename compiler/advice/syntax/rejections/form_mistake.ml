@@ -44,9 +44,9 @@ let size_operator ~text ~at operator =
   else
     match type_in_angles ~text at with
     | Some written ->
-        error at "a type has its arguments after spaces, without `<>`"
+        error at "separate type arguments with spaces, without `<>`"
         |> Diagnostic.hint ("write " ^ written)
-    | None -> error at "a type has its arguments after spaces, as in `Event Distance`, without `<>`"
+    | None -> error at "separate type arguments with spaces, as in `Event Distance`, without `<>`"
 
 let empty_where at =
   error at "this `where` has no definitions"

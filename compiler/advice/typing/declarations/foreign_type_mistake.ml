@@ -8,7 +8,7 @@ let explain (obstacle : Declaration_fact.obstacle) =
   match obstacle with
   | Representation ->
       ("C has different functions for Int and Float", Some "write `Float[…]` or `Int[…]`")
-  | Text -> (compile_time, Some "pass an `Int` that tells C which text you mean")
+  | Text -> (compile_time, Some "pass an `Int` that tells C which string you mean")
   | Compile_time -> (compile_time, None)
   | Type_of_c name ->
       let ty =

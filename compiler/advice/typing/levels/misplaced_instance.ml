@@ -144,7 +144,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
     (obstacle : Level_fact.obstacle) (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let bound (x : Local.t) d =
-    Diagnostic.here (Printf.sprintf "`%s` has a value only here" x.name) d
+    Diagnostic.here (Printf.sprintf "`%s` only has a value here" x.name) d
     |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
   in
   let of_choice where condition =

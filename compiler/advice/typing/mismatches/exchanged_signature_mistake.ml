@@ -52,10 +52,10 @@ let in_wrong_order sources
     (d : Diagnostic.t) =
   let here, others =
     match kind with
-    | Input_and_output -> ("the first type is the input, the second the output", None)
-    | Elements -> ("the definition fits the other order", None)
+    | Input_and_output -> ("the first type is the input, and the second is the output", None)
+    | Elements -> ("the definition matches the other order", None)
     | Parameters (i, j) ->
-        ("the definition fits the other order", left_side sources ~name binding i j)
+        ("the definition matches the other order", left_side sources ~name binding i j)
     | Parameter_and_result -> ("the type after the last `->` is the result", None)
   in
   let signature = Printf.sprintf "%s :: %s" name text in

@@ -324,7 +324,7 @@ let not_comparable fact =
   | (Eq | Ord) when Type.expand fact.lack.culprit = String ->
       Some
         (Diagnostic.hint
-           "a text is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`")
+           "a string is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`")
   | Eq | Ord -> Some (about_foreign fact.words fact.lack.culprit)
 
 (* A function that sets an output, used without `roMake`. *)

@@ -26,9 +26,11 @@ let of_a_text fact =
       in
       Some
         (hinted fact
-           (Printf.sprintf "a text is only a label: write a number, such as `%s`, in its place" zero))
+           (Printf.sprintf "a string is only a label: write a number, such as `%s`, in its place"
+              zero))
   | Number _, String ->
-      Some (hinted fact "a text is only a label: you cannot compute with it or join two texts")
+      Some
+        (hinted fact "a string is only a label: you cannot compute with it or concatenate strings")
   | _ -> None
 
 let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)

@@ -172,13 +172,13 @@ let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
       | Some sf ->
           Some
             (Printf.sprintf
-               "in a task, read its present value first: `%s <- ask %s` in place of `let %s = %s`"
+               "in a task, read its current value first: `%s <- ask %s` in place of `let %s = %s`"
                x.name sf x.name sf)
       | None -> None)
   | Some { desc = Global { name; _ }; _ } when Wording.inputs words = [] && is_robot ->
       Some
         (Printf.sprintf
-           "in a task, read its present value first, with `x <- ask %s`, and write `x` here" name)
+           "in a task, read its current value first, with `x <- ask %s`, and write `x` here" name)
   | _ -> None
 
 let message words ~subject ~at ~wanted ~input ~found =

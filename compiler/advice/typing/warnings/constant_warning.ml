@@ -26,7 +26,7 @@ let unmet ~of_ (e : expr) (unmet : Warning_fact.unmet) =
         |> hint "write a time of at least `0[s]`")
   | Negative ->
       refused "this is below zero: `%s` needs a number of at least 0" of_
-      |> Diagnostic.hint "leave the sign out"
+      |> Diagnostic.hint "remove the sign"
   | Below x -> out_of_range "small" "of at least" x
   | Not_above x -> out_of_range "small" "above" x
   | Above x -> out_of_range "large" "of at most" x

@@ -7,7 +7,7 @@
   main = arr (twice twice twice twice twice step) where
       step x = x + 1
   
-  error[E0413]: `main` needs functions that nest too deeply
+  error[E0413]: `main` needs functions that are nested too deeply
    --> main.frob:5:1
     |
   5 | main = arr (twice twice twice twice twice step) where

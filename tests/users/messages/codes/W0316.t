@@ -19,6 +19,6 @@
   4 | main = proc x -> (clamp 1 (-1) x, limit (-2) x)
     |                                          ^^
     |
-    = hint: leave the sign out
+    = hint: remove the sign
   
   2 warnings

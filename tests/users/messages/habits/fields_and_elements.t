@@ -349,7 +349,7 @@ Records and arrays in the syntax of other languages.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . draw (number ("front" + "sonar") (frontSonar i))))
     |                                                                               ^^^^^^^ - argument 1 of `+` is a number
     |
-    = hint: a text is only a label: you cannot compute with it or join two texts
+    = hint: a string is only a label: you cannot compute with it or concatenate strings
   
   1 error
   [1]

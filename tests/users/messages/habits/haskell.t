@@ -202,7 +202,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | main = proc x -> "x = " ++ show x
     |                         ^^
     |
-    = hint: texts and arrays cannot be joined: a text is a label, and an array has a fixed size
+    = hint: strings and arrays cannot be concatenated: a string is a label, and an array has a fixed size
   
   1 error
   [1]

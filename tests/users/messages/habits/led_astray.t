@@ -31,7 +31,7 @@ source, and checks the line with which the hint replaces it.
 
   $ try 'Matrix 2 2 -> Matrix 2 2' 'f a = matMul a a'\''' 'f a = matMul a (transpose a)'
   error[E0205]: unknown name `a'`
-    = hint: a `'` is a part of the name: for the transpose of `a`, write `(transpose a)`
+    = hint: `'` is part of the name: for the transpose of `a`, write `(transpose a)`
   [1]
 
   $ try 'Matrix 1 2 -> Vector 2 -> Vector 1' 'f a x = a * x' 'f a x = matVec a x'

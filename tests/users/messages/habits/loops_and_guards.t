@@ -120,15 +120,15 @@ A test whose label has no quotes; a function with the name `test` is no test:
 Types in the notation of C++ and Haskell inside the arguments of a type:
 
   $ try '' 'f :: SF (vector<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
-  error[E0110]: a type has its arguments after spaces, without `<>`
+  error[E0110]: separate type arguments with spaces, without `<>`
     = hint: write `f :: SF (Array 4 Float) Float`, if 4 is the number of elements
   [1]
   $ try '' 'f :: SF (list<Float>) Float\nf = proc row -> sum row' 'f :: SF (Array n Float) Float\nf = proc row -> sum row'
-  error[E0110]: a type has its arguments after spaces, without `<>`
+  error[E0110]: separate type arguments with spaces, without `<>`
     = hint: write `f :: SF (Array 4 Float) Float`, if 4 is the number of elements
   [1]
   $ try '' 'f :: SF (Array<Float, 4>) Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'
-  error[E0110]: a type has its arguments after spaces, without `<>`
+  error[E0110]: separate type arguments with spaces, without `<>`
     = hint: write `f :: SF (Array 4 Float) Float`
   [1]
   $ try '' 'f :: SF [Float] Float\nf = proc row -> sum row' 'f :: SF (Array 4 Float) Float\nf = proc row -> sum row'

@@ -127,7 +127,7 @@ Python:
   4 |     if bumped i:
     |                ^
     |
-    = hint: remove the colon: indentation makes the block; a choice is `if c then a else b`
+    = hint: remove the colon: indentation forms the block; a choice is `if c then a else b`
   
   1 error
   [1]

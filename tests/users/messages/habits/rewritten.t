@@ -213,22 +213,22 @@ Types with arguments, parameters, keyword arguments:
 
   $ try '' 'f :: Array<Float, 4> -> Float\nf xs = sum xs' 'f :: Array 4 Float -> Float\nf xs = sum xs'
   error[E0110]: expected `->` or the end of this type, found `<`
-    = hint: a type has its arguments after spaces, without `<>`: write `f :: Array 4 Float -> Float`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: Array 4 Float -> Float`
   [1]
   $ try '' 'f :: std::array<double, 4> -> Float\nf xs = sum xs' 'f :: Array 4 Float -> Float\nf xs = sum xs'
   error[E0110]: Frob has no `std::`
-    = hint: a type has its arguments after spaces, without `<>`: write `f :: Array 4 Float -> Float`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: Array 4 Float -> Float`
   [1]
   $ try '' 'f :: Maybe<Float[m]> -> Distance\nf m = fromMaybe 0 m' 'f :: Maybe Float[m] -> Distance\nf m = fromMaybe 0 m'
   error[E0110]: expected `->` or the end of this type, found `<`
-    = hint: a type has its arguments after spaces, without `<>`: write `f :: Maybe Float[m] -> Distance`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: Maybe Float[m] -> Distance`
   [1]
   $ try '' 'f :: SF<Event<Float>, Float>\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
   error[E0110]: expected `->` or the end of this type, found `<`
-    = hint: a type has its arguments after spaces, without `<>`: write `f :: SF (Event Float) Float`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: SF (Event Float) Float`
   [1]
   $ try '' 'f :: SF (Event<Float>) Float\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
-  error[E0110]: a type has its arguments after spaces, without `<>`
+  error[E0110]: separate type arguments with spaces, without `<>`
     = hint: write `f :: SF (Event Float) Float`
   [1]
   $ try '' 'param "speed" :: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'

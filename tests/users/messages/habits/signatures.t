@@ -60,7 +60,7 @@ Arrays without their size, and arguments in brackets:
   [1]
   $ try 'f :: Vec<float> -> Float\nf xs = sum xs' 'f :: Array n Float -> Float\nf xs = sum xs'
   error[E0110]: expected `->` or the end of this type, found `<`
-    = hint: a type has its arguments after spaces, without `<>`: write `f :: Array n Float -> Float`, or a number for the size `n`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: Array n Float -> Float`, or a number for the size `n`
   [1]
   $ try 'f :: float[] -> float\nf xs = sum xs' 'f :: Array n Float -> Float\nf xs = sum xs'
   error[E0110]: expected a unit after `[`, found `]`

@@ -63,7 +63,7 @@ Tuples, records and texts, used as in other languages.
   4 | f c = c { a + 1 }
     |             ^
     |
-    = hint: set a field with `=`, also if the value depends on the old one: `r { a = r.a + 1 }`
+    = hint: set a field with `=`, even if the value depends on the old one: `r { a = r.a + 1 }`
   
   1 error
   [1]
@@ -81,7 +81,7 @@ Tuples, records and texts, used as in other languages.
   4 |     v = if mode == "go" then 0.2[m/s] else 0)
     |                 ^^ `==` needs it
     |
-    = hint: a text is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`
+    = hint: a string is only a label: for a choice, declare a type, as in `data Mode = Go | Stop`
   
   1 error
   [1]

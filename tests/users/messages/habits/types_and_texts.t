@@ -46,13 +46,13 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "drive i then 0.3[m/s] else 0) 0))
   > FROB
   $ frobc check open.frob
-  error[E0104]: this text is not closed on its line
+  error[E0104]: this string is not closed on its line
    --> open.frob:3:67
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "drive i then 0.3[m/s] else 0) 0))
     |                                                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: end the text with another `"` on the same line
+    = hint: end the string with another `"` on the same line
   
   1 error
   [1]

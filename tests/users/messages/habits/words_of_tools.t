@@ -11,11 +11,11 @@ with which the hint replaces them.
 
   $ try 'Array 2 (Array 2 Float) -> Array 2 (Array 2 Float)' 'f m = m * m'\' 'f m = matMul m (transpose m)'
   error[E0205]: unknown name `m'`
-    = hint: a `'` is a part of the name: for the transpose of `m`, write `matMul m (transpose m)`
+    = hint: `'` is part of the name: for the transpose of `m`, write `matMul m (transpose m)`
   [1]
   $ try 'Matrix 2 3 -> Matrix 3 3' 'f m = m'\'' * m' 'f m = matMul (transpose m) m'
   error[E0205]: unknown name `m'`
-    = hint: a `'` is a part of the name: for the transpose of `m`, write `matMul (transpose m) m`
+    = hint: `'` is part of the name: for the transpose of `m`, write `matMul (transpose m) m`
   [1]
   $ try 'Array 2 (Array 2 Float) -> Array 2 (Array 2 Float)' 'f m = m * transpose m' 'f m = matMul m (transpose m)'
   error[E0301]: expected a number, found `Array 2 (Array 2 Float)`

@@ -757,7 +757,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc n -> "count " ++ show n
     |                           ^^
     |
-    = hint: texts and arrays cannot be joined: a text is a label, and an array has a fixed size
+    = hint: strings and arrays cannot be concatenated: a string is a label, and an array has a fixed size
   
   1 error
   # 066_factorial.frob
@@ -949,7 +949,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     if bumped i:
     |                ^
     |
-    = hint: remove the colon: indentation makes the block; a choice is `if c then a else b`
+    = hint: remove the colon: indentation forms the block; a choice is `if c then a else b`
   
   1 error
   # 084_for_loop.frob

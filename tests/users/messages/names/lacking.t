@@ -233,7 +233,7 @@ Parameters, modules and foreign declarations:
     |                 ^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: functions, signal functions and labels exist only at compile time
-    = hint: pass an `Int` that tells C which text you mean
+    = hint: pass an `Int` that tells C which string you mean
   
   1 error
   [1]

@@ -695,7 +695,7 @@ A text where a number is needed:
   2 | slow near = if near then "stop" else 0.3[m/s]
     |                          ^^^^^^
     |
-    = hint: a text is only a label: write a number, such as `0[m/s]`, in its place
+    = hint: a string is only a label: write a number, such as `0[m/s]`, in its place
   
   1 error
   [1]

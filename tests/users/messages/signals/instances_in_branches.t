@@ -96,7 +96,7 @@ every instant.
    --> only_there.frob:2:39
     |
   2 | main = proc (e, ds) -> (x, map (\d -> derivative d) ds, slope (ds ! 0)) where
-    |                                  -    ^^^^^^^^^^^^ `d` has a value only here
+    |                                  -    ^^^^^^^^^^^^ `d` only has a value here
     |                                  |
     |                                  `d` is bound here
     |
@@ -106,7 +106,7 @@ every instant.
    --> only_there.frob:4:20
     |
   4 |         Event v -> integral v
-    |               -    ^^^^^^^^^^ `v` has a value only here
+    |               -    ^^^^^^^^^^ `v` only has a value here
     |               |
     |               `v` is bound here
     |
@@ -116,7 +116,7 @@ every instant.
    --> only_there.frob:6:15
     |
   6 |     slope d = derivative d
-    |           -   ^^^^^^^^^^^^ `d` has a value only here
+    |           -   ^^^^^^^^^^^^ `d` only has a value here
     |           |
     |           `d` is bound here
     |

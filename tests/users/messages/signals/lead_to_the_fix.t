@@ -368,7 +368,7 @@ A sensor in a task:
   4 |     x = frontSonar
     |       ^
     |
-    = hint: for the result of a task, write `x <- frontSonar`; for the present value of a sensor or other signal function, `x <- ask frontSonar`; for a value, `let x = frontSonar`
+    = hint: for the result of a task, write `x <- frontSonar`; for the current value of a sensor or other signal function, `x <- ask frontSonar`; for a value, `let x = frontSonar`
   
   1 error
   [1]
@@ -416,7 +416,7 @@ A sensor in a task:
     |        |
     |        this is `SF a Distance`
     |
-    = hint: in a task, read its present value first: `x <- ask frontSonar` in place of `let x = frontSonar`
+    = hint: in a task, read its current value first: `x <- ask frontSonar` in place of `let x = frontSonar`
   
   1 error
   [1]
@@ -702,7 +702,7 @@ A value of an event that lacks its unit:
   4 |     d = frontSonar i
     |       ^
     |
-    = hint: for a value, write `let d = frontSonar i`; for the present value of a sensor, `d <- ask frontSonar`
+    = hint: for a value, write `let d = frontSonar i`; for the current value of a sensor, `d <- ask frontSonar`
   
   1 error
   [1]
