@@ -107,7 +107,7 @@ bool plug(Server &server, const Options &options, const Log &tell) {
         unlink(next.c_str());
         if (symlink(device.c_str(), next.c_str()) != 0 ||
             std::rename(next.c_str(), options.link.c_str()) != 0)
-            std::fprintf(stderr, "error: cannot make the link %s: %s\n", options.link.c_str(),
+            std::fprintf(stderr, "error: cannot create the link %s: %s\n", options.link.c_str(),
                          std::strerror(errno));
     }
     std::printf("device: %s\n", device.c_str());

@@ -17,7 +17,7 @@ namespace frob::serve {
 // set raw mode itself.
 Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0)
-        throw std::system_error(errno, std::generic_category(), "cannot make a pseudo-terminal");
+        throw std::system_error(errno, std::generic_category(), "cannot create a pseudo-terminal");
     path_ = ptsname(master_);
     termios settings{};
     tcgetattr(master_, &settings);

@@ -21,7 +21,7 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
         return message;
     }
     if (width < 1 || height < 1)
-        return "a frame is not a JPEG: it ends before its size";
+        return "a frame is not a JPEG: it ends before the header that contains its size";
     is_grey = is_grey || samples == TURBO_SAMPLES_GREY;
     fault = decode_set_size(frame, width, height, is_grey ? FROB_GREY8 : FROB_RGB8, message);
     if (fault != NULL)

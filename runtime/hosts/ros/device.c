@@ -233,7 +233,7 @@ static void close_session(void *device)
 
 static void tell_silences(struct ros_device *d)
 {
-    ros_tell_silence(d, &d->odometry, "; the robot stands until one arrives");
+    ros_tell_silence(d, &d->odometry, "; the robot stands still until one arrives");
     for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
         if (d->sensors[i].used)
             ros_tell_silence(d, &d->sensors[i].topic, "");

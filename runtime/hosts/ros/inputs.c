@@ -401,8 +401,8 @@ static void tell(const struct input *input, const struct mapping_fault *fault, b
     char list[500], text[80];
     if (fault->text == NULL) {
         fprintf(stderr,
-                "warning: a message on %s is ignored: its `%s` has another number of elements than "
-                "in the program, which has %zu\n",
+                "warning: a message on %s is ignored: its `%s` does not have %zu elements, as the "
+                "program requires\n",
                 input->topic.name, fault->of->member->name_, fault->of->part_count);
         return;
     }

@@ -219,7 +219,7 @@ static bool map_one(const struct search *s, struct mapping *m, const member_type
     case FROB_SUM:
     case FROB_IMAGE: break;
     }
-    return refuse(s, member, "a value that messages cannot have");
+    return refuse(s, member, "a value that messages cannot contain");
 }
 
 static bool room_for(const struct search *s, struct mapping *m, size_t count)

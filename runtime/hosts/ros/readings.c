@@ -60,7 +60,7 @@ static double or_zero(double setting)
 static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor,
                            const struct ros_scan *message, struct ros_seat *seat)
 {
-    static const char stands[] = ", and the robot stands",
+    static const char stands[] = ", and the robot stands still",
                       how[] = "set the place of the lidar with `--set lidar_x=...`, `lidar_y` and "
                               "`lidar_heading`";
     const double *chosen = d->settings;

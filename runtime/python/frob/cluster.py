@@ -111,9 +111,9 @@ def _ask_all(client: "Client", work: Work) -> bool:
     answers = client.run(ask, work, on_error="return")
     for address, answer in answers.items():
         if isinstance(answer, Exception):
-            raise Error(f"the worker {address} cannot make runs: {_text(answer)}")
+            raise Error(f"the worker {address} cannot perform runs: {_text(answer)}")
         if answer.lack:
-            raise Error(f"the worker {address} cannot make these runs: {answer.lack}")
+            raise Error(f"the worker {address} cannot perform these runs: {answer.lack}")
     return all(answer.shares for answer in answers.values())
 
 
@@ -158,7 +158,7 @@ def _result(future: Any) -> Made:
     try:
         made: Made = future.result()
     except Exception as error:  # the cluster may fail in any way
-        return Made(b"", f"a worker could not make its runs: {_text(error)}")
+        return Made(b"", f"a worker could not perform its runs: {_text(error)}")
     return made
 
 
@@ -225,7 +225,7 @@ def _run(arguments: Sequence[str]) -> str:
 
 
 def _fault(text: str) -> Made:
-    return Made(b"", f"a worker on {socket.gethostname()} could not make its runs: {text}")
+    return Made(b"", f"a worker on {socket.gethostname()} could not perform its runs: {text}")
 
 
 def _rows_of(folder: str) -> bytes:

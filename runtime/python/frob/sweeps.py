@@ -45,7 +45,7 @@ def sweep(
     if jobs is not None and (isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1):
         raise InputError(f"jobs: expected a whole number of at least 1, found {jobs!r}")
     if jobs is not None and client is not None:
-        raise InputError("jobs: the workers of a cluster make one run at a time; remove `jobs`")
+        raise InputError("jobs: the workers of a cluster perform one run at a time; remove `jobs`")
     kept = _stem(path) + ".rows" if rows is None else tools.path_text(rows, "rows")
     folder = os.path.abspath(kept)
     options = [] if robot is None else ["--robot", _own(robot)]

@@ -23,14 +23,14 @@ soon as the transform arrives.
   $ speeds="0 0.2 0"; faults="frame=0 frames=0.5"; run_ros seen.frob --for 1.5s; cat messages
   $ faults="frame=0 frames=0 upside_down=0"; run_ros seen.frob --for 1s; cat messages
 
-A lidar may be at an unknown place, or tilted. Then the robot stands.
+A lidar may be at an unknown place, or tilted. Then the robot stands still.
 
   $ unplaced () { wants='grep -q "^warning" messages'; in_time run_once seen.frob "$@"; wants=; cat messages; }
   $ faults="frame=0"; unplaced --for 5s; grep stale summary
-  warning: a message on /scan is ignored: no transform between its frame `laser` and `base_link` is known, and the robot stands: start the node that publishes it on /tf_static or /tf, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: no transform between its frame `laser` and `base_link` is known, and the robot stands still: start the node that publishes it on /tf_static or /tf, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   stale readings: 1
   $ faults="frame=0 frames=0 tilt=0"; unplaced --for 1s
-  warning: a message on /scan is ignored: its frame `laser` is tilted, so its rays are not parallel to the floor, and the robot stands: correct the transform, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: its frame `laser` is tilted, so its rays are not parallel to the floor, and the robot stands still: correct the transform, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   $ faults="frame=0 frames=0 bad_frames=0"; unplaced --for 1s | grep transform.from
   warning: the transform from `map` to `odom` on /tf is ignored: a rotation is not a quaternion of length 1
 
@@ -42,7 +42,7 @@ Not every installation has the package tf2_msgs.
 
   $ mv prefix/lib/libtf2_msgs__rosidl_typesupport_c.so hidden
   $ faults="frame=0"; unplaced --for 1s
-  warning: a message on /scan is ignored: it is in the frame `laser`, and /tf cannot be read, because the package tf2_msgs is not installed, and the robot stands: install it, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: it is in the frame `laser`, and /tf cannot be read, because the package tf2_msgs is not installed, and the robot stands still: install it, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   $ mv hidden prefix/lib/libtf2_msgs__rosidl_typesupport_c.so
 
 A click in rviz is a click on the map of the program's console.

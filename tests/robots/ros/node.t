@@ -157,7 +157,7 @@ when messages are good again.
 
   $ speeds="0 0.2 0" patient="--patience 500ms"
   $ run_node 1.8s silent=0.5; cat messages velocities
-  warning: no message on /odom for 1 s; the robot stands until one arrives
+  warning: no message on /odom for 1 s; the robot stands still until one arrives
   0.000 0.000
   0.200 0.000
   0.000 0.000

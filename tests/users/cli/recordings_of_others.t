@@ -142,7 +142,7 @@ precision the limit is lower:
   [2]
   $ (frobc view large.csv same.frob --print 2> told & echo $! > id; wait) > page &
   $ for i in $(seq 400); do grep -qs 'left out' told && break; sleep 0.05; done; kill $(cat id); cat told
-  large.csv:4: column `in`: `-1e400` is not a valid value; expected a number up to 1.79e308, or `inf`; this row and the rows after it are left out
+  large.csv:4: column `in`: `-1e400` is not a valid value; expected a number up to 1.79e308, or `inf`; this row and the rows after it are omitted
   $ printf 'time,in\n0,3.4e38\n1,1e39\n' > large.csv
   $ both large.csv --real float
   error: large.csv:3:3: column `in`: expected a number up to 3.4e38, or `inf`, found `1e39`
@@ -176,7 +176,7 @@ Times in a smaller unit than seconds:
   error: unit.csv:2: `1.7e18` is not a time in seconds; the maximum is 4000000000 s: this looks like nanoseconds, so divide the times by 1e9
   [2]
   $ frobc view unit.csv same.frob --print
-  unit.csv:2: `1.7e18` is not a time in seconds; the maximum is 4000000000 s: this looks like nanoseconds, so divide the times by 1e9; this row and the rows after it are left out
+  unit.csv:2: `1.7e18` is not a time in seconds; the maximum is 4000000000 s: this looks like nanoseconds, so divide the times by 1e9; this row and the rows after it are omitted
   error: cannot view unit.csv: it contains no instant
   [2]
 

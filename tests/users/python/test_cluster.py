@@ -149,13 +149,13 @@ class OnCluster(unittest.TestCase):
             frob.sweep("gaps.toml", self.client)
         self.assertEqual(
             str(raised.exception),
-            f"the worker {address} cannot make these runs: its plan, program, worlds or frobc are "
+            f"the worker {address} cannot perform these runs: its plan, program, worlds or frobc are "
             "differ from those of the client",
         )
         os.remove(os.path.join(other, "share/frobc/worlds/room.toml"))
         with self.assertRaises(frob.Error) as raised:
             frob.sweep("gaps.toml", self.client)
-        self.assertIn(f"the worker {address} cannot make these runs: ", str(raised.exception))
+        self.assertIn(f"the worker {address} cannot perform these runs: ", str(raised.exception))
         self.assertIn("there is no world `room.toml` beside", str(raised.exception))
         self.assertEqual(os.listdir("gaps.rows"), [])
 
@@ -171,7 +171,7 @@ class OnCluster(unittest.TestCase):
             frob.sweep("gaps.toml", self.client)
         self.assertRegex(
             str(raised.exception),
-            "(?s)^a worker on .* could not make its runs: cannot write the result of a run: File too "
+            "(?s)^a worker on .* could not perform its runs: cannot write the result of a run: File too "
             "large.*\n[0-9]+ of 600 runs are done; repeat the call to continue$",
         )
         done = len(set(rows("gaps.rows")))

@@ -49,7 +49,7 @@ A truncated last line is omitted:
 
   $ head -c -5 run.csv > torn.csv
   $ view torn.csv way.frob
-  torn.csv:4: the last line is incomplete (it does not end with a line feed) and is left out
+  torn.csv:4: the last line is incomplete (it does not end with a line feed) and is omitted
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
 
@@ -61,7 +61,7 @@ A compressed recording, and one whose end is missing:
   [0]
   $ head -c -8 run.csv.gz > cut.csv.gz
   $ view cut.csv.gz way.frob
-  cut.csv.gz:5: the archive is truncated or damaged (`frobc convert` recovers its complete rows); this row and the rows after it are left out
+  cut.csv.gz:5: the archive is truncated or damaged (`frobc convert` recovers its complete rows); this row and the rows after it are omitted
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ cp run.csv plain.csv.gz
@@ -84,12 +84,12 @@ A recording of another program, or of another version of it, is shown as far as 
   [0]
   $ sed 's/true/maybe/' run.csv > broken.csv
   $ view broken.csv way.frob
-  broken.csv:4: column `in.2`: `maybe` is not a valid value; expected `true` or `false`; this row and the rows after it are left out
+  broken.csv:4: column `in.2`: `maybe` is not a valid value; expected `true` or `false`; this row and the rows after it are omitted
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/^0.2/0.05/' run.csv > back.csv
   $ view back.csv way.frob
-  back.csv:4: the time goes backwards: `0.05` comes after a later time; this row and the rows after it are left out
+  back.csv:4: the time goes backwards: `0.05` comes after a later time; this row and the rows after it are omitted
   view: http://127.0.0.1:PORT/#TOKEN (press Ctrl-C to end)
   [0]
   $ sed 's/time.*/time,a,b,c,d,e/; 1!s/$/,0,0/' run.csv > another.csv

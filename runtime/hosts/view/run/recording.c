@@ -288,7 +288,7 @@ static bool read_row(struct reader *r)
 /* Reads some rows. Returns false if there are no more. */
 static bool read_rows(struct reader *r)
 {
-    const char *and_after = "; this row and the rows after it are left out";
+    const char *and_after = "; this row and the rows after it are omitted";
     for (size_t i = 0; i < ROWS; i++) {
         enum csv_status status;
         if (!grow(r->recording)) {
@@ -302,7 +302,7 @@ static bool read_rows(struct reader *r)
          * incomplete. */
         if ((status == CSV_ROW || status == CSV_UNCLOSED_QUOTE) && feof(r->csv.file)) {
             note(r,
-                 "the last line is incomplete (it does not end with a line feed) and is left out");
+                 "the last line is incomplete (it does not end with a line feed) and is omitted");
             return false;
         }
         if (status != CSV_ROW) {
