@@ -35,7 +35,7 @@ The results are the interpreter's, also for NaN and zeros of both signs.
   $ wc -l < c.csv
   122
 
-A test for the first instant is left out if the other condition cannot hold then. Ticks cannot,
+A test for the first instant is omitted if the other condition cannot hold then. Ticks cannot,
 unless they come in every instant.
 
   $ cat > marks.frob <<'FROB'

@@ -160,7 +160,7 @@ class OnCluster(unittest.TestCase):
         self.assertEqual(os.listdir("gaps.rows"), [])
 
     def test_full_disk(self):
-        """Finished rows are kept, and another call makes the rest."""
+        """Finished rows are kept, and another call performs the rest."""
         import resource
 
         def limit(size):

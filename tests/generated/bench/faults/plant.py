@@ -134,7 +134,7 @@ def faults(program):
 
 
 def statements(program, tokens):
-    """Yields the lines of a `do` that can be left out: plain statements, followed by another
+    """Yields the lines of a `do` that can be omitted: plain statements, followed by another
     one.
     """
     lines = list(re.finditer(r"^( +)(.*)\n", program[: tokens[-1].end + 1], re.MULTILINE))

@@ -74,7 +74,7 @@ static bool equal(const struct bench *bench)
     return true;
 }
 
-/* Makes the times and inputs. With extremes, no time passes in some instants, and some inputs
+/* Generates the times and inputs. With extremes, no time passes in some instants, and some inputs
  * are negative or NaN. */
 static void make_inputs(const struct bench *bench, bool extremes)
 {

@@ -15,7 +15,7 @@ val make :
 (** Generates [count] programs, starting with number [first]. Each depends only on the seed and its
     own number. [seen] counts the constructs in them. With [sees] some of them use a camera
     ({!Seeing}) and need the vision kernels. With [with_tests] false, the tests that some programs
-    come with ({!is_tried}) are left out, without changing any other line. *)
+    come with ({!is_tried}) are omitted, without changing any other line. *)
 
 val is_tried : int -> bool
 (** Whether programs with this number may come with a test or a trial. *)
