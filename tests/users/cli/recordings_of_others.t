@@ -141,7 +141,7 @@ precision the limit is lower:
   error: large.csv:4: column `in`: expected a number up to 1.79e308, or `inf`, found `-1e400`
   [2]
   $ (frobc view large.csv same.frob --print 2> told & echo $! > id; wait) > page &
-  $ for i in $(seq 400); do grep -qs 'left out' told && break; sleep 0.05; done; kill $(cat id); cat told
+  $ for i in $(seq 400); do grep -qs omitted told && break; sleep 0.05; done; kill $(cat id); cat told
   large.csv:4: column `in`: `-1e400` is not a valid value; expected a number up to 1.79e308, or `inf`; this row and the rows after it are omitted
   $ printf 'time,in\n0,3.4e38\n1,1e39\n' > large.csv
   $ both large.csv --real float
