@@ -106,7 +106,7 @@ has no elements or too many:
   12 | swapped :: Array Float 3 -> Float
      |                  ^^^^^
      |
-     = hint: write the size first, as in `Array 4 Float`
+     = hint: write the size first: `swapped :: Array 3 Float -> Float`
   
   error[E0301]: expected `Ring 4`, found `Ring 5`
     --> wrong.frob:18:9
