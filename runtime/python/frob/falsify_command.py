@@ -93,7 +93,7 @@ class _Looked:
             return f"{kept}; run the same command to start again"
         return (
             f"{kept}; `{tools.command('--only', self._label)}` restarts the search that "
-            f"made {self._runs} of at most {self._most} runs"
+            f"performed {self._runs} of at most {self._most} runs"
         )
 
 
