@@ -17,6 +17,8 @@ let profile path =
 let is_bag path =
   Filename.check_suffix path ".db3"
   || (Filename.check_suffix path ".mcap" && profile path = Some "ros2")
+  (* Reading a file that `ros2 bag` has compressed reports what to do. *)
+  || List.exists (Filename.check_suffix path) [ ".db3.zstd"; ".mcap.zstd" ]
   || (Sys.file_exists path && Sys.is_directory path)
 
 let read ~program bag =

@@ -76,6 +76,8 @@ def in_mcap(path: str) -> Iterator[Message]:
 
 def files_of(bag: str) -> List[str]:
     """The files of a bag, in order."""
+    if bag.endswith(".zstd"):
+        raise Unreadable("it is compressed: run `zstd -d` on it")
     if not os.path.isdir(bag):
         return [bag]
     names = [name for name in os.listdir(bag) if name.endswith((".db3", ".mcap"))]

@@ -11,9 +11,8 @@ trace` runs the program again on it, with the same outputs, bit for bit.
   > main = reactimateRobot (proc i -> roMake (setVelTR (limit i) 0)) where
   >     limit i = if (place i).x < knob "far" 0 2[m] 0.1[m] i then pace else 0
   > END
-  $ wants='speeds_are "0 0.3 0"'
-  $ in_time record paced.frob $patient --for 0.8s --record log.csv --ros-args -p pace:=0.3 --; wants=; cat messages
-  $ python3 bag.py sent bag /paced
+  $ record paced.frob $patient --for 0.8s --record log.csv --ros-args -p pace:=0.3 --; cat messages; speeds_are "0 0.3 0"
+  $ python3 bag.py sent bag /paced; cp sent.columns other.columns; cp sent.instants other.instants
   $ frobc trace paced.frob --input bag --output replayed.csv
   $ column () { awk -F, -v name="$1" '!/^#/ { for (i = 1; at == 0 && i <= NF; i++) if ($i == name) at = i; print $at }' "$2"; }
   $ column out.forward log.csv >recorded; column out.forward replayed.csv | cmp - recorded
@@ -54,8 +53,16 @@ late:
   $ python3 bag.py one both /drive; python3 bag.py sent both /drive; frobc trace drive.frob --input both
   error: cannot read the bag both: it has several runs of /drive: record each run into a bag of its own
   [2]
+  $ python3 bag.py one several /drive; python3 bag.py other several /paced; frobc trace drive.frob --input several | wc -l >rows
+  $ python3 bag.py one alone /drive; frobc trace drive.frob --input alone | wc -l | cmp - rows
   $ mkdir empty; frobc trace drive.frob --input empty
   error: cannot read the bag empty: the folder has no .db3 or .mcap files, so it is not a bag
+  [2]
+  $ : >empty/bag_0.db3.zstd; frobc trace drive.frob --input empty
+  error: cannot read the bag empty: its files are compressed: run `zstd -d` on them
+  [2]
+  $ frobc trace drive.frob --input empty/bag_0.db3.zstd
+  error: cannot read the bag empty/bag_0.db3.zstd: it is compressed: run `zstd -d` on it
   [2]
   $ echo nonsense >bad.db3; frobc trace drive.frob --input bad.db3
   error: cannot read the bag bad.db3: file is not a database
