@@ -22,6 +22,7 @@ enum ros_setting {
     ROS_LIDAR_X,
     ROS_LIDAR_Y,
     ROS_LIDAR_HEADING,
+    ROS_IMU_ALIGNED,
     ROS_SIM_TIME,
     ROS_INSTANTS,
     ROS_LIFECYCLE,
@@ -46,7 +47,7 @@ struct ros_sensor {
     uint32_t number; /* counts the scans */
     struct ros_measurements sums;
     bool is_pressed; /* a bumper */
-    int64_t lost_ns; /* time since which the place of the lidar has been unknown; INT64_MAX if it is
+    int64_t lost_ns; /* time since which its place on the robot has been unknown; INT64_MAX if it is
                       * known */
     char why[ROS_REASON]; /* the reason why its messages are ignored */
 };

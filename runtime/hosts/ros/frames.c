@@ -16,7 +16,7 @@ static const double level = 0.98;
 /* ---- Poses */
 
 /* Rotates a vector: v + 2 w (q x v) + 2 q x (q x v). */
-static void rotate(const double q[4], const double v[3], double result[3])
+void frames_rotate(const double q[4], const double v[3], double result[3])
 {
     const double s[3] = { 2.0 * (q[1] * v[2] - q[2] * v[1]), 2.0 * (q[2] * v[0] - q[0] * v[2]),
                           2.0 * (q[0] * v[1] - q[1] * v[0]) };
@@ -27,21 +27,31 @@ static void rotate(const double q[4], const double v[3], double result[3])
 
 void frames_point(const struct frames_pose *pose, const double point[3], double result[3])
 {
-    rotate(pose->rotation, point, result);
+    frames_rotate(pose->rotation, point, result);
     for (size_t i = 0; i < 3; i++)
         result[i] += pose->at_m[i];
+}
+
+static void multiply(const double p[4], const double q[4], double result[4])
+{
+    result[0] = p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1];
+    result[1] = p[3] * q[1] + p[1] * q[3] + p[2] * q[0] - p[0] * q[2];
+    result[2] = p[3] * q[2] + p[2] * q[3] + p[0] * q[1] - p[1] * q[0];
+    result[3] = p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2];
+}
+
+void frames_orientation(const double device[4], const double mounting[4], double result[4])
+{
+    const double back[4] = { -mounting[0], -mounting[1], -mounting[2], mounting[3] };
+    multiply(device, back, result);
 }
 
 /* The pose of C in A, from those of B in A and of C in B. */
 static struct frames_pose combined(const struct frames_pose *outer, const struct frames_pose *inner)
 {
-    const double *p = outer->rotation, *q = inner->rotation;
     struct frames_pose result;
     frames_point(outer, inner->at_m, result.at_m);
-    result.rotation[0] = p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1];
-    result.rotation[1] = p[3] * q[1] + p[1] * q[3] + p[2] * q[0] - p[0] * q[2];
-    result.rotation[2] = p[3] * q[2] + p[2] * q[3] + p[0] * q[1] - p[1] * q[0];
-    result.rotation[3] = p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2];
+    multiply(outer->rotation, inner->rotation, result.rotation);
     return result;
 }
 
@@ -49,7 +59,7 @@ static struct frames_pose inverse(const struct frames_pose *pose)
 {
     const double *q = pose->rotation;
     struct frames_pose result = { { 0.0, 0.0, 0.0 }, { -q[0], -q[1], -q[2], q[3] } };
-    rotate(result.rotation, pose->at_m, result.at_m);
+    frames_rotate(result.rotation, pose->at_m, result.at_m);
     for (size_t i = 0; i < 3; i++)
         result.at_m[i] = -result.at_m[i];
     return result;
@@ -159,8 +169,8 @@ bool frames_seat(const struct frames_pose *pose, struct ros_seat *seat)
 {
     static const double ahead[3] = { 1.0, 0.0, 0.0 }, up[3] = { 0.0, 0.0, 1.0 };
     double its_ahead[3], its_up[3];
-    rotate(pose->rotation, ahead, its_ahead);
-    rotate(pose->rotation, up, its_up);
+    frames_rotate(pose->rotation, ahead, its_ahead);
+    frames_rotate(pose->rotation, up, its_up);
     seat->x_m = pose->at_m[0];
     seat->y_m = pose->at_m[1];
     seat->heading_rad = atan2(its_ahead[1], its_ahead[0]);

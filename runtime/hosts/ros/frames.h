@@ -42,6 +42,13 @@ const char *frames_put(struct frames *frames, const char *parent, const char *na
 bool frames_find(const struct frames *frames, const char *in, const char *name, int64_t now_ns,
                  struct frames_pose *pose);
 
+/* Rotates a vector by a quaternion. */
+void frames_rotate(const double rotation[4], const double vector[3], double result[3]);
+
+/* Determines the orientation of the robot, from that of a device and that of the device on the
+ * robot. */
+void frames_orientation(const double device[4], const double mounting[4], double result[4]);
+
 /* Converts a point in a frame with this pose. */
 void frames_point(const struct frames_pose *pose, const double point[3], double result[3]);
 

@@ -81,7 +81,8 @@ static bool add_own(struct inputs *inputs, const struct frob_program *program, s
 static bool has_frames(const struct inputs *inputs)
 {
     for (size_t i = 0; i < inputs->count; i++)
-        if (inputs->each[i].kind == ROS_SCAN || inputs->each[i].kind == ROS_CLICK)
+        if (inputs->each[i].kind == ROS_SCAN || inputs->each[i].kind == ROS_IMU ||
+            inputs->each[i].kind == ROS_CLICK)
             return true;
     return false;
 }
@@ -328,13 +329,18 @@ static void send_scan(struct inputs *inputs, const struct input *input, int sock
     send_message(socket, &scan->head);
 }
 
-static void send_imu(const struct input *input, int socket)
+static void send_imu(const struct inputs *inputs, const struct input *input, int socket)
 {
     const sensor_msgs__msg__Imu *m = &input->message.imu;
+    struct frames_pose pose;
     struct ros_imu imu;
     memset(&imu, 0, sizeof imu);
     imu.head = head(ROS_IMU, sizeof imu);
     imu.origin = origin(input, &m->header);
+    imu.placing =
+        tf_place(&inputs->tf, false, m->header.frame_id.data, imu.origin.arrived_ns, &pose);
+    if (imu.placing.fate == ROS_FOUND)
+        memcpy(imu.mounting, pose.rotation, sizeof imu.mounting);
     imu.rate_radps[0] = m->angular_velocity.x;
     imu.rate_radps[1] = m->angular_velocity.y;
     imu.rate_radps[2] = m->angular_velocity.z;
@@ -523,7 +529,7 @@ void inputs_take(struct inputs *inputs, struct input *input, int socket)
         switch (input->kind) {
         case ROS_TOPIC: send_value(inputs, input, socket); break;
         case ROS_SCAN: send_scan(inputs, input, socket); break;
-        case ROS_IMU: send_imu(input, socket); break;
+        case ROS_IMU: send_imu(inputs, input, socket); break;
         case ROS_BUMPER: send_bumper(input, socket); break;
         case ROS_BATTERY: send_battery(input, socket); break;
         case ROS_JOY: send_joy(input, socket); break;

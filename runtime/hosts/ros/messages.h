@@ -130,6 +130,8 @@ struct ros_scan {
 struct ros_imu {
     struct ros_head head;
     struct ros_origin origin;
+    struct ros_placing placing; /* in the robot's frame */
+    double mounting[4]; /* its orientation on the robot, a quaternion; valid for ROS_FOUND */
     double rate_radps[3], acceleration_mps2[3];
     double rotation[4]; /* quaternion: x, y, z, w */
     bool has_rotation;

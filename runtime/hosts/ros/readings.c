@@ -8,7 +8,7 @@
 #include "acceptance.h"
 #include "device.h"
 
-/* Time to wait for the transforms of a lidar's frame before reporting that there are none. */
+/* Time to wait for the transforms of a sensor's frame before reporting that there are none. */
 #define FRAMES_NS INT64_C(3000000000)
 
 /* Returns the sensor to which a message belongs; NULL if there is no space for another sensor. */
@@ -87,26 +87,33 @@ static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor
 int64_t ros_placed_ns(const struct ros_device *d, int64_t sensed_ns)
 {
     for (size_t i = 0; i < ROS_SENSORS_MOST; i++)
-        if (d->sensors[i].used && d->sensors[i].lost_ns < sensed_ns)
+        if (d->sensors[i].used && d->sensors[i].kind == ROS_SCAN &&
+            d->sensors[i].lost_ns < sensed_ns)
             sensed_ns = d->sensors[i].lost_ns;
     return sensed_ns;
+}
+
+/* Records whether the place of a sensor is known. `bad`: the reason why it is not, or NULL. Returns
+ * whether to wait: when a node starts, the transforms may arrive after the messages. */
+static bool waits_for_frame(struct ros_sensor *sensor, const struct ros_placing *placing,
+                            const char *bad, int64_t now_ns)
+{
+    if (bad == NULL)
+        sensor->lost_ns = INT64_MAX;
+    else if (sensor->lost_ns == INT64_MAX)
+        sensor->lost_ns = now_ns;
+    return placing->fate == ROS_NOT_FOUND && bad != NULL && now_ns - sensor->lost_ns < FRAMES_NS;
 }
 
 void ros_take_scan(struct ros_device *d, const struct ros_scan *message)
 {
     struct ros_sensor *sensor = sensor_of(d, ROS_SCAN, &message->origin);
-    const int64_t now = frob_now_ns(&d->clock);
     struct ros_seat seat;
     const char *bad;
     if (sensor == NULL)
         return;
     bad = seat_of(d, sensor, message, &seat);
-    if (bad == NULL)
-        sensor->lost_ns = INT64_MAX;
-    else if (sensor->lost_ns == INT64_MAX)
-        sensor->lost_ns = now;
-    /* When a node starts, the transforms may arrive after the scans. */
-    if (message->placing.fate == ROS_NOT_FOUND && bad != NULL && now - sensor->lost_ns < FRAMES_NS)
+    if (waits_for_frame(sensor, &message->placing, bad, frob_now_ns(&d->clock)))
         return;
     if (bad == NULL)
         bad = ros_scan_of(message, &seat, sensor->ranges_m, &sensor->scan);
@@ -118,15 +125,28 @@ void ros_take_scan(struct ros_device *d, const struct ros_scan *message)
 
 void ros_take_imu(struct ros_device *d, const struct ros_imu *message)
 {
+    static const char how[] =
+        "add `--set imu_aligned=1` if the unit has the directions of the robot";
     struct ros_sensor *sensor = sensor_of(d, ROS_IMU, &message->origin);
-    const char *bad;
+    const bool is_aligned = d->settings[ROS_IMU_ALIGNED] > 0.0;
+    struct ros_imu turned = *message;
+    const char *bad = NULL;
     if (sensor == NULL)
         return;
-    bad = ros_imu_check(message);
+    if (!is_aligned && message->placing.fate != ROS_FOUND) {
+        ros_explain_frame(&message->placing, "", how, sensor->why, sizeof sensor->why);
+        bad = sensor->why;
+    }
+    if (waits_for_frame(sensor, &message->placing, bad, frob_now_ns(&d->clock)))
+        return;
+    if (bad == NULL)
+        bad = ros_imu_check(message);
     if (!ros_accepts(d, &sensor->topic, bad, message->origin.stamp_ns, message->origin.arrived_ns,
                      &sensor->taken_ns))
         return;
-    ros_imu_add(&sensor->sums, message);
+    if (!is_aligned)
+        ros_imu_turn(&turned);
+    ros_imu_add(&sensor->sums, &turned);
     sensor->fresh = true;
 }
 

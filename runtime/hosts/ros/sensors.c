@@ -1,6 +1,7 @@
 #include "sensors.h"
 
 #include "bumpers.h"
+#include "frames.h"
 #include "odometry.h"
 
 #include <math.h>
@@ -59,6 +60,14 @@ const char *ros_imu_check(const struct ros_imu *m)
     if (m->has_rotation && !ros_yaw_of(m->rotation, &heading_rad))
         return "its orientation is not a quaternion of length 1";
     return NULL;
+}
+
+void ros_imu_turn(struct ros_imu *m)
+{
+    const struct ros_imu own = *m;
+    frames_rotate(m->mounting, own.rate_radps, m->rate_radps);
+    frames_rotate(m->mounting, own.acceleration_mps2, m->acceleration_mps2);
+    frames_orientation(own.rotation, m->mounting, m->rotation);
 }
 
 void ros_imu_add(struct ros_measurements *sums, const struct ros_imu *m)

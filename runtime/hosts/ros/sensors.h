@@ -28,6 +28,9 @@ struct ros_measurements {
 /* Returns NULL, or the reason why the message is invalid. */
 const char *ros_imu_check(const struct ros_imu *message);
 
+/* Converts a valid message to the directions of the robot. */
+void ros_imu_turn(struct ros_imu *message);
+
 /* Adds a valid measurement. */
 void ros_imu_add(struct ros_measurements *sums, const struct ros_imu *message);
 
@@ -38,7 +41,8 @@ struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_
 void ros_imu_restart(struct ros_measurements *sums);
 
 /* Returns the name of the topic for a control, without namespace: for a lidar `scan`, for a unit
- * `imu`, for bumpers such as `bumper_left`, and for others the name in the program. Returns false if the control is not a sensor. */
+ * `imu`, for bumpers such as `bumper_left`, and for others the name in the program. Returns false if
+ * the control is not a sensor. */
 bool ros_topic_of(const struct frob_control *control, char *name, size_t room);
 
 /* Returns the first control that uses the same sensor as control `i`. */

@@ -311,6 +311,41 @@ static void test_imu(void)
     check(ros_imu_check(&m) != NULL, "a rate of NaN is rejected");
 }
 
+static void test_imu_frame(void)
+{
+    const double quarter = sqrt(0.5);
+    double heading_rad;
+    struct ros_imu m;
+    memset(&m, 0, sizeof m);
+    /* The unit looks to the left. The robot looks in the direction 0.3 rad, so the unit in 0.3 rad
+     * and a quarter of a turn. */
+    m.mounting[2] = m.mounting[3] = quarter;
+    m.rotation[2] = sin((0.3 + acos(0.0)) / 2);
+    m.rotation[3] = cos((0.3 + acos(0.0)) / 2);
+    m.acceleration_mps2[0] = 1.0;
+    m.rate_radps[1] = 2.0;
+    m.rate_radps[2] = 3.0;
+    ros_imu_turn(&m);
+    check_near(m.acceleration_mps2[0], 0.0, 1e-12, "an acceleration to the left is not ahead");
+    check_near(m.acceleration_mps2[1], 1.0, 1e-12, "but to the left");
+    check_near(m.rate_radps[0], -2.0, 1e-12, "a rotation around its left is around the back");
+    check_near(m.rate_radps[2], 3.0, 1e-12, "the turn rate is the same");
+    check(ros_yaw_of(m.rotation, &heading_rad), "the orientation is a rotation");
+    check_near(heading_rad, 0.3, 1e-12, "it is that of the robot");
+    /* A unit that is mounted upside down, with its x-axis ahead. */
+    memset(&m, 0, sizeof m);
+    m.mounting[0] = 1.0;
+    m.rotation[0] = cos(0.15);
+    m.rotation[1] = sin(0.15);
+    m.rate_radps[2] = -3.0;
+    m.acceleration_mps2[2] = -9.81;
+    ros_imu_turn(&m);
+    check_near(m.rate_radps[2], 3.0, 1e-12, "a unit upside down measures the opposite turn rate");
+    check_near(m.acceleration_mps2[2], 9.81, 1e-12, "and the opposite gravity");
+    check(ros_yaw_of(m.rotation, &heading_rad), "the orientation is a rotation");
+    check_near(heading_rad, 0.3, 1e-12, "without the turn of its mounting");
+}
+
 /* ---- Parameters */
 
 static struct parameters node_parameters(void)
@@ -652,6 +687,7 @@ int main(void)
     test_frames();
     test_seat();
     test_imu();
+    test_imu_frame();
     test_parameters();
     test_joy();
     test_sim_clock();

@@ -2,11 +2,11 @@
 ROS 2, in which another node drives the robot ahead.
 
   $ . ./ros.sh
-  $ serve () { FAKE_ROS=$faults frobc serve --robot ros "$@" >served 2>messages; }
+  $ serve () { FAKE_ROS=$faults virtually frobc serve --robot ros "$@" >served 2>messages; }
   $ driven () { sed -n 's/^distance driven: \(.*\) m/\1/p' served; }
   $ has_driven () { awk -v far="$(driven)" 'BEGIN { exit !(far > 0.1) }'; }
 
-  $ faults=drive=0; wants=has_driven; in_time serve --for 2s; cat messages
+  $ faults=drive=0; serve --for 2s; cat messages
   $ has_driven && sed -n '1,5p' served
   node: /robot
   odometry: /odom
@@ -27,8 +27,7 @@ It publishes its place, and the frames of its sensors. Each sensor is at its pos
   > name = "rear"
   > ahead = -0.2
   > END
-  $ faults=; : >velocities; wants='grep -q "^/tf:" velocities'
-  $ in_time serve --world seats.toml --for 0.1s; wants=; grep '^/tf' velocities
+  $ faults=; : >velocities; serve --world seats.toml --for 0.1s; grep '^/tf' velocities
   /tf_static: base_link to lidar_link, 0.15 -0.05
   /tf_static: base_link to rear_link, -0.2 0
   /tf_static: base_link to imu_link, 0 0
@@ -46,19 +45,16 @@ The robot stops half a second after the last velocity, and at a velocity that is
 not a number. The log has the velocities.
 
   $ faults="drive=0 silent=0.6"
-  $ wants='[ "$(cut -d" " -f2- told)" = "$expected" ]' expected=$(printf 'VEL 0.3000 0.0000\nVEL 0.0000 0.0000')
   $ logged () { rm -f told; serve --log told "$@"; }
-  $ in_time logged --for 2s; cut -d' ' -f2- told
+  $ logged --for 2s; cut -d' ' -f2- told
   VEL 0.3000 0.0000
   VEL 0.0000 0.0000
-  $ faults="drive=0 nan=0.6"; in_time logged --for 1s; cat messages
+  $ faults="drive=0 nan=0.6"; logged --for 1s; cat messages
   warning: a velocity on /cmd_vel is not a number; the robot stops
-  $ wants=
 
 Velocities of the other type are reported.
 
-  $ faults="drive=0 stamps=0"; wants='grep -q type messages || grep -q needs messages'
-  $ in_time serve --for 3s; wants=; cat messages
+  $ faults="drive=0 stamps=0"; serve --for 3s; cat messages
   warning: the node base publishes geometry_msgs/msg/TwistStamped on /cmd_vel, but the simulated robot needs geometry_msgs/msg/Twist: add --stamped
 
 The node crashes:

@@ -55,7 +55,7 @@ unknown text is reported once.
   > main = node 50[Hz] (proc i -> Out { state = i.mode })
   > END
   $ export FAKE_ROS_WORDS="driving! blink driving! blink blonk idle"
-  $ run_ros modes.frob --for 1.5s --record log.csv; cat messages; uniq velocities
+  $ speeds=""; run_ros modes.frob --for 1.5s --record log.csv; cat messages; uniq velocities
   warning: a message on /mode is ignored: its `data` is "blink", but `Mode` only has the texts "idle" and "driving!"; add a constructor, or declare the field as a `Maybe Mode`
   warning: a message on /mode is ignored: its `data` is "blonk", but `Mode` only has the texts "idle" and "driving!"; add a constructor, or declare the field as a `Maybe Mode`
   driving!

@@ -245,9 +245,12 @@ static void scan(sensor_msgs__msg__LaserScan *m)
     m->ranges.size = 360;
 }
 
+/* With the fault "imu_frame", the unit is in the lidar's frame, and measures an acceleration. */
 static void imu(sensor_msgs__msg__Imu *m)
 {
     memset(m, 0, sizeof *m);
+    m->header.frame_id.data = has("imu_frame") ? "laser" : NULL;
+    m->linear_acceleration.x = has("imu_frame") ? 0.5 : 0.0;
     m->angular_velocity.z = robot.turn + 0.25;
     m->linear_acceleration.z = 9.81;
     m->orientation.z = sin(0.25);
@@ -451,12 +454,10 @@ rcl_ret_t rcl_wait(rcl_wait_set_t *set, int64_t timeout_ns)
     struct pollfd guard = { set->guard_conditions[0] != NULL ? set->guard_conditions[0]->ends[0]
                                                              : -1,
                             POLLIN, 0 };
-    int64_t left_ns = robot.next_ns - now_ns();
+    int64_t left_ns = timeout_ns;
     for (size_t i = 0; i < set->count; i++)
         if (*next_of(set->subscriptions[i]) - now_ns() < left_ns)
             left_ns = *next_of(set->subscriptions[i]) - now_ns();
-    if (left_ns > timeout_ns)
-        left_ns = timeout_ns;
     poll(&guard, 1, left_ns > 0 ? (int)((left_ns + 999999) / 1000000) : 0);
     for (size_t i = 0; i < set->count; i++)
         if (now_ns() < *next_of(set->subscriptions[i]))
