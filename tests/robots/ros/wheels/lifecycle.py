@@ -7,6 +7,10 @@ import time
 import nodes
 from lifecycle_msgs.msg import Transition, TransitionEvent
 from lifecycle_msgs.srv import ChangeState, GetAvailableStates, GetAvailableTransitions, GetState
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
 
 # Drives for the first second after its start.
 BRIEF = """import Robot
@@ -133,6 +137,9 @@ def test_reset():
     nodes.write("brief.frob", BRIEF)
     base = nodes.robot()
     record = os.path.join(nodes.FOLDER, "log.csv")
+    kept = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    instants = []
+    base.node.create_subscription(String, "/brief/instants", instants.append, kept)
     run = nodes.Run("--lifecycle", "--record", record, program="brief.frob")
     manager = Manager(base, "brief")
     for label in ["configure", "activate"]:
@@ -151,6 +158,36 @@ def test_reset():
     _, errors = run.end()
     assert "the recording ends here, because the program was reset" in errors, errors
     assert len(times_of(record)) > 50
+    firsts = [message.data for message in instants if message.data.startswith("0 ")]
+    assert len(firsts) == 2, "the instants of the second run start again at 0"
+    base.close()
+
+
+PACED = """import Robot
+
+main :: (HasConsole i, DiffDrive o) => Program i o
+main = reactimateRobot (proc i -> roMake (setVelTR (knob "pace" 0 0.5[m/s] 0.1[m/s] i) 0))
+"""
+
+
+def test_parameters():
+    """Parameters can be set in all states, and keep their values."""
+    nodes.write("paced.frob", PACED)
+    base = nodes.robot()
+    run = nodes.Run("--lifecycle", program="paced.frob")
+    manager = Manager(base, "paced")
+    client = AsyncParameterClient(base.node, "/paced")
+    assert client.wait_for_services(timeout_sec=20)
+    assert nodes.set_one(base, client, "pace", 0.3) == (True, "")
+    for label in ["configure", "activate"]:
+        assert manager.request(label), label
+    base.until(lambda: base.v == 0.3, "it drives at the pace that was set before")
+    assert manager.request("deactivate") and manager.request("cleanup")
+    base.until_stopped()
+    for label in ["configure", "activate"]:
+        assert manager.request(label), label
+    base.until(lambda: base.v == 0.3, "the parameter has kept its value")
+    run.end()
     base.close()
 
 

@@ -50,7 +50,7 @@ for distribution in ${DISTRIBUTIONS:-jazzy kilted}; do
     printf '#!/bin/sh\nexec %s %s "$@"\n' "$folder/run/with" "$frobc" >"$folder/run/frobc"
     chmod +x "$folder/run/with" "$folder/run/frobc"
     # frobc reads bags with the Python of this environment.
-    for script in ${SCRIPTS:-nodes.py transforms.py frames.py consoles.py markers.py lifecycle.py bumpers.py cameras.py topics.py}; do
+    for script in ${SCRIPTS:-nodes.py transforms.py frames.py consoles.py markers.py lifecycle.py bumpers.py cameras.py topics.py details.py}; do
         ROS_DISTRO=$distribution AMENT_PREFIX_PATH=$prefix VIRTUAL_ENV=$prefix \
             "$prefix/bin/python" "$here/$script" "$folder/run/frobc" "$folder/run" ${TESTS:-}
     done

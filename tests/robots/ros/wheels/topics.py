@@ -64,7 +64,7 @@ class Peer:
         return self.node.create_timer(seconds, lambda: publisher.publish(make()))
 
 
-def until(holds, what, seconds=15.0):
+def until(holds, what, seconds=40.0):
     """Waits until a condition holds."""
     end = time.monotonic() + seconds
     while not holds():

@@ -87,8 +87,9 @@ def stamp(header):
 
 
 def observer():
-    """A node that neither publishes odometry nor drives."""
+    """A node that neither publishes what a robot publishes nor drives."""
     base = Base(name="observer", odom="unused_odom", cmd_vel="unused_cmd_vel")
+    base.imus = base.node.create_publisher(Imu, "unused_imu", 1)
     nodes.OPEN.append(base.close)
     return base
 
