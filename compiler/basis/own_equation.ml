@@ -175,7 +175,7 @@ let with_equation ~at:(place : Span.t) ~right ~read ~start text =
       })
     (replaced ~read ~by:name text)
 
-let cure sources ~name ~at ~read ~start =
+let fix sources ~name ~at ~read ~start =
   Option.bind (right_side sources ~name ~at) (fun (text, place) ->
       let with_right kind right = { kind; before = None; right; edits = [ (place, right) ] } in
       match if String.equal name read then integral ~name text else None with

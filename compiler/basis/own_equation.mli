@@ -19,7 +19,7 @@ val integral : name:string -> string -> string option
 (** [integral v] for the right-hand side [x + v * 0.02[s]] or [v * dt + x] of the equation for [x],
     which is the [name]. *)
 
-val cure : Source.t -> name:string -> at:Span.t -> read:string -> start:string -> t option
+val fix : Source.t -> name:string -> at:Span.t -> read:string -> start:string -> t option
 (** The equation for [name], whose name is at [at], with [delay start read] in place of [read], or
     with an integral if it adds a product with a time step to its own value. If [read] occurs in a
     choice, the [delay] gets a separate equation, because a branch must not run it. [None] if the

@@ -83,7 +83,7 @@ let of_equation sources sums (first : Fact.hop) (last : Fact.hop) =
              else Printf.sprintf "the previous value of `%s`" first.reader.name)
             (shown own) start
     in
-    Own_equation.cure sources ~name:last.reader.name ~at:last.reader.span ~read:read.name ~start
+    Own_equation.fix sources ~name:last.reader.name ~at:last.reader.span ~read:read.name ~start
     |> Option.map (fun (own : Own_equation.t) d ->
            Diagnostic.hint (hint own) d
            |> Diagnostic.fix (Printf.sprintf "write %s" (shown own)) own.edits)

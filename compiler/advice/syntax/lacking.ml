@@ -56,7 +56,7 @@ let claim found =
         let count c = List.length (String.split_on_char c text) in
         count '(' = count ')'
       in
-      let cured found text d =
+      let with_fix found text d =
         if is_short text && balanced text then instead found ~at:whole text d
         else Diagnostic.hint (Printf.sprintf "as in `%s \"keeps off the wall\" (x > 0)`" word) d
       in
@@ -76,7 +76,7 @@ let claim found =
             (error found
                ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
                "the condition must directly follow the label"
-            |> cured found (written (without_sign behind) label))
+            |> with_fix found (written (without_sign behind) label))
       | Some ("", _, _) -> None
       | Some (condition, label, "") ->
           let condition =
@@ -85,13 +85,13 @@ let claim found =
           in
           Some
             (error found ~at "the label of an `%s` must come first" word
-            |> cured found (written (String.trim (without_sign condition)) label))
+            |> with_fix found (written (String.trim (without_sign condition)) label))
       | Some _ -> None
       | None when text = "" -> None
       | None ->
           Some
             (error found ~at "an `%s` needs a label that says what must hold" word
-            |> cured found (written text "\"keeps off the wall\"")))
+            |> with_fix found (written text "\"keeps off the wall\"")))
   | _ -> None
 
 (* `param gain = 0.5`, without a type *)

@@ -144,7 +144,7 @@ let block_without_else found =
   | _ -> None
 
 (* Adds the fix that replaces the token, if only one replacement makes sense. *)
-let cured found =
+let with_fix found =
   match (found.token.token, found.before) with
   | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _; _ } ->
       Diagnostic.write (span found.token) "$ do"
@@ -212,7 +212,8 @@ let plain found =
         List.map (fun _ -> "add an `else`: every `if` has a value") hints
     | hints -> hints
   in
-  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints |> cured found |> other_place found
+  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
+  |> with_fix found |> other_place found
 
 (* {1 `if` and `case` with commands in their branches} *)
 

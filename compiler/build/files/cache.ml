@@ -99,10 +99,10 @@ let make_entry cache ~key path make =
           Sys.rename made path)
         (make ~folder:work made))
 
-let cure = "free some space there, or set TMPDIR and XDG_CACHE_HOME to writable folders"
+let fix = "free some space there, or set TMPDIR and XDG_CACHE_HOME to writable folders"
 
 let cannot_write where reason =
-  Error (Printf.sprintf "cannot store build results in %s: %s; %s" where reason cure)
+  Error (Printf.sprintf "cannot store build results in %s: %s; %s" where reason fix)
 
 let entry ~name ~key ~suffix ~reuse make =
   (* File names are limited to 255 bytes. *)

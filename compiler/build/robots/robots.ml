@@ -118,7 +118,7 @@ let having p class_ diagnostic =
     | Some found -> not (List.exists (fun (l : Fit.lack) -> l.class_ = class_) found)
   in
   let robots = List.filter has (all p) in
-  let cure d =
+  let with_fix d =
     if robots = [] then d
     else
       Diagnostic.hint
@@ -131,7 +131,7 @@ let having p class_ diagnostic =
     | [ robot ] -> Printf.sprintf "only %s has this capability" (quoted robot)
     | robots -> Printf.sprintf "%s have this capability" (Enumeration.all (List.map quoted robots)))
     diagnostic
-  |> cure
+  |> with_fix
 
 let lacking p (robot : t) (lack : Fit.lack) =
   Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot) lack.class_.name

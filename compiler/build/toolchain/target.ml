@@ -65,7 +65,7 @@ let machine t options =
   match t.compiler with
   | None -> { (Toolchain.this_machine ()) with options }
   | Some compiler ->
-      { compiler; cure = Printf.sprintf "on Debian: apt-get install %s" t.package; options }
+      { compiler; fix = Printf.sprintf "on Debian: apt-get install %s" t.package; options }
 
 let files folder =
   let names = Sys.readdir folder in

@@ -2,7 +2,7 @@ let ( / ) = Filename.concat
 let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 
 type foreign = { sources : string list; folders : string list; allowed : string list }
-type machine = { compiler : string; cure : string; options : string list }
+type machine = { compiler : string; fix : string; options : string list }
 
 let install_one = "install one (on Debian: apt-get install gcc), or set the environment variable CC"
 
@@ -27,7 +27,7 @@ let this_machine () =
   {
     compiler =
       (match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> default_compiler ());
-    cure = install_one;
+    fix = install_one;
     options = [];
   }
 
@@ -133,7 +133,7 @@ let not_found machine program =
   let is_path = String.contains program '/' in
   match words program with
   | _ when is_path && Sys.file_exists program && Sys.is_directory program ->
-      Printf.sprintf "`%s` is a folder, not a C compiler; %s" shown machine.cure
+      Printf.sprintf "`%s` is a folder, not a C compiler; %s" shown machine.fix
   | _ when is_path && Sys.file_exists program ->
       Printf.sprintf "the C compiler `%s` cannot be started: it is not executable (`chmod +x %s`)"
         shown (Basis.Printable.path program)
@@ -142,7 +142,7 @@ let not_found machine program =
         "there is no C compiler `%s`: frobc interprets the whole text as the name of one program; \
          name a program without options, or a script that adds them"
         shown
-  | _ -> Printf.sprintf "there is no C compiler `%s`; %s" shown machine.cure
+  | _ -> Printf.sprintf "there is no C compiler `%s`; %s" shown machine.fix
 
 let explain machine = function
   | Process.Not_found program -> not_found machine program
@@ -213,7 +213,7 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   else
     Error
       (Printf.sprintf "the C compiler `%s` reported no error but produced no program; %s"
-         machine.compiler machine.cure)
+         machine.compiler machine.fix)
 
 (* [frob-tcc] cannot list the files that it includes. A program that only calls vision kernels
    includes no file of the user. *)

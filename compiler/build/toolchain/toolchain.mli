@@ -15,7 +15,7 @@ type kind =
 
 type machine = {
   compiler : string;  (** the program to call *)
-  cure : string;  (** advice for the user if the program is not installed *)
+  fix : string;  (** advice for the user if the program is not installed *)
   options : string list;  (** flags in addition to {!flags} *)
 }
 

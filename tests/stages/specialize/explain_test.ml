@@ -27,7 +27,7 @@ let codes text =
 let check_page code () =
   let page = Option.get (Explain.find code) in
   Alcotest.(check (list string)) "the example" [ code ] (codes (block "frob-error" page));
-  Alcotest.(check (list string)) "the cured example" [] (codes (block "frob" page))
+  Alcotest.(check (list string)) "the fixed example" [] (codes (block "frob" page))
 
 let () =
   let page code = Alcotest.test_case code `Quick (check_page code) in

@@ -27,8 +27,8 @@ let check code =
           (List.sort_uniq String.compare (codes text))
     | None -> Alcotest.(check bool) "has an example" true (List.mem code without_example));
     match block "frob" page with
-    | Some text -> Alcotest.(check (list string)) "the cured example" [] (codes text)
-    | None -> Alcotest.fail "no cured example"
+    | Some text -> Alcotest.(check (list string)) "the fixed example" [] (codes text)
+    | None -> Alcotest.fail "no fixed example"
   in
   Alcotest.test_case code `Quick check
 

@@ -10,7 +10,7 @@ let no_procedures =
 let of_record = "declare a record with `data` and a constructor: "
 let declare_a_record text = Printf.sprintf "%s`%s`" of_record text
 
-let cures =
+let fixes =
   [
     ([ "end"; "endif"; "endfunction"; "fi"; "done" ], no_end);
     ( [ "while" ],
@@ -30,7 +30,7 @@ let cures =
     ([ "using"; "namespace" ], "import names from a module, as in `import Control`");
   ]
 
-let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) cures)
+let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) fixes)
 
 let is_forever line =
   let blank = function '(' | ')' | ':' | '{' -> ' ' | c -> c in

@@ -37,10 +37,10 @@ let exponent ~text ~(base : term) ~operator (right : term) =
   else
     match quote ~text base.span with
     | Some base_text ->
-        let cure = "sqrt " ^ Source.grouped base_text in
+        let fixed = "sqrt " ^ Source.grouped base_text in
         fun d ->
-          Diagnostic.hint (Printf.sprintf "for a square root, write `%s`" cure) d
-          |> Diagnostic.write (Span.merge base.span right.span) ("(" ^ cure ^ ")")
+          Diagnostic.hint (Printf.sprintf "for a square root, write `%s`" fixed) d
+          |> Diagnostic.write (Span.merge base.span right.span) ("(" ^ fixed ^ ")")
     | None -> Diagnostic.hint "for a square root, write `sqrt (…)`"
 
 (* {1 Two operators} *)

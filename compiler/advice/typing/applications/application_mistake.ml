@@ -25,12 +25,12 @@ let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
       :: _ :: _ ) ->
       Option.map
         (fun text d ->
-          let cure = Printf.sprintf "(%s * 0.05[m])" text in
+          let fixed = Printf.sprintf "(%s * 0.05[m])" text in
           Diagnostic.hint
             (Printf.sprintf
                "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn \
                 rate, it is the second argument"
-               cure)
+               fixed)
             { d with Diagnostic.hints = []; fixes = [] })
         (Wording.quote words span)
   | _ -> None
@@ -54,9 +54,9 @@ let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diag
     }
   in
   let shown = List.map (Option.value ~default:"(…)") texts in
-  let cure = String.concat " " (name :: shown) in
-  Diagnostic.hint (Printf.sprintf "write `%s`" cure) d
-  |> if List.mem None texts then Fun.id else Diagnostic.write at cure
+  let fixed = String.concat " " (name :: shown) in
+  Diagnostic.hint (Printf.sprintf "write `%s`" fixed) d
+  |> if List.mem None texts then Fun.id else Diagnostic.write at fixed
 
 let exchange a b ~of_:n =
   List.init n (fun i ->

@@ -258,14 +258,14 @@ let infix fact =
   in
   match (fact.head.desc, fact.argument.desc, Wording.quote fact.words fact.head.span) with
   | (Local _ | Number _), Global g, Some left when fact.position = 1 && takes_two g ->
-      let cure = Printf.sprintf "`%s`" g.name in
+      let fixed = Printf.sprintf "`%s`" g.name in
       Some
         (fun d ->
           hint
             (Printf.sprintf "between its arguments, a function needs backquotes: ``%s %s …``" left
-               cure)
+               fixed)
             d
-          |> write fact.argument.span cure)
+          |> write fact.argument.span fixed)
   | _ -> None
 
 (* A local name, which may hide the function that was meant. *)

@@ -394,16 +394,16 @@ let mode_without_event fact =
         Wording.quote fact.words (Span.make ~file:at.file ~start ~stop:at.stop)
         = Some (before ^ name)
       then
-        let cure = Printf.sprintf "(%s &&& after 10[s])" name in
+        let fixed = Printf.sprintf "(%s &&& after 10[s])" name in
         Some
           (fun d ->
             Diagnostic.hint
               (Printf.sprintf
                  "`mkTask` needs an event that ends the task, beside the output: write `mkTask \
                   %s`, or another event"
-                 cure)
+                 fixed)
               d
-            |> Diagnostic.write at cure)
+            |> Diagnostic.write at fixed)
       else None
   | _ -> None
 

@@ -208,18 +208,18 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
         Option.fold (Wording.fields words output) ~none:false ~some:(fun (_, fields) ->
             List.mem name.text fields)
       in
-      let cure = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
+      let fixed = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
       Some
         (Diagnostic.hint
            (Printf.sprintf "it is a signal function; its output %s `%s`"
               (if has_it then "has it:" else "is")
-              cure)
+              fixed)
            d
         |>
         if String.equal text grouped then
           Diagnostic.fix
-            (Printf.sprintf "write `%s`" cure)
-            [ (whole, if has_it then cure else "(" ^ cure ^ ")") ]
+            (Printf.sprintf "write `%s`" fixed)
+            [ (whole, if has_it then fixed else "(" ^ fixed ^ ")") ]
         else Fun.id)
   | t when Environment.is_event t || Event_mistake.is_maybe t -> (
       let content = Event_mistake.content t in
@@ -357,10 +357,10 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
           |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
       | _, Some text when field_within words ty name.text <> None ->
           let field = Option.get (field_within words ty name.text) in
-          let cure = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
-          Diagnostic.hint (Printf.sprintf "its field `%s` has it: write `%s`" field cure) d
+          let fixed = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
+          Diagnostic.hint (Printf.sprintf "its field `%s` has it: write `%s`" field fixed) d
           |> Diagnostic.fix
-               (Printf.sprintf "write `%s`" cure)
+               (Printf.sprintf "write `%s`" fixed)
                [ (name.span, field ^ "." ^ name.text) ]
       | _ -> (
           match through words name ~record ty d with

@@ -19,7 +19,7 @@ let many_milliseconds = 100.
 
 let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   let text = Wording.measure words unit_ in
-  let cure words units d =
+  let with_fix words units d =
     let with_unit unit_ = write at (Printf.sprintf "%s[%s]" digits unit_) in
     List.fold_right with_unit (List.rev units) (hint words d)
   in
@@ -28,7 +28,7 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   in
   let is_a_field = match expected.because with Field _ -> true | _ -> false in
   if is_angular_velocity expected.ty then
-    cure
+    with_fix
       (Printf.sprintf "write `%s[deg/s]` for degrees per second, `%s[rad/s]` for radians per second"
          digits digits)
       [ "deg/s"; "rad/s" ]
@@ -36,14 +36,14 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
     String.equal text "s" && is_at_least many_seconds
     && (is_a_field || not (is_at_least many_milliseconds))
   then
-    cure
+    with_fix
       (Printf.sprintf "write `%s[s]` for seconds, `%s[ms]` if these are milliseconds" digits digits)
       [ "s"; "ms" ]
   else if String.equal text "s" && is_at_least many_seconds then
-    cure
+    with_fix
       (Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits)
       [ "ms"; "s" ]
-  else cure (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
+  else with_fix (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
 
 (* The number literals that an expression chooses from. Zero is left out, because it has every unit.
    *)
@@ -97,30 +97,30 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
       ->
         let per_second angle =
           let text = Printf.sprintf "%s[%s/s]" digits angle in
-          let cure d =
+          let with_fix d =
             hint (Printf.sprintf "write `%s` if this is the turn rate" text) d
             |> Diagnostic.write at text
             |> Option.value
                  (Unit_conversion.of_the_other_operand words ~expected (wanted, given))
                  ~default:Fun.id
           in
-          (cure, at, name)
+          (with_fix, at, name)
         in
         Option.map per_second (angle written)
     | _ -> None
   in
   let other = match expected.because with Operand { other; _ } -> Some other | _ -> None in
   let is_one u = Units.equal u Units.one in
-  let cure =
+  let with_fix =
     if is_one given then write subject ~expected wanted
     else if is_one wanted then write other ~expected:{ expected with ty = found } given
     else None
   in
-  match cure with
+  match with_fix with
   | None -> diagnostic
-  | Some (cure, _, None) -> cure diagnostic
-  | Some (cure, at, Some name) ->
-      label ~at (Printf.sprintf "`%s` is this number" name) diagnostic |> cure
+  | Some (with_fix, _, None) -> with_fix diagnostic
+  | Some (with_fix, at, Some name) ->
+      label ~at (Printf.sprintf "`%s` is this number" name) diagnostic |> with_fix
 
 (* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =

@@ -94,10 +94,10 @@ let missing_after_name fact ~missing d =
 let missing_output fact ~missing d =
   match Option.bind fact.subject Plain_name.of_head with
   | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
-      let cure = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
+      let fixed = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
       { d with message = "`sleepT` lacks its last argument, the output during that time" }
-      |> hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" cure)
-      |> fix (Printf.sprintf "write `%s`" cure) [ (fact.at, cure) ]
+      |> hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" fixed)
+      |> fix (Printf.sprintf "write `%s`" fixed) [ (fact.at, fixed) ]
       |> Option.some
   | _ -> None
 
@@ -319,13 +319,13 @@ let missing_in_an_operand fact =
         } )
     when Array_mistake.is_array from ->
       let xs = Wording.argument_or "xs" fact.words argument in
-      let cure = Printf.sprintf "%simumBy id %s" name xs in
+      let fixed = Printf.sprintf "%simumBy id %s" name xs in
       error ~code:"E0301" ~at:span "`%s` takes two values, not an array" name
       |> hint
            (Printf.sprintf "for the %s of all elements, write `%s`"
               (if String.equal name "min" then "least" else "greatest")
-              cure)
-      |> write span cure |> Option.some
+              fixed)
+      |> write span fixed |> Option.some
   | Function _, Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
     when missing_arguments fact.wanted = 1 ->
       Option.map

@@ -38,13 +38,13 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) =
       in
       let event = Printf.sprintf (if takes_its_value then "mapE %s %s" else "tag %s %s") in
       let event = if takes_its_value then event (text f) (text e) else event (text e) (text f) in
-      let cure = Printf.sprintf "%s %s (%s)" name (text start) event in
+      let fixed = Printf.sprintf "%s %s (%s)" name (text start) event in
       Some
         (Diagnostic.error ~code:"E0301" ~at:f.span "`%s` does not take a function as an argument"
            name
         |> Diagnostic.label ~at:e.span "the event must carry it"
-        |> Diagnostic.hint (Printf.sprintf "write `%s`" cure)
-        |> Diagnostic.write at cure)
+        |> Diagnostic.hint (Printf.sprintf "write `%s`" fixed)
+        |> Diagnostic.write at fixed)
   | _ -> None
 
 (* `e < 0.4[m]`: an initial value with which the comparison is false until the event occurs. *)

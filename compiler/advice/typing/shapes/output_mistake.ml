@@ -38,7 +38,7 @@ let program_output t =
       Some output
   | _ -> None
 
-let cure =
+let with_ro_make =
   "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v omega)`"
 
 let hint (fact : Shape_fact.t) =
@@ -48,14 +48,14 @@ let hint (fact : Shape_fact.t) =
     | _ -> None
   in
   match (changed fact.found, ends) with
-  | _, Some (wanted, given) when changed given <> None && changed wanted = None -> Some cure
+  | _, Some (wanted, given) when changed given <> None && changed wanted = None -> Some with_ro_make
   | Some _, _
     when is_output fact.expected.ty || Option.fold fact.subject ~none:false ~some:is_of_a_capability
     ->
-      Some cure
+      Some with_ro_make
   | _ -> None
 
-let hint_without_instance t = Option.map (fun _ -> cure) (changed t)
+let hint_without_instance t = Option.map (fun _ -> with_ro_make) (changed t)
 
 (* The output of the `proc` in this expression, such as `reactimateRobot (proc i -> …)`. *)
 let rec output_of (e : Resolve.Ir.expr) =
@@ -76,7 +76,7 @@ let not_made (fact : Shape_fact.t) =
   match (fact.wanted, fact.given) with
   | (Data _ | Rigid _), (Function _ | Data _) ->
       Option.map
-        (fun cure ->
+        (fun text ->
           match to_make fact with
           | Some (e, text) ->
               let made = Printf.sprintf "roMake (%s)" text in
@@ -85,7 +85,7 @@ let not_made (fact : Shape_fact.t) =
                    "this only changes an output: for the robot's output itself, write `%s`" made)
               |> Diagnostic.label ~at:e.span "this is a function"
               |> Diagnostic.fix (Printf.sprintf "write `%s`" made) [ (e.span, "(" ^ made ^ ")") ]
-          | None -> Shape_fact.hinted fact cure)
+          | None -> Shape_fact.hinted fact text)
         (hint fact)
   | _ -> None
 

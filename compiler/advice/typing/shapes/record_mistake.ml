@@ -119,11 +119,11 @@ let in_place_of_a_part fact =
   | Data _, Data _, Some text ->
       Option.map
         (fun field ->
-          let cure = Printf.sprintf "%s.%s" (Source.grouped text) field in
-          let d = hinted fact (Printf.sprintf "use its field: `%s`" cure) in
+          let fixed = Printf.sprintf "%s.%s" (Source.grouped text) field in
+          let d = hinted fact (Printf.sprintf "use its field: `%s`" fixed) in
           match fact.subject with
           | Some e ->
-              Diagnostic.fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ] d
+              Diagnostic.fix (Printf.sprintf "write `%s`" fixed) [ (e.span, "(" ^ fixed ^ ")") ] d
           | None -> d)
         (Wording.field_of fact.words fact.found ~of_:fact.expected.ty)
   | _ -> None

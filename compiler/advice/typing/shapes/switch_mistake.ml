@@ -259,11 +259,11 @@ let three_arguments words ~name ~at arguments =
       match first' with
       | None -> None
       | Some first' ->
-          let cure = String.concat " " (name :: first' :: next :: rest) in
+          let fixed = String.concat " " (name :: first' :: next :: rest) in
           let d =
             error ~code:"E0301" ~at:second.span "the event of `%s` is not a separate argument" name
             |> label ~at:first.span "this must return it together with its output"
-            |> hint (Printf.sprintf "write `%s`" cure)
+            |> hint (Printf.sprintf "write `%s`" fixed)
           in
-          Some (if String.contains cure '\n' then d else write at cure d))
+          Some (if String.contains fixed '\n' then d else write at fixed d))
   | _ -> None

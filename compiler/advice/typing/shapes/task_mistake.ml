@@ -247,9 +247,9 @@ let in_place_of_a_program fact =
   | Data { tycon; _ }, Some e
     when tycon = Environment.built_in "Program" && Environment.is_task fact.given ->
       let text = Wording.argument fact.words e in
-      let cure = "reactimateTask " ^ Option.value text ~default:"(…)" in
-      let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" cure) in
-      Some (if text = None then d else write e.span cure d)
+      let fixed = "reactimateTask " ^ Option.value text ~default:"(…)" in
+      let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" fixed) in
+      Some (if text = None then d else write e.span fixed d)
   | _ -> None
 
 (* `let d = ask frontSonar`, or the task itself, where its result is meant *)

@@ -188,9 +188,9 @@ let message words ~subject ~at ~wanted ~input ~found =
     |> here (Printf.sprintf "this is %s" (Wording.described words found))
   in
   match truth_of_event words ~subject ~wanted ~found with
-  | Some cure ->
-      hint (Printf.sprintf "its output is an event: for a condition, write `%s`" cure) d
-      |> instead subject cure
+  | Some fixed ->
+      hint (Printf.sprintf "its output is an event: for a condition, write `%s`" fixed) d
+      |> instead subject fixed
   | None -> (
       let d =
         match (subject, meant words subject) with

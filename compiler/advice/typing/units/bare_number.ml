@@ -222,7 +222,7 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
               name name text name float)
   | Some name ->
       (* a `param` has its signature and its value on one line *)
-      let cure, edits =
+      let fixed, edits =
         match signature with
         | Some place when Wording.quote words place <> None ->
             ( (if Span.line place.start = Span.line at.start then
@@ -232,5 +232,5 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
         | Some _ | None -> (Printf.sprintf "`%s = %s`" name text, [])
       in
       Diagnostic.label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
-      |> Diagnostic.hint (Printf.sprintf "give `%s` its unit: %s" name cure)
+      |> Diagnostic.hint (Printf.sprintf "give `%s` its unit: %s" name fixed)
       |> Diagnostic.fix (Printf.sprintf "write `%s`" text) (edits @ [ (at, literal) ])

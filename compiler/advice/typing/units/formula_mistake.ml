@@ -17,8 +17,8 @@ let replace (e : Resolve.Ir.expr) text =
 let sqrt_of words (e : Resolve.Ir.expr) d =
   match Formula.grouped words e with
   | Some text ->
-      let cure = "sqrt " ^ text in
-      hint (Printf.sprintf "for the square root, write `%s`" cure) d |> replace e cure
+      let fixed = "sqrt " ^ text in
+      hint (Printf.sprintf "for the square root, write `%s`" fixed) d |> replace e fixed
   | None -> hint "for the square root, write `sqrt (…)` around it" d
 
 (* The exponent, from 2 to 4, that turns the second unit into the first one. *)
@@ -34,14 +34,14 @@ let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.ex
   let raised =
     match Formula.grouped words lower with
     | Some text ->
-        let cure = Printf.sprintf "%s ^ %d" text k in
+        let fixed = Printf.sprintf "%s ^ %d" text k in
         fun d ->
           hint
             (Printf.sprintf "to use the %s, write `%s`"
                (match k with 2 -> "square" | 3 -> "cube" | _ -> "fourth power")
-               cure)
+               fixed)
             d
-          |> replace lower cure
+          |> replace lower fixed
     | None -> Fun.id
   in
   (* a sum of squares, whose root is taken later *)

@@ -41,13 +41,13 @@ let angle_of_a_rate words ~subject ~(expected : Expected.t) (_, given) =
         if is_fixed words e then Option.map (Printf.sprintf "%s * time ()") (as_factor words e)
         else Option.map (Printf.sprintf "integral %s") (grouped words e)
       in
-      let cure angle d =
+      let with_fix angle d =
         hint
           (Printf.sprintf "an angle is a rate times a time: in a `proc`, write `%s (%s)`" f angle)
           d
         |> fix (Printf.sprintf "write `%s (%s)`" f angle) [ (e.span, "(" ^ angle ^ ")") ]
       in
-      Option.map cure angle
+      Option.map with_fix angle
   | _ -> None
 
 let power words ~(expected : Expected.t) ?unit_ () =
@@ -66,13 +66,13 @@ let power words ~(expected : Expected.t) ?unit_ () =
               hint (Printf.sprintf "for a power with a whole exponent, write `%s ^ %s`" base k) d
               |> fix (Printf.sprintf "write `%s ^ %s`" base k) [ (at, "^"); (exponent.span, k) ])
       | Some b, Some 0.5 ->
-          let cure = "sqrt " ^ b in
+          let fixed = "sqrt " ^ b in
           Some
             (fun d ->
-              hint (Printf.sprintf "for a square root, write `%s`" cure) d
+              hint (Printf.sprintf "for a square root, write `%s`" fixed) d
               |> fix
-                   (Printf.sprintf "write `%s`" cure)
-                   [ (Span.merge base.span exponent.span, "(" ^ cure ^ ")") ])
+                   (Printf.sprintf "write `%s`" fixed)
+                   [ (Span.merge base.span exponent.span, "(" ^ fixed ^ ")") ])
       | Some base, _ ->
           let plain unit_ =
             hint
@@ -133,13 +133,13 @@ let quotient words ~(expected : Expected.t) =
       in
       match (grouped words a, grouped words b) with
       | Some x, Some y when is_decimal ->
-          let cure = Printf.sprintf "toFloat %s" x in
+          let fixed = Printf.sprintf "toFloat %s" x in
           Some
             (fun d ->
-              hint (Printf.sprintf "write `%s / %s`" cure y) d
-              |> fix (Printf.sprintf "write `%s`" cure) [ (a.span, "(" ^ cure ^ ")") ])
+              hint (Printf.sprintf "write `%s / %s`" fixed y) d
+              |> fix (Printf.sprintf "write `%s`" fixed) [ (a.span, "(" ^ fixed ^ ")") ])
       | Some x, Some y ->
-          let cure = Printf.sprintf "div %s %s" x y in
+          let fixed = Printf.sprintf "div %s %s" x y in
           (* A literal can be a Float; a variable of this function is probably an Int, too. *)
           let divisor = match b.desc with Number _ -> y | _ -> Printf.sprintf "toFloat %s" y in
           Some
@@ -148,11 +148,11 @@ let quotient words ~(expected : Expected.t) =
                 (Printf.sprintf
                    "for a whole number, write `%s`, which rounds down; for a number with a \
                     fraction, write `toFloat %s / %s`"
-                   cure x divisor)
+                   fixed x divisor)
                 d
               |> fix
-                   (Printf.sprintf "write `%s`" cure)
-                   [ (Span.merge a.span b.span, "(" ^ cure ^ ")") ])
+                   (Printf.sprintf "write `%s`" fixed)
+                   [ (Span.merge a.span b.span, "(" ^ fixed ^ ")") ])
       | _ -> None)
   | _ -> None
 

@@ -49,7 +49,7 @@ let is_product_with_value words e =
 (* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
    contain `pi` or `time`, because their numbers usually have no unit. *)
 let of_a_literal words ~likely ~subject ~expected (wanted, given) =
-  let cure (e, units) =
+  let fix_of (e, units) =
     match Bare_number.written_factor words e with
     | [ ((number : Bare_number.t), power) ]
       when Bare_number.literal words e = None
@@ -102,7 +102,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
     | _ -> None
   in
   if Units.is_open wanted || Units.is_open given then None
-  else List.find_map cure (sides ~subject ~expected (wanted, given))
+  else List.find_map fix_of (sides ~subject ~expected (wanted, given))
 
 (* `n / perRev * 2 * pi * 0.04`: a formula without a unit, in which only one number has a decimal
    point. *)
@@ -161,20 +161,20 @@ let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
   in
   match subject with
   | Some e when List.mem (Wording.measure words (Units.divide wanted given)) [ "1/s"; "Hz" ] ->
-      let cure x =
-        let cure = "derivative " ^ x in
+      let with_fix x =
+        let fixed = "derivative " ^ x in
         fun d ->
           hint
             (Printf.sprintf
                "for the rate of change, write `%s`, which divides the difference by the length of \
                 the step"
-               cure)
+               fixed)
             d
           |> fix
-               (Printf.sprintf "write `%s`" cure)
-               [ ((Bare_number.value words e).span, "(" ^ cure ^ ")") ]
+               (Printf.sprintf "write `%s`" fixed)
+               [ ((Bare_number.value words e).span, "(" ^ fixed ^ ")") ]
       in
-      Option.map cure (signal e)
+      Option.map with_fix (signal e)
   | Some _ | None -> None
 
 (* `v + t`, where the product of the operands is a plain quantity. *)

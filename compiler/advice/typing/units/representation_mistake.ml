@@ -76,11 +76,11 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
                    (Printf.sprintf "write `%s`" text)
                    [ (place, Printf.sprintf "Float[%s]" measure); (at, text) ])
       | _, Some text ->
-          let cure = Printf.sprintf "toFloat %s * 1[%s]" (Source.grouped text) measure in
+          let fixed = Printf.sprintf "toFloat %s * 1[%s]" (Source.grouped text) measure in
           Some
             (fun d ->
-              hint (Printf.sprintf "if it counts the unit `%s`, write `%s`" measure cure) d
-              |> fix (Printf.sprintf "write `%s`" cure) [ (e.span, "(" ^ cure ^ ")") ])
+              hint (Printf.sprintf "if it counts the unit `%s`, write `%s`" measure fixed) d
+              |> fix (Printf.sprintf "write `%s`" fixed) [ (e.span, "(" ^ fixed ^ ")") ])
       | _, None -> None)
   | _ -> None
 

@@ -61,15 +61,15 @@ let wrong words ~(expected : Expected.t) ~found =
              && not (is_number signal || Bare_number.literal words signal <> None) ->
           let unit_ = unit_text words kind u in
           let written e = with_unit unit_ e (Option.value (quote e) ~default:"…") in
-          let cure =
+          let fixed =
             String.concat " " ((name :: List.map written numbers) @ [ Source.grouped text ])
           in
           let last : Resolve.Ir.expr = List.nth numbers (count - 1) in
           let at = Span.merge head.span last.span in
           let d =
             error ~code:"E0320" ~at "the arguments of `%s` are in the wrong order" name
-            |> hint (Printf.sprintf "write `%s`" cure)
+            |> hint (Printf.sprintf "write `%s`" fixed)
           in
-          Some (if String.contains cure '\n' then d else write at cure d)
+          Some (if String.contains fixed '\n' then d else write at fixed d)
       | _ -> None)
   | _ -> None
