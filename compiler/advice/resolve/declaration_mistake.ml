@@ -23,8 +23,18 @@ let of_elements ~text (at : Span.t) =
       "Array 4" ^ String.sub written 7 (String.length written - 7)
   | Some _ | None -> "Array 4 Float"
 
+(* `Float[m]` for `Float m` *)
+let unit_in_brackets ~text (at : Span.t) =
+  let start = Text_place.offset text at.start in
+  let stop = min (String.length text) (Text_place.offset text at.stop) in
+  match String.split_on_char ' ' (String.sub text start (max 0 (stop - start))) with
+  | [ name; unit_ ] when Syntax.Lexer.is_unit unit_ ->
+      Some (Printf.sprintf "a unit in a type needs brackets: `%s[%s]`" name unit_)
+  | _ -> None
+
 let hint_of_builtin name ~found ~text at =
   match name with
+  | "Float" | "Int" -> unit_in_brackets ~text at
   | "Array" when found > 2 -> Some "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
   | "Array" ->
       Some

@@ -98,6 +98,18 @@ let defined_twice (fact : Fact.defined) =
 
 (* {1 Misplaced definitions} *)
 
+(* The parameters in `Float half (Float x) = …`, each with its type *)
+let typed_parameters patterns =
+  let rec typed (p : Syntax.Ir.pattern) =
+    match p.desc with
+    | Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]) ->
+        [ Some (name.text, x.text) ]
+    | Tuple_of parts -> List.concat_map typed parts
+    | _ -> [ None ]
+  in
+  let all = List.concat_map typed patterns in
+  if List.mem None all then [] else List.filter_map Fun.id all
+
 let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
   Diagnostic.error ~code:"E0226" ~at "a top-level definition defines one name, not a pattern"
   |> Diagnostic.hint
@@ -106,6 +118,12 @@ let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
            Printf.sprintf
              "write `%s = …`; to give its type, write `%s :: %s` on a line of its own above it"
              x.text x.text name.text
+       | Constructed ({ qualifier = None; name; _ }, { desc = Bound f; _ } :: parameters)
+         when typed_parameters parameters <> [] ->
+           let types, names = List.split (typed_parameters parameters) in
+           Printf.sprintf "write the types in a signature, `%s :: %s`, and below it `%s = …`" f.text
+             (String.concat " -> " (types @ [ name.text ]))
+             (String.concat " " (f.text :: names))
        | Constructed ({ qualifier = None; name; _ }, _) ->
            Printf.sprintf "start the name of a value with a lower-case letter: `%s`"
              (Name_in_text.lower_case name.text)

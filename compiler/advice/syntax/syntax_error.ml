@@ -149,6 +149,8 @@ let with_fix found =
   | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _; _ } ->
       Diagnostic.write (span found.token) "$ do"
   | EQUAL, Some _ when (message found).expects = Arrow -> Diagnostic.write (span found.token) "->"
+  | DOUBLE_ARROW, Some _ when Expression_hint.fat_arrow found <> None ->
+      Diagnostic.write (span found.token) "->"
   | EQUAL, Some _
     when compares found.context && is_blank (char_at found (found.token.start.pos_cnum - 1)) ->
       Diagnostic.write (span found.token) "=="

@@ -133,7 +133,7 @@ Too many and too few arguments.
     |           |
     |           with 2 arguments, its result is `Float`
     |
-    = hint: for three values, write `max a (max b c)`
+    = hint: for three values, write `max 1.0 (max 2.0 3.0)`
   
   error[E0301]: expected `Float`, found the function `Float[u] -> Float[u]`
    --> arguments.frob:5:16

@@ -197,9 +197,35 @@ let parameter (t : Unknown.t) =
         explained t (Other_parameter.hint text (Text_place.offset text t.name.span.start) found))
       (Option.bind after (Other_parameter.of_arguments text))
 
+(* `millis() < 5000` *)
+let clock (t : Unknown.t) =
+  let open Let_syntax.Option in
+  let* unit_ = match t.name.text with "millis" -> Some "ms" | "micros" -> Some "us" | _ -> None in
+  let text = Unknown.text t in
+  let rest_at at = String.sub text at (Text_place.end_of_line text at - at) in
+  let stop = Text_place.offset text t.name.span.stop in
+  let rest = rest_at stop in
+  let skipped = if String.starts_with ~prefix:"()" rest then 2 else 0 in
+  let rest = String.sub rest skipped (String.length rest - skipped) in
+  match List.filter (( <> ) "") (String.split_on_char ' ' rest) with
+  | (("<" | ">" | "<=" | ">=") as operator) :: limit :: _
+    when Character.is_digit limit.[0] && String.starts_with ~prefix:" " rest ->
+      let rec last i =
+        if Character.is_digit (Text_place.char_at limit i) then last (i + 1) else i
+      in
+      let digits = String.sub limit 0 (last 0) in
+      if List.mem (Text_place.char_at limit (last 0)) [ '['; '.' ] then None
+      else
+        Some
+          (explained t
+             (Printf.sprintf "`time ()` is the time since the start: write `time () %s %s[%s]`"
+                operator digits unit_))
+  | _ -> None
+
 let rules =
   [
     parameter;
+    clock;
     member;
     integral;
     operator;

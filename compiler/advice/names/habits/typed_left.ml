@@ -39,6 +39,45 @@ let parameter (t : Unknown.t) =
       else Some Reported
   | Some _ | None -> None
 
+(* `half Float x = x / 2`. Only the first type is reported. *)
+let words (t : Unknown.t) =
+  let line = line_of t t.name.span in
+  match Typed_equation.of_words line with
+  | Some hint when is_a_type t && index t < String.index line '=' ->
+      let first =
+        let rec go i = if Character.is_upper line.[i] then i else go (i + 1) in
+        go 0
+      in
+      if index t = first then
+        Some (Report (error t "a parameter cannot have" |> Diagnostic.hint hint))
+      else Some Reported
+  | Some _ | None -> None
+
+(* `\\Float x -> x / 2`. Only the first type is reported. *)
+let lambda (t : Unknown.t) =
+  let line = line_of t t.name.span in
+  let at = index t in
+  match String.rindex_from_opt line (min at (String.length line - 1)) '\\' with
+  | Some first when is_a_type t -> (
+      let rest = String.sub line (first + 1) (String.length line - first - 1) in
+      match Other_type.find "->" rest with
+      | Some arrow when first + 1 + arrow > at -> (
+          let inside = String.sub rest 0 arrow in
+          let blank = function '(' | ')' | ',' -> ' ' | c -> c in
+          let words = String.split_on_char ' ' (String.map blank inside) in
+          match Typed_equation.pairs (List.filter (( <> ) "") words) with
+          | Some (_ :: _ as all) when String.trim (String.sub rest 0 (at - first - 1)) = "" ->
+              Some
+                (Report
+                   (error t "a parameter cannot have"
+                   |> Diagnostic.hint
+                        (Printf.sprintf "write `\\%s ->`, without types"
+                           (String.concat " " (List.map snd all)))))
+          | Some (_ :: _) -> Some Reported
+          | Some [] | None -> None)
+      | Some _ | None -> None)
+  | Some _ | None -> None
+
 let of_declaration t of_line (d : Proc_signals.c_declaration) =
   match of_line (line_of t d.head.span) with
   | Some (typed : Typed_equation.t) when String.equal typed.name d.declared.text -> Some typed
@@ -51,4 +90,4 @@ let declared (t : Unknown.t) =
       Some Reported
   | Some _ | None -> None
 
-let rules = [ equation; parameter; declared ]
+let rules = [ equation; parameter; words; lambda; declared ]

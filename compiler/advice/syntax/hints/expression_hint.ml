@@ -47,8 +47,30 @@ let lambda_argument found =
 let pattern_of_proc found =
   match (found.token.token, found.before) with
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
-    when stands_after found "proc" constructor ->
-      Some "put parentheses around a pattern such as `(Just x)`"
+    when stands_after found "proc" constructor -> (
+      match (found.token.token, constructor.token) with
+      | LOWER x, UPPER type_
+        when Other_type.known type_ <> None || String.ends_with ~suffix:"Input" type_ ->
+          Some (Printf.sprintf "write the input without its type: `proc %s -> …`" x)
+      | _ -> Some "put parentheses around a pattern such as `(Just x)`")
+  | _ -> None
+
+(* `proc v => do` or `\\x => x + 1` *)
+let fat_arrow found =
+  let bol = found.token.start.pos_bol and at = found.token.start.pos_cnum in
+  let line = between found bol at in
+  let rec last = function
+    | word :: _ when word = "proc" || String.ends_with ~suffix:"(proc" word -> Some "proc "
+    | word :: _ when String.contains word '\\' -> Some "\\"
+    | ("->" | "=>") :: _ | [] -> None
+    | _ :: rest -> last rest
+  in
+  match found.token.token with
+  | DOUBLE_ARROW -> (
+      match last (List.rev (String.split_on_char ' ' line)) with
+      | Some "proc " -> Some "write `->` between the input of a `proc` and its output"
+      | Some _ -> Some "write `->` between the parameters of a function and its result"
+      | None -> None)
   | _ -> None
 
 (* `@(x) x * 2`, as in MATLAB *)
@@ -89,7 +111,12 @@ let parameters_before found =
   let blank = function '(' | ')' | ',' -> ' ' | c -> c in
   let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
   let is_name w = String.for_all Character.is_name w && w <> "" && Character.is_lower w.[0] in
-  if names <> [] && List.for_all is_name names then Some (String.concat " " names) else None
+  if names <> [] && List.for_all is_name names then Some (String.concat " " names)
+  else
+    (* `Float x -> x / 2` *)
+    match Typed_equation.pairs names with
+    | Some (_ :: _ as pairs) -> Some (String.concat " " (List.map snd pairs))
+    | Some [] | None -> None
 
 let arrow_function found =
   let general = "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`" in

@@ -9,6 +9,9 @@ val lambda_argument : Found.rule
 val pattern_of_proc : Found.rule
 (** A pattern with an argument as the input of a `proc`. *)
 
+val fat_arrow : Found.rule
+(** A `=>` after the input of a [proc] or the parameters of a function. *)
+
 val function_handle : Found.rule
 (** [@(x) x * 2], as in MATLAB. *)
 

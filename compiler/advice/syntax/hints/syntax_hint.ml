@@ -135,6 +135,7 @@ let declarations =
       capital;
       Choice_hint.branch;
       Type_hint.with_parameters;
+      Type_hint.unit_without_brackets;
       Type_hint.in_another_notation;
       Type_hint.contexts;
       Type_hint.split_arrow;
@@ -174,6 +175,7 @@ let expressions =
     Choice_hint.otherwise;
     Choice_hint.without_then;
     Choice_hint.chain;
+    Expression_hint.fat_arrow;
     Expression_hint.function_handle;
     Expression_hint.list_comprehension;
     Operator_hint.member;

@@ -39,6 +39,22 @@ let with_parameters found =
       Some "write the size and the type of the elements of an array, as in `Array 4 Float`"
   | _ -> None
 
+(* `Float m/s`, a unit without brackets *)
+let unit_without_brackets found =
+  match (found.token.token, found.before) with
+  | SLASH, Some ({ token = LOWER unit_; _ } as before)
+    when Lexer.is_unit unit_
+         && List.mem
+              (word_before found before.start.pos_cnum)
+              [ "Float"; "Int"; "Double"; "Integer" ] ->
+      let is_part c = Basis.Character.is_name c || List.mem c [ '/'; '^'; '*' ] in
+      let rec last i = if is_part (char_at found i) then last (i + 1) else i in
+      let first = before.start.pos_cnum in
+      Some
+        (Printf.sprintf "a unit in a type needs brackets: `%s[%s]`" (word_before found first)
+           (String.sub found.text first (last first - first)))
+  | _ -> None
+
 (* `event float`, with a lower-case letter, or `float[]` *)
 let in_another_notation found =
   match (found.token.token, found.before) with

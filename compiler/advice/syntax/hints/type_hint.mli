@@ -3,6 +3,9 @@
 val with_parameters : Found.rule
 (** [vector<float>], as in C++. *)
 
+val unit_without_brackets : Found.rule
+(** [Float m/s]. *)
+
 val in_another_notation : Found.rule
 (** [event float], with a lower-case letter, or [float[]]. *)
 

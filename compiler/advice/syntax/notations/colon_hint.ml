@@ -365,6 +365,20 @@ let of_lambda text at words =
   Printf.sprintf "write an anonymous function as `\\%s -> %s`" parameters
     (Option.value body ~default:"…")
 
+(* `while True: task`, with the task on the same line *)
+let repeated text at =
+  let body = without_closing (String.sub text (at + 1) (end_of_line text at - at - 1)) in
+  let definition = definition_start text at in
+  let first text = List.hd (String.split_on_char ' ' text) in
+  let name = first (String.sub text definition (end_of_line text definition - definition)) in
+  if body = "" || String.length body > 60 then None
+  else if String.equal (first body) name then
+    Some
+      (Printf.sprintf
+         "`%s` calls itself at its end, and so repeats anyway: write `%s`, without the `while`" name
+         body)
+  else Some (Printf.sprintf "to repeat a task, write `forever %s`" (Basis.Source.grouped body))
+
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
@@ -391,6 +405,8 @@ let of_colon text at =
       hint (Printf.sprintf "Frob has no `%s`: %s" loop.word loop.hint)
   | "while" :: _ when ends_line && Beginnings.is_forever (String.concat " " words) ->
       hint Beginnings.forever
+  | "while" :: _ when Beginnings.is_forever (String.concat " " words) && repeated text at <> None ->
+      hint (Option.get (repeated text at))
   | "while" :: _ ->
       hint
         "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"

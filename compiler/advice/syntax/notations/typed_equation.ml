@@ -36,6 +36,7 @@ let blanks line =
 let value_of rest =
   let rest = String.trim (Option.fold (find " -- " rest) ~none:rest ~some:(String.sub rest 0)) in
   let rest = Option.fold (find " in " rest) ~none:rest ~some:(String.sub rest 0) in
+  let rest = Text_place.without_closing rest in
   let n = String.length rest in
   String.trim (if n > 0 && rest.[n - 1] = ';' then String.sub rest 0 (n - 1) else rest)
 
@@ -135,6 +136,34 @@ let alone line =
       let name = value_of (String.sub line (last + 1) (String.length line - last - 1)) in
       if is_a_name name && is_a_type type_ then Some (Printf.sprintf "%s :: %s" name type_)
       else None)
+
+let rec pairs = function
+  | type_ :: name :: rest when is_a_type type_ && is_a_name name ->
+      Option.map (List.cons (type_, name)) (pairs rest)
+  | [] -> Some []
+  | _ -> None
+
+let definition ~name ?(result = "…") ~value parameters =
+  Printf.sprintf "write `%s = %s`, and the types in a signature above it: `%s :: %s`"
+    (String.concat " " (name :: List.map snd parameters))
+    value name
+    (String.concat " -> " (List.map fst parameters @ [ result ]))
+
+let of_words line =
+  let open Basis.Let_syntax.Option in
+  let* _, left, rest = split line " = " in
+  let blank = function '(' | ')' | ',' -> ' ' | c -> c in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank left)) in
+  let value = value_of rest in
+  let value = if is_whole value && String.length value <= longest then value else "…" in
+  let* name, result, parameters =
+    match words with
+    | name :: rest when is_a_name name -> Option.map (fun all -> (name, None, all)) (pairs rest)
+    | result :: name :: rest when is_a_type result && is_a_name name ->
+        Option.map (fun all -> (name, Some result, all)) (pairs rest)
+    | _ -> None
+  in
+  if parameters = [] then None else Some (definition ~name ?result ~value parameters)
 
 let of_parameters line =
   let open Basis.Let_syntax.Option in

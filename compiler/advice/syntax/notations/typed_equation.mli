@@ -29,5 +29,12 @@ val advice : t -> string
 val alone : string -> string option
 (** [v :: Velocity] for a line [Velocity v;]. *)
 
+val pairs : string list -> (string * string) list option
+(** The types and names in words such as [Float x Float y]; [None] if these are other words. *)
+
+val of_words : string -> string option
+(** The hint for parameters with types before them, without parentheses or with a type of the
+    result: [half Float x = x / 2], [Float half(Float x) = x / 2]. *)
+
 val of_parameters : string -> string option
 (** The hint for the definition [f (Float x, Int n) = …]. *)

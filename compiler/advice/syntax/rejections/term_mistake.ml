@@ -94,6 +94,13 @@ let expression at (desc : Ir.expr_desc) =
   | Proc _ -> no_pattern at "a `proc`"
   | Sequence _ -> no_pattern at "a `do`"
   | Field { record; field = name } -> field at record name
+  | Annotated { expr = { desc = Variable { qualifier = None; name; _ }; _ }; _ } ->
+      no_pattern at "a type"
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "write `%s` alone; types belong in a signature, on the line above a definition"
+              name.text)
+      |> Diagnostic.write at name.text
   | Annotated _ ->
       no_pattern at "a type"
       |> Diagnostic.hint "write the type in a signature, on the line above the definition"

@@ -185,9 +185,14 @@ let parentheses ({ words; call; mistake } as fact) =
       let inner = String.concat " " within in
       let before = List.filteri (fun j _ -> j + 1 < i) texts in
       let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
-      let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
-      let runs_a_task = Environment.is_task (final (type_at i)) in
-      Some (Head_mistake.applied_without_parentheses ~name ~runs_a_task ~inner ~whole mistake)
+      let value =
+        if String.equal name "return" then Returned_value.diagnostic words ~at:head.span else None
+      in
+      if value <> None then value
+      else
+        let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
+        let runs_a_task = Environment.is_task (final (type_at i)) in
+        Some (Head_mistake.applied_without_parentheses ~name ~runs_a_task ~inner ~whole mistake)
   | _ -> None
 
 (* The first rule that applies is used. The order comes last, because it only compares types. *)

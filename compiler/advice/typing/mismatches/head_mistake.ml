@@ -85,13 +85,6 @@ let after_a_field fact =
         | _ -> Fun.id)
   | _ -> None
 
-(* `min a b c`. *)
-let of_three fact =
-  match fact.head.desc with
-  | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
-      Some (hint (Printf.sprintf "for three values, write `%s a (%s b c)`" name name))
-  | _ -> None
-
 (* `limit low high x` *)
 let of_two_limits fact =
   match fact.head.desc with
@@ -109,7 +102,9 @@ let of_two_limits fact =
               (Printf.sprintf "`limit` has one limit for both directions; for two, write `%s`" text)
               d
             |> write fact.head.span "clamp")
-        (Wording.quote fact.words arguments)
+        (match Source.quote (Wording.sources fact.words) arguments with
+        | Some text when String.length text < 90 -> Some text
+        | Some _ | None -> None)
   | _ -> None
 
 (* `when c a`, meant as a choice. *)
@@ -168,25 +163,83 @@ let element fact =
           |> rewrite)
   | _ -> None
 
-(* `integral x0 v`, with an initial value as in other languages. *)
+(* The text between the head and this argument. *)
+let text_before fact =
+  let between = { fact.at with start = fact.head.span.stop; stop = fact.at.start } in
+  Option.map (fun text -> without_paren (String.trim text)) (Wording.quote fact.words between)
+
+let is_zero text =
+  let digits = List.hd (String.split_on_char '[' text) in
+  float_of_string_opt digits = Some 0.
+
+let is_a_time fact =
+  match Bare_number.literal fact.words fact.argument with
+  | Some { unit_ = Some { factors = [ (Declared { name = "s" | "ms"; _ }, _) ]; _ }; _ } -> true
+  | _ -> false
+
+(* `integral 0 v`, with an initial value as in other languages. *)
 let initial_value fact =
-  match fact.head.desc with
-  | Global { name = "integral"; _ } when fact.position = 2 ->
+  let argument = Option.map Source.grouped (Wording.quote fact.words fact.at) in
+  match (fact.head.desc, text_before fact, argument) with
+  | Global { name = ("integral" | "derivative") as name; _ }, Some before, Some argument
+    when fact.position = 2 && (is_zero before || is_zero argument) ->
+      let zero, signal = if is_zero before then (before, argument) else (argument, before) in
+      let text = Printf.sprintf "%s %s" name signal in
+      Some
+        (fun d ->
+          hint
+            (Printf.sprintf "remove the `%s`, because `%s` starts at 0 anyway: write `%s`" zero name
+               text)
+            d
+          |> write (Span.merge fact.head.span fact.at) text)
+  | Global { name = "integral"; _ }, Some before, Some argument
+    when fact.position = 2 && Character.is_digit before.[0] ->
+      Some
+        (hint
+           (Printf.sprintf
+              "it starts at 0: for another initial value, write `%s + integral %s`; to restart it \
+               when an event occurs, write `resetOn integral (%s, e)`"
+              before argument
+              (Option.value (Wording.quote fact.words fact.at) ~default:"v")))
+  | Global { name = "integral"; _ }, _, _ when fact.position = 2 && not (is_a_time fact) ->
       Some
         (hint
            "it starts at 0: for another initial value, write `x0 + integral v`; to restart it when \
             an event occurs, write `resetOn integral (v, e)`")
   | _ -> None
 
+(* Splits a text into two arguments, each a name or in parentheses. *)
+let two_arguments text =
+  let rec spaces i depth found =
+    if i >= String.length text then found
+    else
+      match text.[i] with
+      | '(' | '[' -> spaces (i + 1) (depth + 1) found
+      | ')' | ']' -> spaces (i + 1) (depth - 1) found
+      | ' ' when depth = 0 -> spaces (i + 1) depth (i :: found)
+      | _ -> spaces (i + 1) depth found
+  in
+  match spaces 0 0 [] with
+  | [ i ] -> Some (String.sub text 0 i, String.sub text (i + 1) (String.length text - i - 1))
+  | _ -> None
+
+(* `min a b c`. *)
+let of_three fact =
+  match fact.head.desc with
+  | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
+      let written =
+        match (Option.bind (text_before fact) two_arguments, Wording.quote fact.words fact.at) with
+        | Some (a, b), Some c -> Printf.sprintf "%s %s (%s %s %s)" name a name b (Source.grouped c)
+        | _ -> Printf.sprintf "%s a (%s b c)" name name
+      in
+      Some (hint (Printf.sprintf "for three values, write `%s`" written))
+  | _ -> None
+
 (* An event as an additional argument of a signal function of the prelude. *)
 let started_afresh fact =
-  let is_a_time =
-    match Bare_number.literal fact.words fact.argument with
-    | Some { unit_ = Some { factors = [ (Declared { name = "s" | "ms"; _ }, _) ]; _ }; _ } -> true
-    | _ -> false
-  in
   match fact.head.desc with
-  | Global { name = ("integral" | "derivative") as name; _ } when fact.position = 2 && is_a_time ->
+  | Global { name = ("integral" | "derivative") as name; _ }
+    when fact.position = 2 && is_a_time fact ->
       Some
         (fun d ->
           match Wording.quote fact.words fact.at with

@@ -506,7 +506,13 @@ let undecided words (required : required) class_ =
 
 let diagnostic words (fact : Instance_fact.t) =
   match fact with
-  | No_instance { required; lack } -> no_instance words required lack
+  | No_instance { required; lack } -> (
+      match
+        if Environment.is_task lack.culprit then Returned_value.diagnostic words ~at:required.at
+        else None
+      with
+      | Some d -> d
+      | None -> no_instance words required lack)
   | Not_a_condition { at; ty } -> not_a_condition words ~at ty
   | Undecided { required; class_ } -> undecided words required class_
   | Unpromised { first; others } -> Promise_mistake.unpromised words first others

@@ -326,7 +326,13 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
       let d = error "%s has no field `%s`" described name.text in
       let usual () =
         let begins field =
-          String.length name.text > 2 && String.starts_with ~prefix:name.text field
+          let rec common i =
+            if i < String.length name.text && i < String.length field && name.text.[i] = field.[i]
+            then common (i + 1)
+            else i
+          in
+          let n = common 0 in
+          String.length name.text > 2 && (n = String.length name.text || n >= 4)
         in
         match (Suggest.closest name.text known, known) with
         | None, _ when List.length (List.filter begins known) = 1 ->

@@ -350,6 +350,7 @@ let certain words ~subject ~expected ~is_first units =
   let operand = Unit_conversion.is_operand expected in
   first_of
     [
+      (fun () -> Summed_rate.complete words ~subject ~expected units);
       (fun () -> Distant_number.compared words ~expected units);
       (fun () ->
         if is_first && Units.equal (snd units) Units.one then
@@ -358,6 +359,7 @@ let certain words ~subject ~expected ~is_first units =
       (fun () -> Wrong_unit_mistake.superfluous_factor words ~subject ~expected units);
       (fun () -> Function_unit_mistake.complete words ~subject ~expected units);
       (fun () -> if operand then Formula_mistake.root words ~subject ~expected units else None);
+      (fun () -> Lacking_unit_mistake.gain_without_unit words ~subject ~expected units);
       (fun () ->
         if is_first then Lacking_unit_mistake.complete words ~subject ~expected units else None);
       (fun () -> Lacking_unit_mistake.of_a_difference words ~subject units);
@@ -443,7 +445,13 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
     |> turn words ~subject ~expected (wanted, given)
     |> plain_number words ~subject ~expected (wanted, given)
   else
-    (match Lacking_unit_mistake.of_fields words ~subject ~expected (wanted, given) with
+    (match
+       first_of
+         [
+           (fun () -> Lacking_unit_mistake.of_fields words ~subject ~expected (wanted, given));
+           (fun () -> Formula_mistake.of_fields words ~subject (wanted, given));
+         ]
+     with
     | Some complete -> complete diagnostic
     | None -> (
         match Lacking_unit_mistake.of_an_argument words ~subject (wanted, given) with

@@ -9,6 +9,7 @@
    function, the structure of the program is usually wrong, whichever other rules also apply. *)
 let of_activities =
   [
+    Task_mistake.returned;
     Task_mistake.task_or_signal_function;
     Task_mistake.function_of_the_input;
     Task_mistake.statement_without_task;
@@ -32,12 +33,14 @@ let of_activities =
 let of_functions =
   [
     Conversion_mistake.capital_choice;
+    Event_mistake.mapped_to_a_value;
     Output_mistake.statement;
     Output_mistake.twist;
     Output_mistake.not_made;
     Output_mistake.speeds;
     Output_mistake.task_of_a_program;
     Array_mistake.extreme;
+    Tuple_mistake.of_more_than_two;
     Tuple_mistake.of_all_arguments;
     Tuple_mistake.mapped_range;
     Tuple_mistake.without_winner;
@@ -64,6 +67,7 @@ let of_values =
     Tuple_mistake.parameter;
     Tuple_mistake.of_another_length;
     Array_mistake.written_as_a_tuple;
+    Conversion_mistake.of_seeds;
     Conversion_mistake.of_a_number;
     Record_mistake.in_place_of_a_number;
     Conversion_mistake.of_a_text;

@@ -7,6 +7,24 @@ let of_a_number fact =
       Option.map (hinted fact) (Representation_mistake.makes name (grouped fact "x"))
   | _ -> None
 
+(* `seeds = [1, 2, 3]` *)
+let of_seeds fact =
+  let number (e : Resolve.Ir.expr) =
+    match e.desc with Number { digits; unit_ = None; _ } -> int_of_string_opt digits | _ -> None
+  in
+  match (fact.wanted, fact.subject) with
+  | Data { tycon = { name = "Seeds"; _ }; _ }, Some { desc = Array (_ :: _ as elements); span } -> (
+      let numbers = List.filter_map number elements in
+      match List.sort Int.compare numbers with
+      | first :: _ as sorted when List.compare_lengths numbers elements = 0 ->
+          let last = List.nth sorted (List.length sorted - 1) in
+          let text = Printf.sprintf "%d `to` %d" first last in
+          Some
+            (hinted fact (Printf.sprintf "write the first and the last seed: ``%s``" text)
+            |> Basis.Diagnostic.write span text)
+      | _ -> None)
+  | _ -> None
+
 let is_operator fact =
   match fact.expected.because with
   | Parameter { callee = Some name; _ } -> (

@@ -1,5 +1,8 @@
 (** Rules for values that can be converted to the expected type. *)
 
+val of_seeds : Shape_fact.rule
+(** An array in place of the seeds of a trial. *)
+
 val of_a_number : Shape_fact.rule
 (** A number in place of a library type whose values are created from numbers by functions. *)
 

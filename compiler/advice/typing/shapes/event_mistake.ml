@@ -125,6 +125,36 @@ let in_place_of_a_number fact =
                  ~some:(Printf.sprintf ", or `mapE %s` to compute with each value"))))
   | _ -> None
 
+(* `hold 0 b` *)
+let is_held_from_zero fact =
+  match fact.expected.because with
+  | Parameter
+      {
+        callee = Some ("hold" | "dHold");
+        given = { desc = Number { digits = "0"; unit_ = None; _ }; _ } :: _;
+        _;
+      } ->
+      true
+  | _ -> false
+
+(* `mapE 3 e`, where the value was meant to replace that of the event *)
+let mapped_to_a_value fact =
+  match (fact.expected.because, fact.given) with
+  | ( Parameter { callee = Some "mapE"; position = 1; given = [ first; second ]; _ },
+      (Number _ | Bool | String | Data _) )
+    when not (Environment.is_task fact.given) -> (
+      let e, x = if is_an_event fact then (first, second) else (second, first) in
+      match (Wording.argument fact.words e, Wording.argument fact.words x) with
+      | Some e, Some x ->
+          Some
+            (hinted fact
+               (Printf.sprintf
+                  "`mapE` applies a function to the event's value: to replace the value, write \
+                   `tag %s %s`"
+                  e x))
+      | _ -> None)
+  | _ -> None
+
 let of_a_truth fact =
   if event_wanted fact && fact.given = Bool then
     let b = grouped fact "b" in
@@ -137,7 +167,12 @@ let of_a_truth fact =
     let carries_a_truth = carries (function Type.Bool -> true | _ -> false) in
     Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
     |> Diagnostic.hint
-         (if carries_a_number then
+         (if carries_a_number && is_held_from_zero fact then
+            Printf.sprintf
+              "to count how often the condition becomes True, write `count (edge %s)` here; to \
+               hold a value of your own, `tag (edge %s) x` with your value for `x`"
+              b b
+          else if carries_a_number then
             Printf.sprintf
               "use `tag (edge %s) x`, which occurs with the value of `x` when the condition \
                becomes True"

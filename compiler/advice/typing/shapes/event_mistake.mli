@@ -26,6 +26,9 @@ val in_a_maybe : Shape_fact.rule
 val in_place_of_a_number : Shape_fact.rule
 (** An event where a number is expected. *)
 
+val mapped_to_a_value : Shape_fact.rule
+(** A value in place of the function of [mapE]. *)
+
 val of_a_truth : Shape_fact.rule
 (** A truth value where an event is expected. *)
 

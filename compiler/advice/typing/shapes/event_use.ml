@@ -93,6 +93,17 @@ let default fact wanted =
 
    Each function returns its hint if it applies. *)
 
+(* `isEvent (bumped i)` *)
+let asked_of_a_truth fact =
+  match fact.expected.because with
+  | Parameter { callee = Some "isEvent"; _ } when fact.given = Bool ->
+      Some
+        (Printf.sprintf
+           "this is a condition already: write `%s` in place of `isEvent %s`; `edge %s` is the \
+            event that occurs when it becomes True"
+           (raw fact "b") (grouped fact "b") (grouped fact "b"))
+  | _ -> None
+
 (* `mergeE a b` applied to truth values, where `||` was meant. *)
 let merged_truths fact =
   match fact.expected.because with
@@ -365,6 +376,7 @@ let value_is_nothing fact =
 let hints =
   [
     merged_truths;
+    asked_of_a_truth;
     other_constructor;
     compared_with_content;
     without_function;

@@ -31,6 +31,25 @@ let no_signal_function fact =
 
 let condition_of_an_event fact =
   match (fact.wanted, fact.given) with
+  | Signal_function (_, wanted), Signal_function (_, given)
+    when Environment.is_event wanted && Type.expand given = Bool ->
+      let d = different fact in
+      Some
+        (match source fact with
+        | Some text ->
+            let text = Printf.sprintf "(%s >>> edge)" (Source.grouped text) in
+            hint
+              (Printf.sprintf
+                 "its output is a condition: for an event that occurs when it becomes True, write \
+                  `%s`"
+                 text)
+              d
+            |> write fact.at text
+        | None ->
+            hint
+              "its output is a condition: for an event that occurs when it becomes True, write \
+               `edge` before the condition"
+              d)
   | Signal_function (_, wanted), Function (_, given)
     when Environment.is_event wanted && Type.expand given = Bool ->
       no_signal_function fact

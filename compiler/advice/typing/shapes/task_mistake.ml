@@ -78,6 +78,28 @@ let in_place_of_a_task fact output =
   | Some argument -> to_wait fact.words argument
   | None -> to_task fact.words fact.subject output
 
+(* `switch (proc i -> …) (\_ -> turnBy 90[deg])`, or `switch` between two tasks *)
+let of_a_switch fact given ~position =
+  let rec body (e : Resolve.Ir.expr) =
+    match e.desc with Lambda { body = e; _ } -> body e | _ -> e
+  in
+  let quote e = Wording.quote fact.words (body e).span in
+  match (position, List.map quote given) with
+  | 1, [ Some first; Some second ] ->
+      Printf.sprintf
+        "`switch` changes between signal functions: to run one task after the other, write a `do`, \
+         and below it each task on a line of its own, `%s` and `%s`"
+        first second
+  | 2, _ ->
+      Printf.sprintf
+        "`switch` goes on with a signal function: to go on with a task, write a `do` with two \
+         lines, `mkTask (…)` around the first argument of `switch`, and `%s`; `reactimateTask` \
+         turns it into a program"
+        (raw fact "the task")
+  | _ ->
+      "`switch` changes between signal functions: to run one task after the other, write a `do`, \
+       and below it each task on a line of its own"
+
 let in_place_of_a_signal_function fact =
   let name = Option.value (name fact) ~default:"t" in
   error ~code:"E0371" ~at:fact.at "expected a signal function, found a task"
@@ -86,6 +108,8 @@ let in_place_of_a_signal_function fact =
        (match fact.expected.because with
        | Parameter { callee = Some "reactimateRobot"; _ } ->
            Printf.sprintf "use `reactimateTask %s` to turn a task into a program" name
+       | Parameter { callee = Some ("switch" | "dSwitch"); given; position; _ } ->
+           of_a_switch fact given ~position
        | _ ->
            Printf.sprintf
              "use `runTask %s`, a signal function that returns `Left` and the output while the \
@@ -215,6 +239,30 @@ let without_tasks fact =
           | _ -> None)
       | _ -> None)
   | Some _ | None -> None
+
+(* `near d e = return d < e` *)
+let returned fact =
+  let value =
+    match fact.subject with
+    | Some { desc = Local x; _ } -> Wording.definition fact.words x
+    | Some ({ desc = Global _ | Apply { style = Juxtaposed; _ }; _ } as e) -> (
+        match Resolve.Walk.application e with
+        | { desc = Global g; _ }, _ when not (Returned_value.is_returned e) -> (
+            match Wording.binding fact.words g with
+            | Some { body = { guards = [ { value; _ } ]; _ }; _ } -> Some value
+            | Some _ | None -> Some e)
+        | _ -> Some e)
+    | subject -> subject
+  in
+  let at =
+    match value with Some e when Returned_value.is_returned e -> e.span | Some _ | None -> fact.at
+  in
+  if Environment.is_task fact.wanted <> Environment.is_task fact.given && not (is_statement fact)
+  then
+    Option.map
+      (fun d -> if Span.compare at fact.at = 0 then d else label ~at:fact.at "it is used here" d)
+      (Returned_value.diagnostic fact.words ~at)
+  else None
 
 let only_returned fact =
   match fact.wanted with

@@ -26,6 +26,9 @@ val in_place_of_its_result : Shape_fact.rule
 val without_count : Shape_fact.rule
 (** A task in place of the number of repetitions. *)
 
+val returned : Shape_fact.rule
+(** A value after [return] in an equation. *)
+
 val only_returned : Shape_fact.rule
 (** [return x] as the value of a function or an equation. *)
 

@@ -55,8 +55,31 @@ let gathered fact length =
   Printf.sprintf "%s%s (%s)" (callee fact) (String.concat "" before)
     (String.concat ", " (raw fact "a" :: List.init (length - 1) other))
 
+(* `resetOn time (edge b)`, with only the second part of the pair *)
+let second_part fact =
+  match (fact.wanted, fact.expected.because) with
+  | Tuple [ first; second ], Parameter { given; position; callee = Some f; _ }
+    when Environment.is_event second && Environment.is_event fact.found
+         && not (Environment.is_event first) -> (
+      let quote (e : Resolve.Ir.expr) =
+        Option.map Source.grouped (Wording.quote fact.words e.span)
+      in
+      let before = List.filteri (fun i _ -> i < position - 1) given in
+      match (all (List.map quote before), source fact) with
+      | Some before, Some event ->
+          let input = Unrun_mistake.signal_for fact.words first in
+          let pair = Printf.sprintf "(%s, %s)" input event in
+          Some
+            (hinted fact
+               (Printf.sprintf "write the input, and then the event: `%s`"
+                  (String.concat " " ((f :: before) @ [ pair ])))
+            |> write fact.at pair)
+      | _ -> None)
+  | _ -> None
+
 let parameter fact =
   match (fact.wanted, fact.given) with
+  | Tuple _, Data _ when second_part fact <> None -> second_part fact
   | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _) when is_a_parameter fact ->
       let length = List.length wanted in
       Some
@@ -171,6 +194,51 @@ let call fact =
   | Some { desc = Local x; _ } -> Wording.definition fact.words x
   | subject -> subject
 
+let takes_two_of_a_kind name = List.mem name [ "min"; "max"; "mergeE"; "mergeR" ]
+
+(* `max x (max y z)` for these arguments of `max`. *)
+let rec nested name = function
+  | [] -> ""
+  | [ last ] -> last
+  | [ a; b ] -> Printf.sprintf "%s %s %s" name a b
+  | first :: others -> Printf.sprintf "%s %s (%s)" name first (nested name others)
+
+let nested_of fact name (es : Resolve.Ir.expr list) =
+  let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
+  Option.map (fun texts -> nested name (List.map argument_of texts)) (all (List.map quote es))
+
+(* `min(x, y, z)` or `mergeE [a, b, c]` *)
+let of_more_than_two fact =
+  let report ~at name es =
+    Option.map
+      (fun text ->
+        error ~code:"E0301" ~at "`%s` takes two values, but is given %d" name (List.length es)
+        |> hint (Printf.sprintf "write `%s`" text))
+      (nested_of fact name es)
+  in
+  match (fact.expected.because, fact.subject, call fact) with
+  | ( Parameter { callee = Some name; position = 1; _ },
+      Some { desc = Array (_ :: _ :: _ :: _ as es) | Tuple (_ :: _ :: _ :: _ as es); span },
+      _ )
+    when takes_two_of_a_kind name && Environment.is_event fact.wanted ->
+      report ~at:span name es
+  | ( _,
+      _,
+      Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Global { name; _ }; _ };
+                argument = { desc = Tuple (_ :: _ :: _ :: _ as es); _ };
+                style = Juxtaposed;
+              };
+          span;
+        } )
+    when takes_two_of_a_kind name && match fact.given with Function _ -> true | _ -> false ->
+      report ~at:span name es
+  | _ -> None
+
 (* `max(x, 0)`, where the general type of `max` accepts a tuple as its first argument. *)
 let of_all_arguments fact =
   match (fact.wanted, fact.given, call fact) with
@@ -238,6 +306,12 @@ let without_winner fact =
       Some d
   | _ -> None
 
+(* The text, unless it is a number. *)
+let signal_of text =
+  match text with
+  | Some text when text <> "" && not (Character.is_digit text.[0]) -> Some text
+  | Some _ | None -> None
+
 let is_a_letter = function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
 
 let separated_by_commas fact =
@@ -252,6 +326,9 @@ let separated_by_commas fact =
       |> hint
            (match (takes, name) with
            | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
+           | 1, ("integral" | "derivative") when List.find_map signal_of (elements fact) <> None ->
+               Printf.sprintf "`%s` takes one argument, and starts at 0: write `%s %s`" name name
+                 (argument_of (Option.get (List.find_map signal_of (elements fact))))
            | 1, _ -> Printf.sprintf "`%s` takes one argument, not a tuple" name
            | _ ->
                Printf.sprintf "write the arguments without parentheses and commas: `%s %s`" name

@@ -12,6 +12,9 @@ val of_another_length : Shape_fact.rule
 val written_as_an_array : Shape_fact.rule
 (** An array literal with as many elements as the expected tuple has components. *)
 
+val of_more_than_two : Shape_fact.rule
+(** Three or more values for a function of two, such as [min(x, y, z)]. *)
+
 val of_all_arguments : Shape_fact.rule
 (** [max(x, 0)], where [max] also accepts a tuple as its first argument. *)
 

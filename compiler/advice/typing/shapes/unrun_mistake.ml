@@ -95,7 +95,7 @@ let rewritten words (e : Resolve.Ir.expr) =
   | Some text -> Source.grouped (Option.value (Other_notation.expression text) ~default:text)
   | None -> "…"
 
-let hint_to_run words subject input d =
+let hint_to_run words subject ~wanted input d =
   let where =
     match subject with
     | Some ({ desc = Local x; _ } : Resolve.Ir.expr) when meant words subject <> subject ->
@@ -122,7 +122,11 @@ let hint_to_run words subject input d =
         Printf.sprintf "write the arguments without parentheses and commas: `%s`"
           (String.concat " " (name :: List.map (rewritten words) parts))
     | Some name, [ only ] when has_initial_value name ->
-        let start = initial input in
+        let start =
+          match (name, Type.expand input) with
+          | "delay", Flexible _ -> initial wanted
+          | _ -> initial input
+        in
         Printf.sprintf "`%s` takes an initial value before its signal: write `%s %s %s`" name name
           start (argument only)
     | Some name, _ :: _ -> (
@@ -200,7 +204,7 @@ let message words ~subject ~at ~wanted ~input ~found =
       in
       match sense_without_input words ~subject input with
       | Some text -> hint text d
-      | None -> hint_to_run words subject input d)
+      | None -> hint_to_run words subject ~wanted input d)
 
 (* Programs are built from signal functions that are not applied to a signal. *)
 let is_program ty =

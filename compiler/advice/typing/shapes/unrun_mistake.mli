@@ -18,6 +18,9 @@ val arguments_of : Resolve.Ir.expr -> Resolve.Ir.expr list
 val count : int -> string
 (** [two arguments] *)
 
+val signal_for : Wording.t -> Typing.Type.t -> string
+(** An expression for a signal of this type: `()` if it can be anything. *)
+
 val instead : Resolve.Ir.expr option -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that replaces the expression with this text. *)
 

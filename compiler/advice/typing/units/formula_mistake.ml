@@ -83,6 +83,13 @@ let root words ~subject ~(expected : Expected.t) (wanted, given) =
 
 let is_rate words u = List.mem (Wording.measure words u) [ "s"; "1/s"; "Hz" ]
 
+(* The wanted unit of such a field comes from another field, which may be the wrong one. The fields
+   of a vector have the same unit. *)
+let depends_on_another_field (expected : Expected.t) =
+  match expected.because with
+  | Field { constructor = Some _; _ } | Field { name = "x" | "y" | "z"; _ } -> true
+  | _ -> false
+
 let power words ~subject ~expected units =
   let of_side ((e : Resolve.Ir.expr), (wanted, given)) =
     let formula = Bare_number.value words e in
@@ -129,8 +136,36 @@ let power words ~subject ~expected units =
           | _ -> None)
       | [] -> None
   in
-  if not (closed units) then None
+  if depends_on_another_field expected || not (closed units) then None
   else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected units)
+
+(* `Vec2 { x = d ^ 2 * cos a, y = d * sin a }`, where a field has a power too much *)
+let of_fields words ~subject (wanted, given) =
+  let lower ((name : Syntax.Ir.name), (e : Resolve.Ir.expr)) =
+    let is_square ((e : Resolve.Ir.expr), power) =
+      match e.desc with Power { base; exponent = 2 } when power = 1 -> Some (e, base) | _ -> None
+    in
+    match (Formula.unit_of words e, List.find_map is_square (Formula.factors e)) with
+    | Some u, Some (square, base) when Units.equal u given ->
+        Option.bind (Formula.grouped words base) (fun base ->
+            Option.map
+              (fun text d ->
+                label ~at:e.span
+                  (Printf.sprintf "the field `%s` is in `%s`" name.text
+                     (Wording.measure words given))
+                  d
+                |> hint
+                     (Printf.sprintf "for a field in `%s`, write `%s`"
+                        (Wording.measure words wanted) text)
+                |> write square.span base)
+              (Formula.with_part words e ~part:square.span base))
+    | _ -> None
+  in
+  match Option.map (Bare_number.value words) subject with
+  | Some { desc = Record { fields; _ }; _ }
+    when closed (wanted, given) && Units.equal (Units.multiply wanted wanted) given ->
+      List.find_map lower fields
+  | _ -> None
 
 (* The text of the expression as a factor of a product. If it is a product, it needs no
    parentheses. *)

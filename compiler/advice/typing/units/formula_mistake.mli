@@ -32,6 +32,13 @@ val rate :
   (Diagnostic.t -> Diagnostic.t) option
 (** The sum of a quantity and its rate of change: [heading + turnRate i]. *)
 
+val of_fields :
+  Wording.t ->
+  subject:Resolve.Ir.expr option ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A record with a field that contains the square of what was meant. *)
+
 val within_root :
   Wording.t ->
   subject:Resolve.Ir.expr option ->

@@ -177,6 +177,32 @@ let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
       Option.map with_fix (signal e)
   | Some _ | None -> None
 
+(* `4 * off + 3[1/m] * derivative off`, where the gain of only one operand has a unit *)
+let gain_without_unit words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
+    (wanted, given) =
+  let of_side (e, (wanted, given)) other =
+    match (Bare_number.written_factor words e, Bare_number.written_factor words other) with
+    | [ (({ unit_ = None; _ } as number : Bare_number.t), 1) ], factors
+      when List.exists (fun ((n : Bare_number.t), _) -> n.unit_ <> None) factors ->
+        let unit_ = Wording.measure words (Units.divide wanted given) in
+        let text = Printf.sprintf "%s[%s]" number.digits unit_ in
+        Some
+          (fun d ->
+            hint
+              (Printf.sprintf "if the gain `%s` has a unit, as in the other operand, write `%s`"
+                 number.digits text)
+              d
+            |> write number.at text)
+    | _ -> None
+  in
+  match (expected.because, subject) with
+  | Operand { operator = "+" | "-"; other; _ }, Some e
+    when not (Units.is_open wanted || Units.is_open given) -> (
+      match of_side (e, (wanted, given)) other with
+      | Some complete -> Some complete
+      | None -> of_side (other, (given, wanted)) e)
+  | _ -> None
+
 (* `v + t`, where the product of the operands is a plain quantity. *)
 let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
   let simple u =

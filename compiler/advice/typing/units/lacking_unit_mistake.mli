@@ -42,6 +42,14 @@ val of_the_only_decimal :
   (Diagnostic.t -> Diagnostic.t) option
 (** The only number with a decimal point in a product without a unit. *)
 
+val gain_without_unit :
+  Wording.t ->
+  subject:Resolve.Ir.expr option ->
+  expected:Expected.t ->
+  Units.t * Units.t ->
+  (Diagnostic.t -> Diagnostic.t) option
+(** A sum of two products with gains, only one of which has a unit. *)
+
 val of_a_difference :
   Wording.t ->
   subject:Resolve.Ir.expr option ->

@@ -86,7 +86,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
     |                  |
     |                  with one argument, its result is `Float[m s]`
     |
-    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
+    = hint: it starts at 0: for another initial value, write `5[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   1 error
   [1]

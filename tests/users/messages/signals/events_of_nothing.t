@@ -50,7 +50,7 @@ Values of events, and functions of them.
     |                                 |
     |                                 with 2 arguments, its result is `Event ()`
     |
-    = hint: for three values, write `mergeE a (mergeE b c)`
+    = hint: for three values, write `mergeE (edge a) (mergeE (edge b) (edge c))`
   
   1 error
   [1]
