@@ -157,11 +157,12 @@ static int64_t first_end(void)
             STORE(wait->process, 0);
             STORE(wait->thread, 0);
             break;
-        case 'S':
+        case 'T':
+        case 't': break;
+        /* A waiting thread runs now and then, to look at the time. */
+        default:
             if (LOAD(wait->waits) != 0 && LOAD(wait->until_ns) < first)
                 first = LOAD(wait->until_ns);
-            break;
-        default: break;
         }
     }
     return first;
