@@ -49,15 +49,15 @@ let cycle_diagnostic cycle =
   in
   let path d =
     if List.compare_length_with cycle 1 = 0 then d
-    else Diagnostic.here (Enumeration.circle (List.map (fun v -> v.name) vertices)) d
+    else Diagnostic.here "%s" (Enumeration.circle (List.map (fun v -> v.name) vertices)) d
   in
   List.fold_left
     (fun diagnostic ((a, at), b) ->
       let text = Printf.sprintf "%s uses %s here" (named a) (named b) in
-      Diagnostic.label ~at text diagnostic)
+      Diagnostic.label ~at "%s" text diagnostic)
     (Diagnostic.error ~code:"E0410" ~at:first.span "%s %s" (named first) message |> path)
     steps
-  |> Diagnostic.note
+  |> Diagnostic.note "%s"
        (if List.for_all (fun v -> v.task) vertices then
           "a task may only restart itself as the last statement of a `do`, after a task that takes \
            time"
@@ -86,9 +86,8 @@ let cycle cycle (cause : Fact.cause) =
   | Methods { default = Some (class_, ty) } ->
       diagnostic
       |> Diagnostic.note
-           (Printf.sprintf
-              "this happens for the type `%s`, because its instance of `%s` uses the default"
-              (Print.type_name ty) class_.name)
+           "this happens for the type `%s`, because its instance of `%s` uses the default"
+           (Print.type_name ty) class_.name
       |> Diagnostic.hint "define one of the methods in the instance"
 
 let growing_types (d : Ir.definition) at =
@@ -97,25 +96,22 @@ let growing_types (d : Ir.definition) at =
 
 let too_many_types (d : Ir.definition) combinations =
   Diagnostic.error ~code:"E0413" ~at:d.span "`%s` is used at too many types" d.name.name
-  |> Diagnostic.note
-       (Printf.sprintf "definitions that use methods are already needed at %d combinations of types"
-          combinations)
+  |> Diagnostic.note "definitions that use methods are already needed at %d combinations of types"
+       combinations
   |> Diagnostic.hint
        "use fewer levels of definitions: if each level calls the next one at two new types, every \
         level doubles the number of types"
 
 let larger_type (d : Ir.definition) (use : Fact.use) ty way =
   let label diagnostic ((by : Ir.definition), (use : Fact.use)) =
-    Diagnostic.label ~at:use.at
-      (Printf.sprintf "`%s` starts `%s` here" by.name.name use.by.name)
-      diagnostic
+    Diagnostic.label ~at:use.at "`%s` starts `%s` here" by.name.name use.by.name diagnostic
   in
   let error =
     Diagnostic.error ~code:"E0417" ~at:use.at "`%s` restarts itself at a larger type" use.by.name
-    |> Diagnostic.here (Printf.sprintf "here its type variable becomes `%s`" (Print.type_name ty))
+    |> Diagnostic.here "here its type variable becomes `%s`" (Print.type_name ty)
   in
   (match way with
-  | [] -> Diagnostic.label ~at:d.span (Printf.sprintf "`%s` is defined here" d.name.name) error
+  | [] -> Diagnostic.label ~at:d.span "`%s` is defined here" d.name.name error
   | way -> List.fold_left label error way)
   |> Diagnostic.hint "restart it with the same types"
 

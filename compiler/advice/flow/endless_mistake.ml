@@ -93,7 +93,7 @@ let by_prelude cycle (step : Fact.step) =
 (* If several modes have the same name, adds the label only once. *)
 let label ~at text (d : Diagnostic.t) =
   let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
-  if List.exists there d.labels then d else Diagnostic.label ~at text d
+  if List.exists there d.labels then d else Diagnostic.label ~at "%s" text d
 
 let label_step cycle name d (step : Fact.step) =
   let from = name step.mode and target = name step.target in
@@ -131,10 +131,10 @@ let diagnostic ~at ~entry program steps ~limit =
   let by : Ir.follower = match steps with step :: _ -> step.by.by | [] -> Continuation "" in
   let event step = if by_prelude cycle step then None else Option.map fst step.source in
   let far limit =
-    Diagnostic.note
-      (Printf.sprintf "frobc found no end within %d steps, the maximum for one instant" limit)
+    Diagnostic.note "frobc found no end within %d steps, the maximum for one instant" limit
   in
   List.fold_left (label_step cycle name) d steps
-  |> Diagnostic.note (note (map (fun (step : Fact.step) -> (name step.mode, event step)) steps))
+  |> Diagnostic.note "%s"
+       (note (map (fun (step : Fact.step) -> (name step.mode, event step)) steps))
   |> Option.fold ~none:Fun.id ~some:far limit
-  |> Diagnostic.hint (hint ~entry ~by sources)
+  |> Diagnostic.hint "%s" (hint ~entry ~by sources)

@@ -10,7 +10,7 @@ let diagnostic ~entry (measure : Fact.measure) ~amount ~limit largest =
       let what =
         if count > 1. then Printf.sprintf "%.0f of `%s`" count part else Printf.sprintf "`%s`" part
       in
-      (Diagnostic.label ~at (Printf.sprintf "`%s` contains %s" whole what) d, at :: places)
+      (Diagnostic.label ~at "`%s` contains %s" whole what d, at :: places)
   in
   let error =
     match measure with

@@ -30,7 +30,7 @@ let label_elsewhere hop d =
       Printf.sprintf "`%s` passes `%s` to this in the same instant" passage.through.origin
         passage.input
     in
-    Diagnostic.label ~at text d
+    Diagnostic.label ~at "%s" text d
   in
   List.fold_left label d (elsewhere hop)
 
@@ -85,7 +85,7 @@ let of_equation sources sums (first : Fact.hop) (last : Fact.hop) =
     in
     Own_equation.fix sources ~name:last.reader.name ~at:last.reader.span ~read:read.name ~start
     |> Option.map (fun (own : Own_equation.t) d ->
-           Diagnostic.hint (hint own) d
+           Diagnostic.hint "%s" (hint own) d
            |> Diagnostic.fix (Printf.sprintf "write %s" (shown own)) own.edits)
 
 let hint_here sums (first : Fact.hop) (last : Fact.hop) =
@@ -119,8 +119,8 @@ let named sources ({ hops; sums; entry; _ } : Fact.loop) =
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
   let label d (hop : Fact.hop) =
-    (if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here (reads hop) d
-     else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d)
+    (if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here "%s" (reads hop) d
+     else Diagnostic.label ~at:hop.at "`%s` %s" hop.reader.name (reads hop) d)
     |> label_elsewhere hop
   in
   let d =
@@ -131,14 +131,14 @@ let named sources ({ hops; sums; entry; _ } : Fact.loop) =
   let complete =
     let own (_, (at : Span.t)) = Own_code.is_own ~entry at in
     match (List.concat_map elsewhere hops, Own_code.is_own ~entry last.at) with
-    | (_ :: _ as others), false -> Diagnostic.hint (hint_elsewhere (fst (List.hd others)))
+    | (_ :: _ as others), false -> Diagnostic.hint "%s" (hint_elsewhere (fst (List.hd others)))
     | others, true when List.exists own others ->
-        Diagnostic.hint (hint_elsewhere (fst (List.find own others)))
+        Diagnostic.hint "%s" (hint_elsewhere (fst (List.find own others)))
     | _, true ->
         Option.value
           (of_equation sources sums first last)
-          ~default:(Diagnostic.hint (hint_here sums first last))
-    | [], false -> Diagnostic.hint hint_within
+          ~default:(Diagnostic.hint "%s" (hint_here sums first last))
+    | [], false -> Diagnostic.hint "%s" hint_within
   in
   let d = List.fold_left label d shown |> complete in
   let d =
@@ -151,9 +151,7 @@ let named sources ({ hops; sums; entry; _ } : Fact.loop) =
   in
   if left_out = 0 then d
   else
-    Diagnostic.note
-      (Printf.sprintf "the loop goes through %d more signals before `%s`" left_out last.reader.name)
-      d
+    Diagnostic.note "the loop goes through %d more signals before `%s`" left_out last.reader.name d
 
 let rotate_to first hops =
   let rec go before = function
@@ -171,14 +169,14 @@ let unnamed hops =
   in
   let label d (hop : Fact.hop) =
     if Span.compare hop.at first.at = 0 then d
-    else Diagnostic.label ~at:hop.at ("the loop goes through here" ^ through hop.via) d
+    else Diagnostic.label ~at:hop.at "the loop goes through here%s" (through hop.via) d
   in
   List.fold_left label d (fst (shorten (rotate_to first hops)))
-  |> Diagnostic.here ("the value comes back here" ^ through first.via)
+  |> Diagnostic.here "the value comes back here%s" (through first.via)
   |> Diagnostic.hint "read the previous value instead, with `delay`"
 
 let diagnostic sources (loop : Fact.loop) =
   let d = if loop.named then named sources loop else unnamed loop.hops in
   match loop.run_by with
   | None -> d
-  | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d
+  | Some (name, at) -> Diagnostic.label ~at "`%s` runs here" name d

@@ -77,16 +77,12 @@ let diagnostic program first others =
   match first.listed with
   | Some import ->
       let text = with_names import names in
-      Diagnostic.label ~at:import.span
-        (Printf.sprintf "this list lacks %s" (Enumeration.all quoted))
-        d
-      |> Diagnostic.hint (Printf.sprintf "write `%s`" text)
-      |> Diagnostic.write import.span text
+      Diagnostic.label ~at:import.span "this list lacks %s" (Enumeration.all quoted) d
+      |> Diagnostic.hint "write `%s`" text |> Diagnostic.write import.span text
   | None ->
-      Diagnostic.hint
-        (Printf.sprintf "%s %s in the library: %s" (Enumeration.all quoted)
-           (if List.compare_length_with names 1 = 0 then "is" else "are")
-           (String.concat " or " (List.map (Printf.sprintf "`%s`") first.imports)))
+      Diagnostic.hint "%s %s in the library: %s" (Enumeration.all quoted)
+        (if List.compare_length_with names 1 = 0 then "is" else "are")
+        (String.concat " or " (List.map (Printf.sprintf "`%s`") first.imports))
         d
       |> List.fold_right (add program) (List.rev first.imports)
 

@@ -6,18 +6,14 @@ let size (size : Resolve.Fact.size) (name : name) =
   match size.array with
   | Some array ->
       let text = "length " ^ array in
-      Diagnostic.hint
-        (Printf.sprintf "`%s` is a size in the type of `%s`; as a number, write `%s`" name.text
-           size.of_ text)
-        d
+      Diagnostic.hint "`%s` is a size in the type of `%s`; as a number, write `%s`" name.text
+        size.of_ text d
       |> Diagnostic.write name.span (Source.grouped text)
   | None ->
       Diagnostic.hint
-        (Printf.sprintf
-           "`%s` is a size in the type of `%s`; as a number, write `length xs`, where `xs` is an \
-            array of this size"
-           name.text size.of_)
-        d
+        "`%s` is a size in the type of `%s`; as a number, write `length xs`, where `xs` is an \
+         array of this size"
+        name.text size.of_ d
 
 (* The unit as it would be written in brackets. *)
 let rec measure (e : expr) =
@@ -35,8 +31,7 @@ let unit_of_a_value ~(head : expr) ~unit_ ~(at : Span.t) =
   Diagnostic.error ~code:"E0205" ~at
     "a unit can only follow a literal number or a type, not a computed value"
   |> Diagnostic.hint
-       (Printf.sprintf
-          "a value already has its unit; to give a plain number a unit, multiply: `x * 1[%s]`" unit_)
+       "a value already has its unit; to give a plain number a unit, multiply: `x * 1[%s]`" unit_
   |>
   match head.desc with
   | Parenthesized _ ->
@@ -50,9 +45,8 @@ let unit_apart ~(head : expr) ~unit_ ~at =
   let with_unit digits = Printf.sprintf "%s[%s]" digits (measure unit_) in
   let digits = match number.desc with Number { digits; _ } -> Some digits | _ -> None in
   Diagnostic.error ~code:"E0205" ~at "there is a space between this unit and its number"
-  |> Diagnostic.hint
-       (Printf.sprintf "write the unit in square brackets directly after the number: `%s`"
-          (with_unit (Option.value digits ~default:"3")))
+  |> Diagnostic.hint "write the unit in square brackets directly after the number: `%s`"
+       (with_unit (Option.value digits ~default:"3"))
   |>
   match digits with
   | Some digits -> Diagnostic.write (Span.merge number.span at) (with_unit digits)
@@ -62,6 +56,5 @@ let unit_apart ~(head : expr) ~unit_ ~at =
 let field ~whole ~(field : name) ~(record : name) =
   let text = Printf.sprintf "%s.%s" record.text field.text in
   Diagnostic.error ~code:"E0205" ~at:field.span "`%s` is a field, not a function" field.text
-  |> Diagnostic.hint
-       (Printf.sprintf "write `%s`; as a function, write `\\r -> r.%s`" text field.text)
+  |> Diagnostic.hint "write `%s`; as a function, write `\\r -> r.%s`" text field.text
   |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (whole, "(" ^ text ^ ")") ]

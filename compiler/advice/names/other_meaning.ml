@@ -7,10 +7,9 @@ let as_a_field (t : Unknown.t) owners =
   let owners = List.filteri (fun i _ -> i < 3) (List.sort_uniq String.compare owners) in
   let name = t.name.text in
   Diagnostic.note
-    (Printf.sprintf
-       "`%s` is a field of %s: write `r.%s`; as a function, `\\r -> r.%s`; as a signal function, \
-        `proc r -> r.%s`"
-       name (Enumeration.all owners) name name name)
+    "`%s` is a field of %s: write `r.%s`; as a function, `\\r -> r.%s`; as a signal function, \
+     `proc r -> r.%s`"
+    name (Enumeration.all owners) name name name
 
 let explained (t : Unknown.t) =
   let visible = t.module_.visible and name = t.name.text in
@@ -19,24 +18,20 @@ let explained (t : Unknown.t) =
       match Visible.size_named visible name with
       | Some n ->
           fun d ->
-            Diagnostic.note
-              (Printf.sprintf "`%s` is a size: use it in types and expressions, not in patterns"
-                 name)
+            Diagnostic.note "`%s` is a size: use it in types and expressions, not in patterns" name
               d
-            |> Diagnostic.hint (Printf.sprintf "write the number: `%d`" n)
+            |> Diagnostic.hint "write the number: `%d`" n
       | None when Visible.is_known visible tycons name ->
-          Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name)
+          Diagnostic.note "`%s` is a type, not a constructor" name
       | None -> Fun.id)
   | Types when Visible.is_known visible constructors name ->
-      Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name)
+      Diagnostic.note "`%s` is a constructor, not a type" name
   | Values -> (
       match String_map.find_opt name (Lazy.force visible.records) with
       | Some owners -> as_a_field t owners
       | None when Visible.is_known visible units name ->
           Diagnostic.note
-            (Printf.sprintf
-               "`%s` is a unit: write it in brackets directly after a number, as in `3[%s]`" name
-               name)
+            "`%s` is a unit: write it in brackets directly after a number, as in `3[%s]`" name name
       | None -> Fun.id)
   | Types | Units | Classes -> Fun.id
 

@@ -21,7 +21,7 @@ let ended (t : Unknown.t) =
     | None -> Ended_proc.of_switch ~text:(Unknown.text t) syntax t.name
 
 let with_hint ({ text; edits } : Ended_proc.hint) diagnostic =
-  Diagnostic.hint text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
+  Diagnostic.hint "%s" text diagnostic |> if edits = [] then Fun.id else Diagnostic.fix text edits
 
 let of_an_input t = Option.map (fun hint -> with_hint hint (Other_meaning.diagnostic t)) (ended t)
 
@@ -50,12 +50,12 @@ let of_this (t : Unknown.t) =
   Option.map
     (fun (signal : Proc_signals.t) ->
       Other_meaning.diagnostic t
-      |> Diagnostic.label ~at:signal.name.span
-           (Printf.sprintf "this `%s` is a signal of the `proc`" signal.name.text)
+      |> Diagnostic.label ~at:signal.name.span "this `%s` is a signal of the `proc`"
+           signal.name.text
       |>
       match if signal.of_do then None else ended t with
       | Some hint -> with_hint hint
-      | None -> Diagnostic.hint (hint_of_this t signal))
+      | None -> Diagnostic.hint "%s" (hint_of_this t signal))
     (signal t)
 
 (* {1 A [proc] in another definition} *)
@@ -85,9 +85,8 @@ let of_another (t : Unknown.t) =
     Option.map
       (fun (signal : Proc_signals.t) ->
         Other_meaning.diagnostic t
-        |> Diagnostic.label ~at:signal.name.span
-             (Printf.sprintf "this `%s` is a signal of a `proc`" t.name.text)
-        |> Diagnostic.hint (hint_of_another t signal))
+        |> Diagnostic.label ~at:signal.name.span "this `%s` is a signal of a `proc`" t.name.text
+        |> Diagnostic.hint "%s" (hint_of_another t signal))
       (signal_of t t.module_.signals)
 
 (* {1 An anonymous function in place of a [proc]} *)
@@ -109,10 +108,9 @@ let of_lambda (t : Unknown.t) =
              "this function ends before the `where`, which cannot use its parameter"
         |>
         if is_signal_function then fun d ->
-          Diagnostic.hint (Printf.sprintf "for a signal function, write `proc %s -> …`" x) d
+          Diagnostic.hint "for a signal function, write `proc %s -> …`" x d
           |> Diagnostic.write at (Printf.sprintf "proc %s" x)
         else
-          Diagnostic.hint
-            (Printf.sprintf "write the parameter on the left side of the equation: `%s %s = …`"
-               defined.text x))
+          Diagnostic.hint "write the parameter on the left side of the equation: `%s %s = …`"
+            defined.text x)
       (Ended_proc.lambda_before_where t.module_.visible.syntax t.name)

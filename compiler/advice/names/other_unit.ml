@@ -103,13 +103,11 @@ let temperature name literal d =
         else Printf.sprintf "%s[K]" (decimal (Float.round (x /. 1.8 *. 100.) /. 100.))
       in
       Diagnostic.hint
-        (Printf.sprintf
-           "use kelvin: write `%s` for this temperature, or `%s` for a difference of temperatures"
-           text difference)
-        d
+        "use kelvin: write `%s` for this temperature, or `%s` for a difference of temperatures" text
+        difference d
       |> Diagnostic.fix "convert the temperature to kelvin" [ (whole, text) ]
   | None ->
-      Diagnostic.hint
+      Diagnostic.hint "%s"
         (if is_celsius name then
            "use kelvin, `K`, for a temperature: 0 degrees Celsius is `273.15[K]`"
          else "use kelvin, `K`, for a temperature: 32 degrees Fahrenheit is `273.15[K]`")
@@ -118,11 +116,11 @@ let temperature name literal d =
 let explain_known name (u : t) literal d =
   let scale = decimal u.scale in
   match literal with
-  | _ when u.unit_ <> "" && u.scale = 1. -> Diagnostic.hint (Printf.sprintf "write `%s`" u.unit_) d
+  | _ when u.unit_ <> "" && u.scale = 1. -> Diagnostic.hint "write `%s`" u.unit_ d
   | Some (_, x, whole) ->
       let number = decimal (x *. u.scale) in
       let text = if u.plain then number else Printf.sprintf "%s[%s]" number u.unit_ in
-      Diagnostic.hint
+      Diagnostic.hint "%s"
         (if u.plain then Printf.sprintf "write a plain number: `%s`" text
          else
            Printf.sprintf "write `%s`, or declare the unit on a line of its own: `unit %s = %s %s`"
@@ -135,11 +133,8 @@ let explain_known name (u : t) literal d =
   | None when u.plain -> Diagnostic.hint "use a plain number without a unit" d
   | None ->
       Diagnostic.hint
-        (Printf.sprintf
-           "1 `%s` is `%s[%s]`: use `%s`, or declare the unit on a line of its own: `unit %s = %s \
-            %s`"
-           name scale u.unit_ u.unit_ name scale u.unit_)
-        d
+        "1 `%s` is `%s[%s]`: use `%s`, or declare the unit on a line of its own: `unit %s = %s %s`"
+        name scale u.unit_ u.unit_ name scale u.unit_ d
 
 (* Units of quantities that Frob has no units for. *)
 let is_of_another_quantity name =
@@ -158,7 +153,5 @@ let explain ~is_unit ~text (span : Span.t) name =
         let d = temperature name literal d in
         if name = "C" then Diagnostic.hint "for a coulomb, write `A s`" d else d)
   else if is_of_another_quantity name then
-    Some
-      (Diagnostic.hint
-         (Printf.sprintf "declare it on a line of its own, above the definitions: `unit %s`" name))
+    Some (Diagnostic.hint "declare it on a line of its own, above the definitions: `unit %s`" name)
   else Option.map (fun u -> explain_known name u literal) (find ~is_unit name)

@@ -12,8 +12,7 @@ let of_the_library : rule =
     let import = Printf.sprintf "import qualified %s" qualifier.text in
     Some
       (fun d ->
-        Diagnostic.hint (Printf.sprintf "it is in the library: `%s`" import) d
-        |> Imports.add visible.syntax import)
+        Diagnostic.hint "it is in the library: `%s`" import d |> Imports.add visible.syntax import)
   else None
 
 (* `Mode.Drive`, where `Mode` is a type and not a module. *)
@@ -26,9 +25,7 @@ let of_a_type : rule =
     let title = Printf.sprintf "remove `%s.`" qualifier.text in
     Some
       (fun d ->
-        Diagnostic.hint
-          (Printf.sprintf "`%s` is a type; write its constructors without it: %s" qualifier.text
-             title)
+        Diagnostic.hint "`%s` is a type; write its constructors without it: %s" qualifier.text title
           d
         |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ])
   else None
@@ -40,11 +37,9 @@ let of_another_language : rule =
       match Rewritten.of_a_module ~text:visible.text qualifier with
       | Some (at, text) ->
           fun d ->
-            Diagnostic.hint
-              (Printf.sprintf "mathematical functions are built in: write `%s`" text)
-              d
+            Diagnostic.hint "mathematical functions are built in: write `%s`" text d
             |> Diagnostic.write at (Source.grouped text)
-      | None -> Diagnostic.hint (Phrasebook.hint row))
+      | None -> Diagnostic.hint "%s" (Phrasebook.hint row))
     (Phrasebook.find Qualifier qualifier.text)
 
 let similar suggestions (visible : Visible.t) (qualifier : Syntax.Ir.name) =

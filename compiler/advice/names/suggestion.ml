@@ -10,6 +10,6 @@ let add t name candidates diagnostic =
     t.left <- t.left - 1;
     match Suggest.closest name (Lazy.force candidates) with
     | Some near ->
-        Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+        Diagnostic.hint "did you mean `%s`?" near diagnostic
         |> Diagnostic.write diagnostic.Diagnostic.at near
     | None -> diagnostic)

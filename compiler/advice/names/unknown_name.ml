@@ -12,7 +12,7 @@ let unit_without_brackets (t : Unknown.t) =
       else
         Report
           (Diagnostic.error ~code:"E0205" ~at:t.name.span "the unit `%s` needs brackets" measure
-          |> Diagnostic.hint (Printf.sprintf "write it directly after its number: `%s`" text)
+          |> Diagnostic.hint "write it directly after its number: `%s`" text
           |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" text) [ (whole, text) ]))
     (Rewritten.unit_after_number t)
 
@@ -36,8 +36,7 @@ let of_a_qualified_import (t : Unknown.t) =
       let text = q ^ "." ^ t.name.text in
       Some
         (Other_meaning.diagnostic t
-        |> Diagnostic.hint
-             (Printf.sprintf "it is imported under its module's name: write `%s`" text)
+        |> Diagnostic.hint "it is imported under its module's name: write `%s`" text
         |> Diagnostic.write t.name.span text)
   | Some _ | None -> None
 
@@ -61,7 +60,7 @@ let type_of_another_language (t : Unknown.t) =
       Some
         (Report
            (Unknown.diagnostic t
-           |> Diagnostic.hint ("write " ^ Option.get (Other_type.of_signature text at))))
+           |> Diagnostic.hint "write %s" (Option.get (Other_type.of_signature text at))))
   | Units, Some signature
     when Other_type.changed text at <> None
          && ((not (has_word t.name.text signature)) || Character.is_upper t.name.text.[0]) ->
@@ -87,8 +86,7 @@ let twist (t : Unknown.t) =
     in
     Some
       (Unknown.diagnostic t
-      |> Diagnostic.hint
-           (Printf.sprintf "a robot's output is a command, not a `Twist`: write `%s`" text)
+      |> Diagnostic.hint "a robot's output is a command, not a `Twist`: write `%s`" text
       |> Option.fold written ~none:Fun.id ~some:(fun (whole, _) -> Diagnostic.write whole text))
   else None
 
@@ -103,7 +101,7 @@ let other_spelling (t : Unknown.t) =
     Option.map
       (fun other ->
         Other_meaning.diagnostic t
-        |> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other)
+        |> Diagnostic.hint "did you mean `%s`?" other
         |> Diagnostic.write t.name.span other)
       (Other_meaning.spelling t)
 
@@ -140,4 +138,4 @@ let class_hint =
 
 let class_as_type (name : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0207" ~at:name.span "`%s` is a class, not a type" name.text
-  |> Diagnostic.hint class_hint
+  |> Diagnostic.hint "%s" class_hint

@@ -17,7 +17,7 @@ let power_without_caret : rule =
       let power = Printf.sprintf "%s^%c" stem text.[last] in
       Some
         (fun d ->
-          Diagnostic.hint (Printf.sprintf "write the power with `^`: `%s`" power) d
+          Diagnostic.hint "write the power with `^`: `%s`" power d
           |> Diagnostic.write name.span power)
     else None
 
@@ -35,7 +35,7 @@ let word : rule =
  fun visible name ->
   Option.map
     (fun symbol d ->
-      Diagnostic.hint
+      Diagnostic.hint "%s"
         (match Name_in_text.unit_of_literal ~text:visible.text name.span with
         | Some (digits, before, after) when before <> "" || after <> "" ->
             Printf.sprintf "the unit is `%s`: write `%s[%s%s%s]`" symbol digits before symbol after

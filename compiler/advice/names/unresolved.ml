@@ -72,7 +72,7 @@ let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
     { fix with edits = fix.edits @ List.concat_map of_other others }
   in
   List.fold_left label { first with fixes = List.map everywhere first.fixes } shown
-  |> if more = 0 then Fun.id else Diagnostic.note (Printf.sprintf "and in %d more places" more)
+  |> if more = 0 then Fun.id else Diagnostic.note "and in %d more places" more
 
 let is_of code (d : Diagnostic.t) = String.equal d.code code
 
@@ -86,7 +86,7 @@ let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
               (fun (d : Diagnostic.t) ->
                 (is_of "E0205" d || is_of "E0206" d) && d.hints = [] && d.notes = [])
               [ a; b ] ->
-      (Diagnostic.label ~at:b.at b.message a
+      (Diagnostic.label ~at:b.at "%s" b.message a
       |> Diagnostic.hint "define both, or `import` the module that defines them")
       :: neighbours rest
   | d :: rest -> d :: neighbours rest

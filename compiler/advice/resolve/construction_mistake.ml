@@ -6,7 +6,7 @@ let declared_here (constructor : Interface.constructor) =
 
 let name (constructor : Interface.constructor) = constructor.global.name
 let quoted = List.map (Printf.sprintf "`%s`")
-let all_fields known = Diagnostic.note ("its fields: " ^ String.concat ", " (quoted known))
+let all_fields known = Diagnostic.note "its fields: %s" (String.concat ", " (quoted known))
 
 let unknown_field suggestions constructor ~known (field : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0209" ~at:field.span "constructor `%s` has no field `%s`"
@@ -24,9 +24,8 @@ let unknown_fields constructor ~known (first : Syntax.Ir.name) others =
   |> declared_here constructor
   |>
   if List.compare_length_with known 8 <= 0 then
-    Diagnostic.hint
-      (Printf.sprintf "its fields are `%s { %s }`" (name constructor)
-         (String.concat ", " (List.map (Printf.sprintf "%s = …") known)))
+    Diagnostic.hint "its fields are `%s { %s }`" (name constructor)
+      (String.concat ", " (List.map (Printf.sprintf "%s = …") known))
   else all_fields known
 
 let wrong_number_of_arguments (constructor : Interface.constructor) ~found at =
@@ -39,10 +38,9 @@ let wrong_number_of_arguments (constructor : Interface.constructor) ~found at =
   if constructor.arity = 0 || constructor.arity > 3 then Fun.id
   else
     let letter i = String.make 1 (Char.chr (Char.code 'a' + i)) in
-    Diagnostic.hint
-      (Printf.sprintf "its pattern is `%s %s`: write `_` for an argument that you do not use"
-         (name constructor)
-         (String.concat " " (List.init constructor.arity letter)))
+    Diagnostic.hint "its pattern is `%s %s`: write `_` for an argument that you do not use"
+      (name constructor)
+      (String.concat " " (List.init constructor.arity letter))
 
 (* The field and a value for it, in quotes. *)
 let with_value constructor field =
@@ -57,9 +55,8 @@ let fields_missing constructor ~absent ~(last : Span.t option) at =
     (if List.length absent = 1 then "" else "s")
     (Enumeration.all (quoted absent))
   |> declared_here constructor
-  |> Diagnostic.hint
-       (Printf.sprintf "give every field a value: add %s"
-          (Enumeration.all (List.map (with_value constructor) absent)))
+  |> Diagnostic.hint "give every field a value: add %s"
+       (Enumeration.all (List.map (with_value constructor) absent))
   |>
   match last with
   | Some last ->

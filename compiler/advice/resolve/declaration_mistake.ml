@@ -7,7 +7,7 @@ let parameter_missing (name : Syntax.Ir.name) ~owner ~is_unit =
   Diagnostic.error ~code:"E0221" ~at:name.span "%s variable `%s` is not a parameter of `%s`"
     (if is_unit then "unit" else "type")
     name.text owner
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (if is_unit then
           Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
         else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
@@ -67,20 +67,18 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
     | None -> None
   in
   match hint with
-  | Some hint -> Diagnostic.hint hint diagnostic
+  | Some hint -> Diagnostic.hint "%s" hint diagnostic
   | None when of_units && expected = 1 && found = 0 ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
-      |> Diagnostic.hint
-           (Printf.sprintf "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
-              name)
+      |> Diagnostic.hint "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
+           name
   | None when is_builtin -> diagnostic
   | None ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
       |>
       if found < expected && not of_units then
-        Diagnostic.hint
-          (Printf.sprintf "give it %s, as in `%s`" (counted expected noun)
-             (String.concat " " (name :: List.init expected (fun _ -> "Float"))))
+        Diagnostic.hint "give it %s, as in `%s`" (counted expected noun)
+          (String.concat " " (name :: List.init expected (fun _ -> "Float")))
       else Fun.id
 
 let size_not_a_number ~at alias =
@@ -98,7 +96,7 @@ let path names =
   | [] -> ""
   | first :: _ -> String.concat " → " (List.map (Printf.sprintf "`%s`") (names @ [ first ]))
 
-let through name ~at = Diagnostic.label ~at (Printf.sprintf "through `%s`" name)
+let through name ~at = Diagnostic.label ~at "through `%s`" name
 
 let type_circle (main : Ir.type_declaration) circle =
   let diagnostic =
@@ -119,7 +117,7 @@ let type_circle (main : Ir.type_declaration) circle =
   in
   let names = List.map (fun (d : Ir.type_declaration) -> d.tycon.name) circle in
   List.fold_left label diagnostic circle
-  |> if List.length names > 1 then Diagnostic.note (path names) else Fun.id
+  |> if List.length names > 1 then Diagnostic.note "%s" (path names) else Fun.id
 
 let unit_circle (main : Ir.unit_declaration) others =
   let label diagnostic (d : Ir.unit_declaration) = through d.unit_name.name ~at:d.span diagnostic in
@@ -147,11 +145,9 @@ let not_a_method suggestions (class_ : Interface.class_) (name : Syntax.Ir.name)
   if d.hints <> [] then d
   else
     Diagnostic.hint
-      (Printf.sprintf
-         "if it is a separate function, move it to the left margin; if every `%s` must have it, \
-          add its signature to the class"
-         class_.global.name)
-      d
+      "if it is a separate function, move it to the left margin; if every `%s` must have it, add \
+       its signature to the class"
+      class_.global.name d
 
 let twice what (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0211" ~at:second.span "the %s `%s` is declared twice" what second.text
@@ -195,6 +191,5 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
   | Not_a_method { class_; name } -> not_a_method suggestions class_ name
   | Signature_in_instance { class_; name } ->
       Diagnostic.error ~code:"E0231" ~at:name.span "an instance cannot contain a signature"
-      |> Diagnostic.label ~at:class_.span
-           (Printf.sprintf "the class gives the type of `%s`" name.text)
+      |> Diagnostic.label ~at:class_.span "the class gives the type of `%s`" name.text
       |> Diagnostic.hint "remove the signature"

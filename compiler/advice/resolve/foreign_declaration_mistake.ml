@@ -3,7 +3,7 @@ open Basis
 let is_not (text : Syntax.Ir.name) ~wanted ~hint =
   let what = if text.text = "" then "an empty text" else Printf.sprintf "`%s`" text.text in
   Diagnostic.error ~code:"E0232" ~at:text.span "%s is not %s in C" what wanted
-  |> Diagnostic.hint hint
+  |> Diagnostic.hint "%s" hint
 
 let needs_header (name : Syntax.Ir.name) what =
   Diagnostic.error ~code:"E0233" ~at:name.span "no included C header defines %s" what

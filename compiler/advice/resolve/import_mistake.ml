@@ -18,21 +18,20 @@ let lower_case : rule =
   Option.map
     (fun file ->
       Diagnostic.hint
-        (Printf.sprintf
-           "the file name of a module must also start with a capital: rename `%s` to `%s`"
-           (file_of file) (file_of target.text)))
+        "the file name of a module must also start with a capital: rename `%s` to `%s`"
+        (file_of file) (file_of target.text))
     (List.find_opt same known)
 
 let of_another_language : rule =
  fun { target; _ } ->
-  Option.map (fun row -> Diagnostic.hint (Phrasebook.hint row)) (Phrasebook.find Module target.text)
+  Option.map
+    (fun row -> Diagnostic.hint "%s" (Phrasebook.hint row))
+    (Phrasebook.find Module target.text)
 
 let similar : rule =
  fun { target; known; _ } ->
   Option.map
-    (fun near d ->
-      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) d
-      |> Diagnostic.write target.span near)
+    (fun near d -> Diagnostic.hint "did you mean `%s`?" near d |> Diagnostic.write target.span near)
     (Suggest.closest target.text (List.filter is_module known))
 
 (* The contents of the module are in a library module with a different name. *)
@@ -46,10 +45,9 @@ let in_library : rule =
   Option.map
     (fun (what, module_) ->
       if List.mem module_ imported then
-        Diagnostic.hint
-          (Printf.sprintf "remove this line: %s in `%s`, which is already imported" what module_)
+        Diagnostic.hint "remove this line: %s in `%s`, which is already imported" what module_
       else fun d ->
-        Diagnostic.hint (Printf.sprintf "%s in `%s`: write `import %s`" what module_ module_) d
+        Diagnostic.hint "%s in `%s`: write `import %s`" what module_ module_ d
         |> Diagnostic.write target.span module_)
     (Option.bind (Phrasebook.find Library target.text) named)
 
@@ -57,9 +55,8 @@ let missing_module (missing : missing) =
   let rules = [ lower_case; of_another_language; similar; in_library ] in
   Diagnostic.error ~code:"E0201" ~at:missing.target.span "there is no module `%s`"
     missing.target.text
-  |> Diagnostic.note
-       (Printf.sprintf "frobc looked for `%s` in the folder of this file and in the library"
-          (file_of missing.target.text))
+  |> Diagnostic.note "frobc looked for `%s` in the folder of this file and in the library"
+       (file_of missing.target.text)
   |> Option.value (List.find_map (fun rule -> rule missing) rules) ~default:Fun.id
 
 (* {1 Other mistakes} *)
@@ -75,9 +72,7 @@ let cycle (target : Syntax.Ir.name) places =
   let label diagnostic (place : Fact.import_place) =
     if Span.compare place.at target.span = 0 then diagnostic
     else
-      Diagnostic.label ~at:place.at
-        (Printf.sprintf "`%s` imports `%s`" place.importer place.target.text)
-        diagnostic
+      Diagnostic.label ~at:place.at "`%s` imports `%s`" place.importer place.target.text diagnostic
   in
   List.fold_left label
     (Diagnostic.error ~code:"E0202" ~at:target.span "modules import each other: %s" path)
@@ -92,7 +87,7 @@ let no_program ~tests ~program reason =
   |> Diagnostic.hint "put the tests of `NAME.frob` into `NAME.test.frob` in the same folder"
 
 let in_tests ~at what hint =
-  Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what |> Diagnostic.hint hint
+  Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what |> Diagnostic.hint "%s" hint
 
 let diagnostic : Fact.in_modules -> Diagnostic.t = function
   | Missing_module { target; imported; known } -> missing_module { target; imported; known }
@@ -102,9 +97,7 @@ let diagnostic : Fact.in_modules -> Diagnostic.t = function
   | Other_file_name { module_; file } ->
       Diagnostic.error ~code:"E0203" ~at:module_.span "the module `%s` is in a file named `%s`"
         module_.text (file_of file)
-      |> Diagnostic.hint
-           (Printf.sprintf "rename the module to `%s` or the file to `%s`" file
-              (file_of module_.text))
+      |> Diagnostic.hint "rename the module to `%s` or the file to `%s`" file (file_of module_.text)
   | Two_files { target; earlier; later } ->
       Diagnostic.error ~code:"E0203" ~at:target.span "two modules are named `%s`: `%s` and `%s`"
         target.text earlier later

@@ -8,7 +8,7 @@ let instead_of_zero name zero d =
   match zero with
   | Some zero ->
       Diagnostic.label ~at:zero "this is 0" d
-      |> Diagnostic.hint (Printf.sprintf "write `%s` in place of this 0" name)
+      |> Diagnostic.hint "write `%s` in place of this 0" name
       |> Diagnostic.write zero name
   | None -> d
 
@@ -24,9 +24,9 @@ let unused_equation ~at ~circle ~zero name =
      | [ _ ] -> Diagnostic.note "only its own equation uses it"
      | names ->
          let names = List.map (Printf.sprintf "`%s`") names in
-         Diagnostic.note (Enumeration.all names ^ " use only each other"))
+         Diagnostic.note "%s" (Enumeration.all names ^ " use only each other"))
   |> instead_of_zero (Option.value name ~default:"") zero
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (match name with
        | None -> "use one of them in an output, or remove the equation"
        | Some name ->
@@ -44,12 +44,11 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
       Diagnostic.warning ~code:"W0305" ~at:first.at "`%s` is never used" first.name
       |> instead_of_zero first.name first.zero
       |> Diagnostic.hint
-           (Printf.sprintf
-              (if first.zero <> None then "if it is unused on purpose, replace it by `_` or `_%s`"
-               else if first.is_parameter then
-                 "use it in the definition; if it is unused on purpose, replace it by `_` or `_%s`"
-               else "replace it by `_` or `_%s`")
-              first.name)
+           (if first.zero <> None then "if it is unused on purpose, replace it by `_` or `_%s`"
+            else if first.is_parameter then
+              "use it in the definition; if it is unused on purpose, replace it by `_` or `_%s`"
+            else "replace it by `_` or `_%s`")
+           first.name
       |> Diagnostic.fix ~safe:(first.zero = None)
            (Printf.sprintf "write `_%s`" first.name)
            [ (first.at, "_" ^ first.name) ]
@@ -59,7 +58,7 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
       let quoted = List.map (fun (v : Fact.variable) -> Printf.sprintf "`%s`" v.name) told in
       Diagnostic.warning ~code:"W0305" ~at:first.at "%s are never used"
         (Enumeration.some quoted ~more:(List.length all - List.length told))
-      |> Diagnostic.hint (Printf.sprintf "replace them by `_` or by names such as `_%s`" first.name)
+      |> Diagnostic.hint "replace them by `_` or by names such as `_%s`" first.name
       |> Diagnostic.fix ~safe:true
            (Printf.sprintf "write `_%s`, and `_` before the other names" first.name)
            (List.map (fun (v : Fact.variable) -> (v.at, "_" ^ v.name)) all)
@@ -95,13 +94,13 @@ let deprecated (name : Ir.Global.t) ~at ~text ~is_visible =
   Diagnostic.warning ~code:"W0317" ~at "`%s` is deprecated" name.name
   |>
   match advice text with
-  | Other text -> Diagnostic.hint text
-  | Renamed fresh when not (is_plain name at) -> Diagnostic.hint (write fresh)
+  | Other text -> Diagnostic.hint "%s" text
+  | Renamed fresh when not (is_plain name at) -> Diagnostic.hint "%s" (write fresh)
   | Renamed fresh when is_visible ->
       fun d ->
-        Diagnostic.hint (write fresh) d
+        Diagnostic.hint "%s" (write fresh) d
         |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" fresh) [ (at, fresh) ]
-  | Renamed fresh -> Diagnostic.hint (write fresh ^ ", and import it")
+  | Renamed fresh -> Diagnostic.hint "%s" (write fresh ^ ", and import it")
 
 let diagnostic : Fact.warning -> Diagnostic.t = function
   | Hides_local { outer; inner } ->

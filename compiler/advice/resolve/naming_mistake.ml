@@ -5,7 +5,7 @@ let quote text = Printf.sprintf "`%s`" text
 
 let ambiguous namespace (name : Syntax.Ir.name) candidates =
   let place diagnostic (c : Fact.candidate) =
-    Diagnostic.label ~at:c.place (Printf.sprintf "the one in `%s`" c.module_) diagnostic
+    Diagnostic.label ~at:c.place "the one in `%s`" c.module_ diagnostic
   in
   let qualified =
     List.map (fun (c : Fact.candidate) -> Printf.sprintf "%s.%s" c.qualifier name.text) candidates
@@ -14,14 +14,14 @@ let ambiguous namespace (name : Syntax.Ir.name) candidates =
     (Diagnostic.error ~code:"E0210" ~at:name.span "the %s `%s` is ambiguous"
        (Namespace.noun namespace) name.text)
     candidates
-  |> Diagnostic.hint ("write " ^ String.concat " or " (List.map quote qualified))
+  |> Diagnostic.hint "write %s" (String.concat " or " (List.map quote qualified))
   |> List.fold_right (Diagnostic.write name.span) (List.rev qualified)
 
 let declared_twice namespace (name : Syntax.Ir.name) ~(first : Span.t) ~is_function =
   Diagnostic.error ~code:"E0211" ~at:name.span "the %s `%s` is defined twice"
     (Namespace.noun namespace) name.text
   |> Diagnostic.label ~at:first "first defined here"
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (if not (String.equal first.file name.span.file) then
           "a test file shares the names of its program: rename this one"
         else if is_function then
@@ -94,7 +94,7 @@ let hint_for_one_equation ({ first; second; text; is_equation = _ } : Fact.defin
 let defined_twice (fact : Fact.defined) =
   Diagnostic.error ~code:"E0212" ~at:fact.second.span "`%s` is defined twice here" fact.second.name
   |> Diagnostic.label ~at:fact.first.span "first defined here"
-  |> if fact.is_equation then Diagnostic.hint (hint_for_one_equation fact) else Fun.id
+  |> if fact.is_equation then Diagnostic.hint "%s" (hint_for_one_equation fact) else Fun.id
 
 (* {1 Misplaced definitions} *)
 
@@ -112,7 +112,7 @@ let typed_parameters patterns =
 
 let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
   Diagnostic.error ~code:"E0226" ~at "a top-level definition defines one name, not a pattern"
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (match pattern.desc with
        | Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]) ->
            Printf.sprintf
@@ -133,15 +133,14 @@ let misplaced_claim ~at kind =
   let word = Labels.word kind in
   Diagnostic.error ~code:"E0234" ~at "an `%s` is only allowed among the equations of a `proc`" word
   |> Diagnostic.hint
-       (Printf.sprintf
-          "move it into a `proc`, as in `proc x -> y where` with `%s \"label\" (y > 0)` in the \
-           lines below"
-          word)
+       "move it into a `proc`, as in `proc x -> y where` with `%s \"label\" (y > 0)` in the lines \
+        below"
+       word
 
 let label_without_quotes (label : Syntax.Ir.name) kind =
   let text = Printf.sprintf "\"%s\"" label.text in
   Diagnostic.error ~code:"E0235" ~at:label.span "the label of a `%s` must be in quotes" kind
-  |> Diagnostic.hint (Printf.sprintf "write `%s %s = …`" kind text)
+  |> Diagnostic.hint "write `%s %s = …`" kind text
   |> Diagnostic.write label.span text
 
 let diagnostic suggestions : Fact.in_definitions -> Diagnostic.t = function

@@ -6,17 +6,17 @@ let quoted = List.map (Printf.sprintf "`%s`")
 let diagnostic ~name ~at : Resolve.Fact.setting -> Diagnostic.t = function
   | No_parameter { known } ->
       let d = error at "the program has no parameter `%s`" name in
-      Diagnostic.note
+      Diagnostic.note "%s"
         (if known = [] then
            "the program has no parameters; declare one by `param NAME :: TYPE = VALUE`"
          else "the program has " ^ Enumeration.all (quoted (List.sort_uniq String.compare known)))
         d
       |> Option.fold (Suggest.closest name known) ~none:Fun.id ~some:(fun near ->
-             Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near))
+             Diagnostic.hint "did you mean `%s`?" near)
   | Several_modules { qualified } ->
       error at "several modules have a parameter `%s`" name
-      |> Diagnostic.hint
-           ("write the name of its module too: " ^ Enumeration.one_of (quoted qualified))
+      |> Diagnostic.hint "write the name of its module too: %s"
+           (Enumeration.one_of (quoted qualified))
   | Invalid_value { value } ->
       error at "`%s` is not an expression" value
-      |> Diagnostic.hint (Printf.sprintf "write the value as in `--param %s=5`" name)
+      |> Diagnostic.hint "write the value as in `--param %s=5`" name

@@ -30,6 +30,6 @@ let diagnostic ({ at; problem } : Control_fact.t) =
   | Taken { label = taken; kind; by } ->
       Diagnostic.(
         error ~code:"E0442" ~at "the console already has another control with the label `%s`" taken
-        |> here (Core.Console.describe kind)
-        |> label ~at:by.span (Core.Console.describe by.kind)
+        |> here "%s" (Core.Console.describe kind)
+        |> label ~at:by.span "%s" (Core.Console.describe by.kind)
         |> hint "rename one of them")

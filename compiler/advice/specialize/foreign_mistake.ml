@@ -4,9 +4,7 @@ open Specialize
 let component ~at symbol =
   Diagnostic.(
     error ~code:"E0431" ~at "the program and the component `%s` in C have the same name" symbol
-    |> note
-         (Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" symbol symbol
-            symbol)
+    |> note "both would have `struct %s_state`, `%s_reset` and `%s_step`" symbol symbol symbol
     |> hint "rename the program's file")
 
 let function_ ~at symbol =
@@ -37,10 +35,8 @@ let of_the_instant ~at (ty : Flow.Ir.foreign_type) =
       error ~code:"E0430" ~at
         "a value of the foreign type `%s` cannot be kept from one instant to another"
         ty.foreign_name
-      |> note
-           (Printf.sprintf
-              "a `%s` from C is valid for one instant; C may reuse its memory after that"
-              ty.foreign_name)
+      |> note "a `%s` from C is valid for one instant; C may reuse its memory after that"
+           ty.foreign_name
       |> hint
            "keep only the numbers that you need, or declare the type `copyable` if a copy of the \
             struct works like the original")

@@ -16,20 +16,18 @@ let specializations ~at ~name ~limit (inside : Limit_fact.machine option) =
   (match inside with
   | Some { of_; modes } ->
       Diagnostic.note
-        (Printf.sprintf
-           "the state machine of `%s` already has %d modes: one for each combination of a task or \
-            signal function and everything that can follow it"
-           of_ modes)
-        d
-      |> Diagnostic.hint repeat_a_task
-  | None -> Diagnostic.note each_combination d)
+        "the state machine of `%s` already has %d modes: one for each combination of a task or \
+         signal function and everything that can follow it"
+        of_ modes d
+      |> Diagnostic.hint "%s" repeat_a_task
+  | None -> Diagnostic.note "%s" each_combination d)
   |> Diagnostic.hint "to allow more, use the option `--specialization-limit`"
 
 let elements ~at ~numbers ~by =
   Diagnostic.(
     error ~code:"E0413" ~at "an array of %s functions or signal functions is too large to compile"
       (String.concat " times " (List.map string_of_int numbers))
-    |> here (Printf.sprintf "`%s` compiles each of them separately here" by)
+    |> here "`%s` compiles each of them separately here" by
     |> note
          "an array of numbers is computed in a loop, but each function or signal function in an \
           array gets its own code"
@@ -42,7 +40,7 @@ let modes ~at ({ of_; modes } : Limit_fact.machine) =
     |> note
          "there is one mode for each combination of a task or signal function that can run and \
           everything that can follow it"
-    |> hint repeat_a_task)
+    |> hint "%s" repeat_a_task)
 
 let wide ~at (ty : Core.Ir.ty) ~leaves ~uses =
   let type_name =
@@ -53,17 +51,15 @@ let wide ~at (ty : Core.Ir.ty) ~leaves ~uses =
   Diagnostic.(
     error ~code:"E0413" ~at "more than %d equations and calls define values of the %s" uses
       type_name
-    |> note
-         (Printf.sprintf
-            "each of these values consists of %d numbers, and each number gets its own equation"
-            leaves)
+    |> note "each of these values consists of %d numbers, and each number gets its own equation"
+         leaves
     |> hint "change several fields at once: `r { a = 1, b = 2 }`"
     |> hint "keep many numbers of one type in an array: `Array 1000 Float` is one value")
 
 let copies ~at ~name ~copies =
   Diagnostic.(
     error ~code:"E0413" ~at "frobc makes too many copies of `%s`: more than %d" name copies
-    |> note each_combination
+    |> note "%s" each_combination
     |> hint "pass the same functions each time; numbers may change")
 
 let work ~at (definition : Core.Ir.definition) most_called =

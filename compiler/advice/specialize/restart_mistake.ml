@@ -18,12 +18,12 @@ let in_one_instant ~at (hops : Restart_fact.hop list) own =
     | None, [] -> "this starts in the instant in which the previous task ends"
   in
   let label d place =
-    if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
+    if Span.compare place at = 0 then d else Diagnostic.label ~at:place "%s" (this_starts place) d
   in
   let names = List.concat_map (fun (hop : Restart_fact.hop) -> [ hop.ended; hop.by ]) hops in
   Diagnostic.error ~code:"E0402" ~at "%s may repeat endlessly within one instant"
     (Enumeration.circle names)
-  |> Diagnostic.here (this_starts at)
+  |> Diagnostic.here "%s" (this_starts at)
   |> (fun d -> List.fold_left label d others)
   |> Diagnostic.note
        "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
@@ -46,30 +46,27 @@ let before_the_end ~at ~waiting task =
     |> label ~at:waiting "this waits for the restarted task to end"
     |> note "each restart would leave one more statement waiting, but memory is fixed"
     |> hint
-         (Printf.sprintf
-            "%s, or move the waiting statements into the branch that ends the task; to repeat a \
-             task, write `repeatT 4 t` or `forever t`"
-            advice))
+         "%s, or move the waiting statements into the branch that ends the task; to repeat a task, \
+          write `repeatT 4 t` or `forever t`"
+         advice)
 
 let growing ~at ~name ~is_task ~added ~is_choice way =
   let on_the_way (diagnostic, shown) (name, place) =
     if List.mem place shown then (diagnostic, shown)
     else
       let text = Printf.sprintf "on the way, `%s` starts here" name in
-      (Diagnostic.label ~at:place text diagnostic, place :: shown)
+      (Diagnostic.label ~at:place "%s" text diagnostic, place :: shown)
   in
   let what = if is_task then "tasks" else "signal functions" in
   Diagnostic.(
     error ~code:"E0416" ~at "`%s` grows each time it restarts itself" name
-    |> here (Printf.sprintf "it restarts here, with one more `%s`" added)
+    |> here "it restarts here, with one more `%s`" added
     |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) way))
-    |> note
-         (Printf.sprintf "frobc must know all %s that can run, so their number must be finite" what)
-    |> hint (Printf.sprintf "restart it with the same %s each time; numbers may change" what)
+    |> note "frobc must know all %s that can run, so their number must be finite" what
+    |> hint "restart it with the same %s each time; numbers may change" what
     |>
     if is_choice then
-      hint
-        (Printf.sprintf "pass the condition of the `if` as an argument, and choose inside `%s`" name)
+      hint "pass the condition of the `if` as an argument, and choose inside `%s`" name
     else Fun.id)
 
 (* {1 Machines inside themselves} *)
@@ -87,12 +84,12 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
   let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
   let place = if by_itself then span else at in
   let label d (text, where) =
-    if own where && where <> place then Diagnostic.label ~at:where text d else d
+    if own where && where <> place then Diagnostic.label ~at:where "%s" text d else d
   in
   let runs_here (wrapper, where) = (Printf.sprintf "`%s` runs here" wrapper, where) in
   let error =
     Diagnostic.error ~code:"E0415" ~at:place "`%s` restarts itself inside itself" name
-    |> Diagnostic.here
+    |> Diagnostic.here "%s"
          (if by_itself then
             Printf.sprintf "`%s` keeps running while the signal function here runs" name
           else "here, inside " ^ String.concat ", inside " quoted)
@@ -102,14 +99,14 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
     else List.map runs_here (List.tl calls)
   in
   List.fold_left label error labels
-  |> Diagnostic.note
+  |> Diagnostic.note "%s"
        (if is_task then
           "a task may only restart itself as the last statement of its `do`, and nothing around \
            the task may continue; otherwise each restart would need more memory"
         else
           "a signal function may only restart itself as the whole result of a continuation; \
            otherwise each restart would need more memory")
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (if is_task then
           "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, followed by \
            the statements to run after all repetitions"

@@ -6,7 +6,7 @@ let label calls diagnostic =
         if List.mem at shown then labelled diagnostic shown others
         else
           let text = Printf.sprintf "`%s` is called here" name in
-          labelled (Diagnostic.label ~at text diagnostic) (at :: shown) others
+          labelled (Diagnostic.label ~at "%s" text diagnostic) (at :: shown) others
     | [] | _ :: _ -> diagnostic
   in
   labelled diagnostic [] calls

@@ -62,7 +62,7 @@ let separated_by_semicolons found by =
       in
       let inside = Other_definition.without_semicolon inside in
       let commas = String.map (function ';' -> ',' | c -> c) inside in
-      Diagnostic.hint (Printf.sprintf "write `{ %s }`" commas) d
+      Diagnostic.hint "write `{ %s }`" commas d
       |> Diagnostic.fix "write commas" (List.map separator offsets)
   | Some _ | None -> Diagnostic.hint "write a `,` between two fields" d |> Diagnostic.write d.at ","
 
@@ -163,18 +163,17 @@ let unclosed_parenthesis found (by : Layout.origin) =
              ~at:(at_offset by opening (opening + 1))
              "this `(` is never closed"
           |> Diagnostic.label ~at:(at_offset by place (place + 1)) "a `)` is probably missing here"
-          |> Diagnostic.hint (Printf.sprintf "write `%s`" written)
+          |> Diagnostic.hint "write `%s`" written
           |> Diagnostic.fix "write the `)`" [ (at_offset by place place, ")") ])
 
 let unclosed_bracket found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
-  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` is missing before this" closer)
+  |> Diagnostic.label ~at:(span found.token) "a `%s` is missing before this" closer
   |> (if holds_others found by.Layout.by && char_at found found.token.start.pos_cnum <> ';' then
         Diagnostic.hint
-          (Printf.sprintf
-             "each `%s` closes the last open bracket, so perhaps a bracket inside this one is not \
-              closed"
-             closer)
+          "each `%s` closes the last open bracket, so perhaps a bracket inside this one is not \
+           closed"
+          closer
       else Fun.id)
   |>
   let at = found.token.start.pos_cnum in
@@ -203,7 +202,7 @@ let matrix found (by : Layout.origin) =
         Diagnostic.error ~code:"E0111"
           ~at:(Build.span (place, { place with pos_cnum = place.pos_cnum + 1 }))
           "a `;` does not separate the elements of an array"
-        |> Diagnostic.hint
+        |> Diagnostic.hint "%s"
              (if String.starts_with ~prefix:"[[" text then
                 Printf.sprintf "the rows of a matrix are arrays: write `%s`" text
               else Printf.sprintf "write `%s`" text))
@@ -216,7 +215,7 @@ let unclosed found (((opener, _), by) as open_) =
       separated_by_semicolons found by
   | "{" when Choice_hint.of_assignments found <> None ->
       Diagnostic.error ~code:"E0111" ~at:(opener_span by) "an equation cannot be in braces"
-      |> Diagnostic.hint (Option.get (Choice_hint.of_assignments found))
+      |> Diagnostic.hint "%s" (Option.get (Choice_hint.of_assignments found))
   | "(" when char_at found found.token.start.pos_cnum <> ';' -> (
       match unclosed_parenthesis found by with Some d -> d | None -> unclosed_bracket found open_)
   | _ -> unclosed_bracket found open_
@@ -225,9 +224,8 @@ let closes_nothing found closer =
   let opener = match closer with ")" -> "(" | "]" -> "[" | _ -> "{" in
   Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` has no opening bracket" closer
   |> Diagnostic.hint
-       (Printf.sprintf
-          "remove it, or add a `%s` before it: the other brackets of this definition are all closed"
-          opener)
+       "remove it, or add a `%s` before it: the other brackets of this definition are all closed"
+       opener
   |> Diagnostic.fix "remove it" [ (span found.token, "") ]
 
 let report found =
@@ -239,8 +237,7 @@ let report found =
           Some
             (Diagnostic.error ~code:"E0111" ~at:(span found.token) "`%s` cannot close `%s`" closer
                opener
-            |> Diagnostic.label ~at:(opener_span by) (Printf.sprintf "expected `%s` for this" right)
-            )
+            |> Diagnostic.label ~at:(opener_span by) "expected `%s` for this" right)
       | Some _ -> None
       | None ->
           if

@@ -15,7 +15,7 @@ let span_of found (first, last) =
 let error found ~at format = Diagnostic.error ~code:"E0110" ~at:(span_of found at) format
 
 let instead found ~at text d =
-  Diagnostic.hint (Printf.sprintf "write `%s`" text) d |> Diagnostic.write (span_of found at) text
+  Diagnostic.hint "write `%s`" text d |> Diagnostic.write (span_of found at) text
 
 let is_short text = String.length text <= 90
 
@@ -58,7 +58,7 @@ let claim found =
       in
       let with_fix found text d =
         if is_short text && balanced text then instead found ~at:whole text d
-        else Diagnostic.hint (Printf.sprintf "as in `%s \"keeps off the wall\" (x > 0)`" word) d
+        else Diagnostic.hint "as in `%s \"keeps off the wall\" (x > 0)`" word d
       in
       let without_sign behind =
         let is_sign c = c = '=' || c = ':' || c = ',' in
@@ -169,7 +169,7 @@ let param_call found =
           let at = found.token.start.pos_cnum in
           if Other_parameter.is_its_definition found.text at name then
             instead found ~at:(bol, end_of_line found stop) declaration d
-          else Diagnostic.hint (Other_parameter.hint found.text at (name, declaration)) d)
+          else Diagnostic.hint "%s" (Other_parameter.hint found.text at (name, declaration)) d)
         (Other_parameter.of_arguments found.text stop)
   | _ -> None
 
@@ -190,7 +190,7 @@ let let_equation found =
       else
         Some
           (error found ~at:(first, last) "the equations of a `where` cannot start with `let`"
-          |> (if is_short equation then Diagnostic.hint (Printf.sprintf "write `%s`" equation)
+          |> (if is_short equation then Diagnostic.hint "write `%s`" equation
               else Diagnostic.hint "remove it")
           |> Diagnostic.fix "remove it" [ (span_of found (first, start), "") ])
   | _ -> None
@@ -250,9 +250,8 @@ let module_head found =
         (error found
            ~at:(found.token.start.pos_cnum, found.token.start.pos_cnum + 1)
            "the head of a module must end with `where`"
-        |> Diagnostic.hint
-             (Printf.sprintf
-                "write `module %s where`; a module that exports everything needs no head" name)
+        |> Diagnostic.hint "write `module %s where`; a module that exports everything needs no head"
+             name
         |> Diagnostic.fix "write `where`"
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None
@@ -283,9 +282,8 @@ let equation_in_parentheses found =
       Some
         (error found ~at:(by.start.pos_cnum, stop)
            "an equation cannot be conditional: it holds at every instant"
-        |> Diagnostic.hint
-             (Printf.sprintf "choose the value in one equation: `%s = if %s then %s else …`" name
-                condition value))
+        |> Diagnostic.hint "choose the value in one equation: `%s = if %s then %s else …`" name
+             condition value)
   | _ -> None
 
 let diagnostic found =

@@ -24,7 +24,7 @@ let number_followed ~at ~base ~number ~rest ~has_unit =
     if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest
   in
   error ~code:"E0105" ~at "the number `%s` %s" number problem
-  |> Diagnostic.hint (hint_after_number ~base ~number ~rest ~has_unit)
+  |> Diagnostic.hint "%s" (hint_after_number ~base ~number ~rest ~has_unit)
   |>
   if base <> 10 then Fun.id
   else if is_suffix rest then Diagnostic.write at number
@@ -33,8 +33,7 @@ let number_followed ~at ~base ~number ~rest ~has_unit =
   else Fun.id
 
 let with_digit ~at ~where text d =
-  Diagnostic.hint (Printf.sprintf "write a digit %s the point: `%s`" where text) d
-  |> Diagnostic.write at text
+  Diagnostic.hint "write a digit %s the point: `%s`" where text d |> Diagnostic.write at text
 
 let too_long ~at what ~most ~length =
   error ~code:"E0105" ~at "a %s has at most %d characters, but this one has %d" what most length
@@ -60,7 +59,7 @@ let unexpected_character ~text colons ~at ~character ~offset ~is_first =
       if is_first && not (is_colon && List.mem hint colons) then
         Some
           (error ~code:"E0103" ~at "unexpected character %s" shown
-          |> Option.fold hint ~none:Fun.id ~some:Diagnostic.hint
+          |> Option.fold hint ~none:Fun.id ~some:(Diagnostic.hint "%s")
           |> Option.fold instead ~none:Fun.id ~some:(Diagnostic.write at))
       else None
     in

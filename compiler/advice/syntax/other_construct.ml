@@ -48,7 +48,7 @@ let top_let found =
     in
     let first n = Build.span (start, { start with pos_cnum = bol + n }) in
     Diagnostic.error ~code:"E0110" ~at:(first 3) "a top-level definition cannot start with `let`"
-    |> Diagnostic.hint
+    |> Diagnostic.hint "%s"
          (if String.length own > 50 then "remove it" else Printf.sprintf "write `%s`" own)
     |> Diagnostic.fix "remove it" [ (first 4, "") ]
     |> Option.some
@@ -84,7 +84,7 @@ let value_after_type found =
       let name = part_name (between found bol found.token.start.pos_cnum) in
       let value = between found found.token.stop.pos_cnum (end_of_line found bol) in
       error found "expected `->`, or the end of the type, found `=`"
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match name with
            | Some name when value <> "" && String.length value < 60 ->
                Printf.sprintf "write the definition on its own line, below its type: `%s = %s`" name
@@ -100,7 +100,7 @@ let type_before_equation found =
   match (found.token.token, Typed_equation.of_line line) with
   | (UNIT_BRACKET | LBRACKET), Some typed when found.token.start.pos_cnum - bol < typed.stop ->
       error found "an equation cannot start with a type"
-      |> Diagnostic.hint (Typed_equation.advice typed)
+      |> Diagnostic.hint "%s" (Typed_equation.advice typed)
       |> Option.some
   | _ -> None
 
@@ -163,11 +163,10 @@ let switch_of found =
       Diagnostic.error ~code:"E0110"
         ~at:(Build.span (place first, place last))
         "a choice by values is a `case`, not `%s`" word
-      |> Diagnostic.hint
-           (Printf.sprintf "write `case %s of`%s" value
-              (if String.equal word "switch" then
-                 "; `switch` changes from one signal function to another"
-               else ""))
+      |> Diagnostic.hint "write `case %s of`%s" value
+           (if String.equal word "switch" then
+              "; `switch` changes from one signal function to another"
+            else "")
       |>
       if choice_with_of found <> None then
         Diagnostic.write (Build.span (place first, place last)) "case"
@@ -183,7 +182,7 @@ let loop_as_value found =
       Diagnostic.error ~code:"E0110"
         ~at:(span_before found first (first + String.length word))
         "Frob has no `%s`" word
-      |> Diagnostic.hint hint)
+      |> Diagnostic.hint "%s" hint)
     (Other_loop.as_value found.text found.token.start.pos_cnum)
 
 (* {1 Guards} *)
@@ -225,7 +224,7 @@ let assignment_in_a_guard found =
     Diagnostic.error ~code:"E0110"
       ~at:(span_before found sign (sign + 1))
       "a guard cannot contain `=`"
-    |> Diagnostic.hint
+    |> Diagnostic.hint "%s"
          (if String.length text < 60 then Printf.sprintf "to compare, write `%s`" text
           else "use `==` to compare")
     |> Diagnostic.write (span_before found sign (sign + 1)) "=="
@@ -257,13 +256,13 @@ let value_after_return found =
       Some
         (if innermost_block found.context = Do then
            error found "the argument of `return` must be in parentheses"
-           |> Diagnostic.hint
+           |> Diagnostic.hint "%s"
                 (if is_short && found.token.token = IF then
                    Printf.sprintf "write `return (%s)`" value
                  else "as in `return (if c then a else b)`")
          else
            Diagnostic.error ~code:"E0110" ~at:(span return) "`return` is only for tasks"
-           |> Diagnostic.hint
+           |> Diagnostic.hint "%s"
                 (if is_short && before <> "" then Printf.sprintf "write `%s %s`" before value
                  else if is_short then Printf.sprintf "write `%s`, without `return`" value
                  else "write the value without `return`")
@@ -341,9 +340,8 @@ let list_comprehension found =
   Option.map
     (fun (element, x, xs) ->
       error found "Frob has no array comprehensions"
-      |> Diagnostic.hint
-           (Printf.sprintf "use `map (\\%s -> %s) %s` to compute each element" x element
-              (Source.grouped xs)))
+      |> Diagnostic.hint "use `map (\\%s -> %s) %s` to compute each element" x element
+           (Source.grouped xs))
     (for_each found)
 
 let no_index found = error found "a `[` directly after a name is neither an index nor an array"
@@ -363,7 +361,7 @@ let array_of_c found =
   | UNIT_BRACKET ->
       let first, _ = first_word_from found found.token.start.pos_bol in
       Option.map
-        (fun hint -> error found "this declares an array as in C" |> Diagnostic.hint hint)
+        (fun hint -> error found "this declares an array as in C" |> Diagnostic.hint "%s" hint)
         (Other_definition.array found.text first)
   | _ -> None
 
@@ -374,10 +372,9 @@ let index_in_brackets found =
       let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
       no_index found
       |> Diagnostic.hint
-           (Printf.sprintf
-              "write `(%s ! %s)` for an element of an array; for a tuple, write an equation, `(a, \
-               b) = %s`; before an argument, write a space"
-              name digits name)
+           "write `(%s ! %s)` for an element of an array; for a tuple, write an equation, `(a, b) \
+            = %s`; before an argument, write a space"
+           name digits name
       |> Diagnostic.write whole (" ! " ^ digits)
       |> Option.some
   | _ -> None
@@ -429,16 +426,14 @@ let bracket_after_name found =
          else if Option.fold (computed_index found) ~none:false ~some:is_delayed then
            no_index found
            |> Diagnostic.hint
-                (Printf.sprintf
-                   "for the value one instant ago, write `%s`, where 0 is the initial value"
-                   (Option.get (computed_index found)))
+                "for the value one instant ago, write `%s`, where 0 is the initial value"
+                (Option.get (computed_index found))
          else if computed_index found <> None then
            no_index found
            |> Diagnostic.hint
-                (Printf.sprintf
-                   "write `%s` for the element at a computed index; 0 is the value if there is no \
-                    such element"
-                   (Option.get (computed_index found)))
+                "write `%s` for the element at a computed index; 0 is the value if there is no \
+                 such element"
+                (Option.get (computed_index found))
          else
            no_index found
            |> Diagnostic.hint
@@ -456,7 +451,7 @@ let type_in_brackets found =
   match (found.token.token, found.before) with
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       error found "the type of an array cannot be written in brackets"
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match Other_type.of_signature found.text found.token.start.pos_cnum with
            | Some signature -> "write " ^ signature
            | None ->
@@ -467,7 +462,7 @@ let type_in_brackets found =
     when names_before found "::" && Option.fold (in_brackets found) ~none:false ~some:is_a_type ->
       let element = Option.get (in_brackets found) in
       error found "the type of an array cannot be written in brackets"
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match Other_type.of_signature found.text found.token.start.pos_cnum with
            | Some signature -> "write " ^ signature
            | None ->

@@ -214,7 +214,7 @@ let plain found =
         List.map (fun _ -> "add an `else`: every `if` has a value") hints
     | hints -> hints
   in
-  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
+  List.fold_left (fun d hint -> Diagnostic.hint "%s" hint d) d hints
   |> with_fix found |> other_place found
 
 (* {1 `if` and `case` with commands in their branches} *)
@@ -239,12 +239,11 @@ let choice_of_commands found =
             "`if` and `case` cannot choose between commands"
           |> Diagnostic.label ~at:(opener_span by) "this is the choice"
           |> Diagnostic.hint
-               (Printf.sprintf
-                  "choose the value, as in `%s -< if c then a else b`, or run both and choose \
-                   between their outputs"
-                  (match found.before with
-                  | Some { token = LOWER sf; _ } when found.token.token = TAIL -> sf
-                  | _ -> "y <- sf")))
+               "choose the value, as in `%s -< if c then a else b`, or run both and choose between \
+                their outputs"
+               (match found.before with
+               | Some { token = LOWER sf; _ } when found.token.token = TAIL -> sf
+               | _ -> "y <- sf"))
         (choice found.context)
   | _ -> None
 
@@ -285,16 +284,11 @@ let command_in_a_branch found ~command ~(block : Lexing.position) =
       let sf = String.trim sf
       and input = String.trim (String.sub rest 2 (String.length rest - 2)) in
       Diagnostic.hint
-        (Printf.sprintf
-           "choose the input, and run the command at every instant: `%s <- %s -< if %s then %s \
-            else 0`"
-           name sf condition input)
-        d
+        "choose the input, and run the command at every instant: `%s <- %s -< if %s then %s else 0`"
+        name sf condition input d
       |> Diagnostic.hint
-           (Printf.sprintf
-              "to restart it whenever the condition becomes True: `%s <- resetOn %s -< (%s, edge \
-               %s)`"
-              name (Source.grouped sf) input (Source.grouped condition))
+           "to restart it whenever the condition becomes True: `%s <- resetOn %s -< (%s, edge %s)`"
+           name (Source.grouped sf) input (Source.grouped condition)
   | _, sf :: _ :: _ when String.equal (String.trim sf) "returnA" ->
       Diagnostic.hint "choose the value: `returnA -< if c then a else b`" d
   | _ ->
@@ -337,7 +331,7 @@ let function_of_c found =
       let start = first_position found bol in
       let at = Build.span (start, { start with pos_cnum = snd d.head }) in
       Diagnostic.error ~code:"E0110" ~at "this defines a function as in C"
-      |> Diagnostic.hint (Other_definition.advice d))
+      |> Diagnostic.hint "%s" (Other_definition.advice d))
     (match Other_definition.of_c found.text bol with
     | Some d -> Some d
     | None -> Other_definition.of_javascript found.text bol)
@@ -377,7 +371,7 @@ let waiting found =
       Diagnostic.error ~code:"E0110"
         ~at:(Build.span (at first, at last))
         "an equation cannot wait: it holds at every instant"
-      |> Diagnostic.hint Beginnings.waiting
+      |> Diagnostic.hint "%s" Beginnings.waiting
       |> Option.some
   | _ -> None
 

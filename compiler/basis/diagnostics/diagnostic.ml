@@ -23,10 +23,13 @@ let make severity ~code ~at format =
 
 let error ~code ~at format = make Error ~code ~at format
 let warning ~code ~at format = make Warning ~code ~at format
-let here text t = { t with here = text }
-let label ~at text t = { t with labels = t.labels @ [ ({ at; text } : label) ] }
-let note text t = { t with notes = t.notes @ [ text ] }
-let hint text t = { t with hints = t.hints @ [ text ] }
+let here format = Printf.ksprintf (fun text t -> { t with here = text }) format
+
+let label ~at format =
+  Printf.ksprintf (fun text t -> { t with labels = t.labels @ [ ({ at; text } : label) ] }) format
+
+let note format = Printf.ksprintf (fun text t -> { t with notes = t.notes @ [ text ] }) format
+let hint format = Printf.ksprintf (fun text t -> { t with hints = t.hints @ [ text ] }) format
 
 let fix ?(safe = false) title edits t =
   let edits = List.map (fun (span, text) -> { span; text }) edits in

@@ -36,13 +36,14 @@ type t = {
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 val warning : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
 
-(** The functions below extend a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. Their
-    texts are plain strings; use [Printf.sprintf] for variable parts. *)
+(** The functions below extend a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. *)
 
-val here : string -> t -> t
-val label : at:Span.t -> string -> t -> t
-val note : string -> t -> t
-val hint : string -> t -> t
+type 'a text := ('a, unit, string, t -> t) format4 -> 'a
+
+val here : 'a text
+val label : at:Span.t -> 'a text
+val note : 'a text
+val hint : 'a text
 
 val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
 (** [fix title edits] replaces the text at each place. Not safe by default. *)

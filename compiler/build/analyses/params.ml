@@ -5,8 +5,8 @@ type set = { param : Core.Ir.Global.t; setting : string; value : Interp.Value.t 
 let unknown (p : Core.Ir.param) ~at ?hint reason =
   Diagnostic.error ~code:"E0391" ~at "the value of the parameter `%s` must be known before the run"
     p.label
-  |> Diagnostic.note reason
-  |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
+  |> Diagnostic.note "%s" reason
+  |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
 
 let places (core : Core.Ir.program) =
   let places = Hashtbl.create 256 in

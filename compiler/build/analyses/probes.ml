@@ -31,7 +31,7 @@ let named sink entry core flow ~asserts names =
           in
           Some (List.filter_map with_whether_shown all)
       | Error (name, nearest) ->
-          let closest name = Diagnostic.hint (Printf.sprintf "did you mean `%s`?" name) in
+          let closest name = Diagnostic.hint "did you mean `%s`?" name in
           Diagnostic.error ~code:unknown ~at:(name_of entry) "this program has no inner signal `%s`"
             name
           |> Option.fold ~none:Fun.id ~some:closest nearest

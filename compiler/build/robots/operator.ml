@@ -24,8 +24,8 @@ let in_unit unit_ = if String.equal unit_ "" then "without a unit" else "in " ^ 
 let refuse sink ~first ~first_unit (c : Core.Ir.control) unit_ =
   Diagnostic.error ~code:"E0442" ~at:c.span
     "the console already has another control with the label `%s`" c.label
-  |> Diagnostic.here (Core.Console.describe c.kind ^ ", " ^ in_unit unit_)
-  |> Diagnostic.label ~at:first (Core.Console.describe c.kind ^ ", " ^ in_unit first_unit)
+  |> Diagnostic.here "%s" (Core.Console.describe c.kind ^ ", " ^ in_unit unit_)
+  |> Diagnostic.label ~at:first "%s" (Core.Console.describe c.kind ^ ", " ^ in_unit first_unit)
   |> Diagnostic.hint "rename one of them"
   |> Diagnostic.emit sink
 

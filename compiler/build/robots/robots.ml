@@ -64,9 +64,8 @@ let check_own sink (typed : Typing.Ir.program) (robot : t) =
         Diagnostic.error ~code:unfit ~at:(Span.start_of_file file)
           "the module `%s` does not describe a robot: there is no %s" robot.module_ what
         |> Diagnostic.hint
-             (Printf.sprintf
-                "define records `%s` and `%s`, and an instance for each capability of the robot"
-                (Robot.input robot) (Robot.output robot))
+             "define records `%s` and `%s`, and an instance for each capability of the robot"
+             (Robot.input robot) (Robot.output robot)
         |> Diagnostic.emit sink)
       format
   in
@@ -104,11 +103,10 @@ let entry_span p = (typed_entry p).span
 let not_said p robots =
   Diagnostic.error ~code:"E0502" ~at:(entry_span p)
     "the type of `%s` does not say which robot it runs on" p.entry.name
-  |> Diagnostic.hint
-       (Printf.sprintf "%s %s everything that it needs: compile it with %s"
-          (Enumeration.all (List.map quoted robots))
-          (match robots with [ _ ] -> "has" | _ -> "have")
-          (Enumeration.one_of (List.map option robots)))
+  |> Diagnostic.hint "%s %s everything that it needs: compile it with %s"
+       (Enumeration.all (List.map quoted robots))
+       (match robots with [ _ ] -> "has" | _ -> "have")
+       (Enumeration.one_of (List.map option robots))
 
 (* Lists the robots that the program's type allows and that have this capability. *)
 let having p class_ diagnostic =
@@ -120,12 +118,9 @@ let having p class_ diagnostic =
   let robots = List.filter has (all p) in
   let with_fix d =
     if robots = [] then d
-    else
-      Diagnostic.hint
-        (Printf.sprintf "compile it with %s" (Enumeration.one_of (List.map option robots)))
-        d
+    else Diagnostic.hint "compile it with %s" (Enumeration.one_of (List.map option robots)) d
   in
-  Diagnostic.note
+  Diagnostic.note "%s"
     (match robots with
     | [] -> "no robot of the library has this capability"
     | [ robot ] -> Printf.sprintf "only %s has this capability" (quoted robot)
@@ -135,11 +130,10 @@ let having p class_ diagnostic =
 
 let lacking p (robot : t) (lack : Fit.lack) =
   Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot) lack.class_.name
-  |> Diagnostic.here (Printf.sprintf "%s needs it" lack.need.by)
+  |> Diagnostic.here "%s needs it" lack.need.by
   |> having p lack.class_
-  |> Diagnostic.note
-       (Printf.sprintf "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
-          (quoted robot) lack.class_.name lack.of_.name)
+  |> Diagnostic.note "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
+       (quoted robot) lack.class_.name lack.of_.name
 
 (* The missing capabilities of each robot, without duplicates. *)
 let on_no_robot p candidates =
@@ -152,7 +146,7 @@ let on_no_robot p candidates =
       Printf.sprintf "%s has no `%s`, which %s needs" (quoted robot) lack.class_.name lack.need.by
     in
     match lacks p robot with
-    | Some (lack :: _) -> Diagnostic.label ~at:lack.need.place (first lack) error
+    | Some (lack :: _) -> Diagnostic.label ~at:lack.need.place "%s" (first lack) error
     | Some [] | None -> error
   in
   List.fold_left add error candidates

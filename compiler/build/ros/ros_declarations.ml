@@ -53,4 +53,4 @@ let name_place c tycon field =
       f.span)
 
 let refuse c ?(code = "E0509") ~at text hint =
-  Diagnostic.error ~code ~at "%s" text |> Diagnostic.hint hint |> Diagnostic.emit c.sink
+  Diagnostic.error ~code ~at "%s" text |> Diagnostic.hint "%s" hint |> Diagnostic.emit c.sink

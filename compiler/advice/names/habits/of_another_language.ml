@@ -1,6 +1,6 @@
 open Basis
 
-let explained (t : Unknown.t) hint = Diagnostic.hint hint (Other_meaning.diagnostic t)
+let explained (t : Unknown.t) hint = Diagnostic.hint "%s" hint (Other_meaning.diagnostic t)
 
 (* {1 Notations} *)
 
@@ -33,7 +33,7 @@ let operator (t : Unknown.t) =
     (fun symbol ->
       let name = t.name.text in
       Diagnostic.error ~code:(Namespace.unknown t.namespace) ~at:t.name.span "Frob has no `%s`" name
-      |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol name)
+      |> Diagnostic.hint "write `%s` instead of `%s`" symbol name
       |> Diagnostic.write t.name.span symbol)
     (symbol t)
 
@@ -160,9 +160,8 @@ let c_declaration t =
         | _ -> of_c_declaration d
       in
       Other_meaning.diagnostic t
-      |> Diagnostic.label ~at:d.head.span
-           (Printf.sprintf "this defines a function `%s`" d.head.text)
-      |> Diagnostic.hint hint)
+      |> Diagnostic.label ~at:d.head.span "this defines a function `%s`" d.head.text
+      |> Diagnostic.hint "%s" hint)
     (Unknown.c_declaration t)
 
 (* `get_param("speed", 0.3)`, `rospy.get_param("~speed")` or `nh.param("speed", 0.3)` *)

@@ -122,7 +122,7 @@ let transposed (t : Unknown.t) =
       text
     |> Imports.without_imported t.module_.visible
     |> fun hint ->
-    Some (Diagnostic.hint hint (Other_meaning.diagnostic t) |> Diagnostic.write at text)
+    Some (Diagnostic.hint "%s" hint (Other_meaning.diagnostic t) |> Diagnostic.write at text)
   else None
 
 let diagnostic suggestions (t : Unknown.t) =
@@ -134,6 +134,6 @@ let diagnostic suggestions (t : Unknown.t) =
       let hint = if t.namespace = Values then List.find_map (fun rule -> rule t) rules else None in
       match hint with
       | Some { text; edit; is_certain } when is_certain || suggested.hints = [] ->
-          Diagnostic.hint text diagnostic
+          Diagnostic.hint "%s" text diagnostic
           |> Option.fold edit ~none:Fun.id ~some:(fun (at, text) -> Diagnostic.write at text)
       | Some _ | None -> suggested)

@@ -24,7 +24,7 @@ let equation (t : Unknown.t) =
       Some
         (Report
            (error t (what ^ " cannot start with")
-           |> Diagnostic.hint (Typed_equation.advice typed)
+           |> Diagnostic.hint "%s" (Typed_equation.advice typed)
            |> Diagnostic.fix "remove the type" [ (place, "") ]))
   | Some typed when is_a_type t && index t < typed.stop -> Some Reported
   | Some _ | None -> None
@@ -35,7 +35,7 @@ let parameter (t : Unknown.t) =
   match Typed_equation.of_parameters line with
   | Some hint when is_a_type t && index t < String.index line '=' ->
       if Name_in_text.before ~text:(Unknown.text t) t.name.span = '(' then
-        Some (Report (error t "a parameter cannot have" |> Diagnostic.hint hint))
+        Some (Report (error t "a parameter cannot have" |> Diagnostic.hint "%s" hint))
       else Some Reported
   | Some _ | None -> None
 
@@ -49,7 +49,7 @@ let words (t : Unknown.t) =
         go 0
       in
       if index t = first then
-        Some (Report (error t "a parameter cannot have" |> Diagnostic.hint hint))
+        Some (Report (error t "a parameter cannot have" |> Diagnostic.hint "%s" hint))
       else Some Reported
   | Some _ | None -> None
 
@@ -70,9 +70,8 @@ let lambda (t : Unknown.t) =
               Some
                 (Report
                    (error t "a parameter cannot have"
-                   |> Diagnostic.hint
-                        (Printf.sprintf "write `\\%s ->`, without types"
-                           (String.concat " " (List.map snd all)))))
+                   |> Diagnostic.hint "write `\\%s ->`, without types"
+                        (String.concat " " (List.map snd all))))
           | Some (_ :: _) -> Some Reported
           | Some [] | None -> None)
       | Some _ | None -> None)

@@ -301,7 +301,5 @@ let other_place found diagnostic =
   | (((If | Then | Case) as opener), { by; _ }) :: _
     when by.start.pos_lnum <> found.token.start.pos_lnum ->
       let word = match opener with Case -> "case" | _ -> "if" in
-      Diagnostic.label
-        ~at:(Build.span (by.start, by.stop))
-        (Printf.sprintf "this `%s`" word) diagnostic
+      Diagnostic.label ~at:(Build.span (by.start, by.stop)) "this `%s`" word diagnostic
   | _ -> diagnostic

@@ -49,12 +49,11 @@ let diagnostic (first : clause) (second : clause) more =
   |> Diagnostic.label ~at:first.name.span "the first"
   |> (fun d -> List.fold_left also d shown)
   |> (if besides = [] then Fun.id
-      else Diagnostic.note (Printf.sprintf "there are %d more clauses" (List.length besides)))
+      else Diagnostic.note "there are %d more clauses" (List.length besides))
   |> Diagnostic.hint
-       (Printf.sprintf
-          "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each \
-           of the clauses"
-          (case_of first))
+       "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each of \
+        the clauses"
+       (case_of first)
   |>
   if List.for_all (is_simple ~like:first) all then
     Diagnostic.fix "write one clause with a `case`" (List.concat_map (edits ~first) all)

@@ -13,8 +13,7 @@ let class_head at =
 
 let superclass ~at ~(class_ : Ir.name) (variable : Ir.name) =
   error at "a superclass must use the class's own variable `%s`" variable.text
-  |> Diagnostic.hint
-       (Printf.sprintf "as in `class Eq %s => %s %s`" variable.text class_.text variable.text)
+  |> Diagnostic.hint "as in `class Eq %s => %s %s`" variable.text class_.text variable.text
 
 let instance_head at =
   error at "the head of an instance must be a class and one type"
@@ -45,7 +44,7 @@ let size_operator ~text ~at operator =
     match type_in_angles ~text at with
     | Some written ->
         error at "separate type arguments with spaces, without `<>`"
-        |> Diagnostic.hint ("write " ^ written)
+        |> Diagnostic.hint "write %s" written
     | None -> error at "separate type arguments with spaces, as in `Event Distance`, without `<>`"
 
 let empty_where at =
@@ -61,13 +60,12 @@ let number_in_unit ~text ~(at : Span.t) digits =
   match Other_type.signature text (Text_place.offset text at.start) with
   | Some signature when Other_type.mentions ("Array " ^ digits) signature ->
       error at "the brackets after a type contain a unit, not the size of an array"
-      |> Diagnostic.hint (Printf.sprintf "write `%s`" signature)
+      |> Diagnostic.hint "write `%s`" signature
   | Some _ | None ->
       error at "the number `%s` cannot be part of a unit, only `1` can" digits
       |> Diagnostic.hint
-           (Printf.sprintf
-              "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
-              digits)
+           "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
+           digits
 
 let exponent_not_whole ~at digits =
   error at "the exponent `%s` of a unit is not a whole number" digits

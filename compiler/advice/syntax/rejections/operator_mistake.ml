@@ -39,7 +39,7 @@ let exponent ~text ~(base : term) ~operator (right : term) =
     | Some base_text ->
         let fixed = "sqrt " ^ Source.grouped base_text in
         fun d ->
-          Diagnostic.hint (Printf.sprintf "for a square root, write `%s`" fixed) d
+          Diagnostic.hint "for a square root, write `%s`" fixed d
           |> Diagnostic.write (Span.merge base.span right.span) ("(" ^ fixed ^ ")")
     | None -> Diagnostic.hint "for a square root, write `sqrt (…)`"
 
@@ -70,20 +70,18 @@ let both_compared ~text (left : term) first (middle : term) second (right : term
   match (quote ~text left.span, quote ~text middle.span, quote ~text right.span) with
   | Some a, Some b, Some c ->
       let text = Printf.sprintf "%s %s %s && %s %s %s" a (shown first) b b (shown second) c in
-      Diagnostic.hint (Printf.sprintf "compare two at a time: `%s`" text) d
+      Diagnostic.hint "compare two at a time: `%s`" text d
       |> Diagnostic.write (Span.merge left.span right.span) text
   | Some a, Some b, _ ->
-      Diagnostic.hint
-        (Printf.sprintf "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
-           (shown second))
-        d
-  | _ -> Diagnostic.hint (compared_twice first middle second) d
+      Diagnostic.hint "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
+        (shown second) d
+  | _ -> Diagnostic.hint "%s" (compared_twice first middle second) d
 
 let two_operators ~text ~compare left (first : Ir.qualified) middle (second : Ir.qualified) right =
   match written_in_words middle with
   | Some (word, symbol, at) ->
       Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" word
-      |> Diagnostic.hint (Printf.sprintf "write `%s` instead of `%s`" symbol word)
+      |> Diagnostic.hint "write `%s` instead of `%s`" symbol word
       |> Diagnostic.write at symbol
   | None ->
       Diagnostic.error ~code:"E0113" ~at:second.span
@@ -110,9 +108,8 @@ let negated (operand : term) =
 let minus_after ~operator ~at (operand : term) =
   Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
     (shown operator)
-  |> Diagnostic.hint
-       (Printf.sprintf "put it and its operand in parentheses: `x %s %s`" (shown operator)
-          (negated operand))
+  |> Diagnostic.hint "put it and its operand in parentheses: `x %s %s`" (shown operator)
+       (negated operand)
   |> in_parentheses at operand.span
 
 let two_minuses ~first ~second (operand : term) =

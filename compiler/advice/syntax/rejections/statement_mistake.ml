@@ -28,7 +28,7 @@ let waiting (word : Ir.name) =
   if Beginnings.waits word.text then
     Some
       (error word.span "a `proc` cannot wait: all its statements hold at every instant"
-      |> Diagnostic.hint Beginnings.waiting)
+      |> Diagnostic.hint "%s" Beginnings.waiting)
   else None
 
 let in_proc ~is_last (e : Ir.expr) =
@@ -66,9 +66,8 @@ let last_task_binds ~at name =
   match name with
   | Some name ->
       Diagnostic.hint
-        (Printf.sprintf
-           "remove `%s <-` to return the task's result, or add a last statement such as `return %s`"
-           name name)
+        "remove `%s <-` to return the task's result, or add a last statement such as `return %s`"
+        name name
   | None -> end_with_task
 
 let last_task_is_let at = last_is at "be a `let`" |> end_with_task

@@ -25,7 +25,7 @@ let rec unit_text (t : Surface.term) =
 
 let unit_after_space ~(number : Surface.term) ~digits ~unit_ (at : Span.t) =
   Diagnostic.error ~code:"E0110" ~at "a unit must directly follow its number, without a space"
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (match List.map unit_text unit_ with
        | [ Some measure ] -> Printf.sprintf "remove the space: `%s[%s]`" digits measure
        | _ -> Printf.sprintf "remove the space between `%s` and its unit" digits)
@@ -47,7 +47,7 @@ let operator ~at (name : Ir.name) = error at "a pattern cannot bind the operator
 
 let empty_array at =
   error at "no array matches `[]`, because every array has at least one element"
-  |> Diagnostic.hint Colon_hint.of_elements
+  |> Diagnostic.hint "%s" Colon_hint.of_elements
 
 let application at =
   error at "a function cannot be applied in a pattern"
@@ -70,7 +70,7 @@ let binary (operator : Ir.qualified) =
 
 let field at (record : Ir.expr) (field : Ir.name) =
   no_pattern at "a field access"
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (match record.desc with
        | Variable { name = { text = "self" | "this"; _ }; _ } ->
            Printf.sprintf "Frob has no objects: write only the name, `%s`" field.text
@@ -97,9 +97,7 @@ let expression at (desc : Ir.expr_desc) =
   | Annotated { expr = { desc = Variable { qualifier = None; name; _ }; _ }; _ } ->
       no_pattern at "a type"
       |> Diagnostic.hint
-           (Printf.sprintf
-              "write `%s` alone; types belong in a signature, on the line above a definition"
-              name.text)
+           "write `%s` alone; types belong in a signature, on the line above a definition" name.text
       |> Diagnostic.write at name.text
   | Annotated _ ->
       no_pattern at "a type"
@@ -113,7 +111,7 @@ let expression at (desc : Ir.expr_desc) =
 
 let minus_in_name ~at ~(left : Ir.name) ~(right : Ir.name) =
   error at "a name cannot contain `-`"
-  |> Diagnostic.hint (Printf.sprintf "write `%s`" (left.text ^ String.capitalize_ascii right.text))
+  |> Diagnostic.hint "write `%s`" (left.text ^ String.capitalize_ascii right.text)
 
 let operator_on_left (operator : Ir.qualified) =
   error operator.span

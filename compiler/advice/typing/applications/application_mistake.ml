@@ -27,10 +27,9 @@ let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
         (fun text d ->
           let fixed = Printf.sprintf "(%s * 0.05[m])" text in
           Diagnostic.hint
-            (Printf.sprintf
-               "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn \
-                rate, it is the second argument"
-               fixed)
+            "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn rate, \
+             it is the second argument"
+            fixed
             { d with Diagnostic.hints = []; fixes = [] })
         (Wording.quote words span)
   | _ -> None
@@ -55,7 +54,7 @@ let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diag
   in
   let shown = List.map (Option.value ~default:"(…)") texts in
   let fixed = String.concat " " (name :: shown) in
-  Diagnostic.hint (Printf.sprintf "write `%s`" fixed) d
+  Diagnostic.hint "write `%s`" fixed d
   |> if List.mem None texts then Fun.id else Diagnostic.write at fixed
 
 let exchange a b ~of_:n =
@@ -99,8 +98,7 @@ let field_of_the_result { words; call; mistake } =
       | Some path, Some f, Some x ->
           let text = Printf.sprintf "(%s %s).%s" f x path in
           Some
-            (Diagnostic.hint
-               (Printf.sprintf "a field binds tighter than application: write `%s`" text)
+            (Diagnostic.hint "a field binds tighter than application: write `%s`" text
                { mistake with hints = []; notes = []; fixes = [] })
       | _ -> None)
   | _ -> None
@@ -208,14 +206,13 @@ let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve
     (b : Resolve.Ir.pattern) =
   let at = Span.merge a.span b.span in
   Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
-  |> Diagnostic.label ~at:head.span
-       (Printf.sprintf "`%s` passes the result so far, and then an element" name)
+  |> Diagnostic.label ~at:head.span "`%s` passes the result so far, and then an element" name
   |>
   match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->
       let text = Printf.sprintf "%s %s" b a in
       fun d ->
-        Diagnostic.hint (Printf.sprintf "write `\\%s -> …`" text) d
+        Diagnostic.hint "write `\\%s -> …`" text d
         |> Diagnostic.fix (Printf.sprintf "write `\\%s`" text) [ (at, text) ]
   | _ -> Diagnostic.hint "swap the parameters"
 
@@ -226,9 +223,7 @@ let mapped_range words ~at ~head (arguments : Resolve.Ir.expr list) =
   in
   match Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")") with
   | Some text when List.compare_lengths texts arguments = 0 ->
-      Diagnostic.hint
-        (Printf.sprintf "to convert a number from one range to another, write `%s`" text)
-        d
+      Diagnostic.hint "to convert a number from one range to another, write `%s`" text d
       |> Diagnostic.write at (Source.grouped text)
   | Some _ | None ->
       Diagnostic.hint

@@ -9,7 +9,7 @@ let method_without_variable (method_ : Resolve.Ir.method_) (variable : Ir.variab
 let constrained_variable (c : Resolve.Ir.constraint_) (variable : Ir.variable) =
   Diagnostic.error ~code:"E0365" ~at:c.span
     "the context of a method cannot constrain the class's own variable `%s`" variable.name
-  |> Diagnostic.hint (Printf.sprintf "make `%s` a superclass" c.class_.name)
+  |> Diagnostic.hint "make `%s` a superclass" c.class_.name
 
 let built_in_class (instance : Resolve.Ir.instance) =
   Diagnostic.error ~code:"E0366" ~at:instance.span "`%s` has no declared instances"
@@ -26,9 +26,7 @@ let instance_head words (instance : Resolve.Ir.instance) head =
   let diagnostic =
     match Type.repr head with
     | Alias { expansion; _ } ->
-        Diagnostic.note
-          (Printf.sprintf "it stands for %s" (Wording.quoted words expansion))
-          diagnostic
+        Diagnostic.note "it stands for %s" (Wording.quoted words expansion) diagnostic
     | _ -> diagnostic
   in
   match Type.expand head with
@@ -51,7 +49,7 @@ let second_instance words (instance : Resolve.Ir.instance) head ~first =
 let missing_methods words (instance : Resolve.Ir.instance) head missing =
   let all shown = Enumeration.all (List.map (fun ((m : Ir.Global.t), _) -> shown m.name) missing) in
   let label diagnostic ((m : Ir.Global.t), at) =
-    Diagnostic.label ~at (Printf.sprintf "`%s` has no default" m.name) diagnostic
+    Diagnostic.label ~at "`%s` has no default" m.name diagnostic
   in
   let error =
     Diagnostic.error ~code:"E0363" ~at:instance.span "the instance `%s` does not define %s"
@@ -59,6 +57,5 @@ let missing_methods words (instance : Resolve.Ir.instance) head missing =
       (all (Printf.sprintf "`%s`"))
   in
   List.fold_left label error missing
-  |> Diagnostic.hint
-       (Printf.sprintf "define it below the `where` of the instance: %s"
-          (all (Printf.sprintf "`%s = …`")))
+  |> Diagnostic.hint "define it below the `where` of the instance: %s"
+       (all (Printf.sprintf "`%s = …`"))

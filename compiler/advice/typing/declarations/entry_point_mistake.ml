@@ -31,7 +31,7 @@ let rejected (d : Ir.definition) ?(at = d.span) hint format =
   Printf.ksprintf
     (fun reason ->
       Diagnostic.error ~code:"E0411" ~at "`%s` cannot run: %s" d.name.name reason
-      |> Diagnostic.hint hint)
+      |> Diagnostic.hint "%s" hint)
     format
 
 let type_variables d ~name ~ty ~is_program size =
@@ -104,7 +104,7 @@ let diagnostic (fact : Entry_fact.t) =
   | No_entry { file; name; others } ->
       Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
         "there is no `%s` in this module to compile" name
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match (Resolve.Test_file.program file, Suggest.closest name others) with
            | Some program, _ when String.equal name "main" ->
                Printf.sprintf "this is a test file: give the name of its program, %s"

@@ -31,16 +31,13 @@ let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusa
   | Not_a_signal_function ty ->
       error "`%s` is a foreign signal function, but `%s` is not a signal function type" name
         (Show.ty ty)
-      |> Diagnostic.hint
-           (Printf.sprintf "declare a function without `sf`: `foreign %s :: %s = …`" name
-              (Show.ty ty))
+      |> Diagnostic.hint "declare a function without `sf`: `foreign %s :: %s = …`" name (Show.ty ty)
   | Signal_function ->
       error "`%s` is a signal function" name
-      |> Diagnostic.hint
-           (Printf.sprintf "if it has state in C, declare it as `foreign sf %s :: …`" name)
+      |> Diagnostic.hint "if it has state in C, declare it as `foreign sf %s :: …`" name
   | No_argument ty ->
       error "`%s` has no argument, but a C function needs a function type" name
-      |> Diagnostic.hint (Printf.sprintf "use `() -> %s`, and call it as `%s ()`" (Show.ty ty) name)
+      |> Diagnostic.hint "use `() -> %s`, and call it as `%s ()`" (Show.ty ty) name
   | Type_classes ->
       error "foreign declarations cannot have type classes"
       |> Diagnostic.hint "import it once for each type that you need"
@@ -49,11 +46,11 @@ let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusa
       error "`%s` cannot %s C a value of type `%s`" name
         (if to_c then "give" else "take from")
         (Show.ty culprit)
-      |> Diagnostic.note why
-      |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
+      |> Diagnostic.note "%s" why
+      |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
 
 let imported_twice symbol ~(this : Declaration_fact.imported) ~(first : Declaration_fact.imported) =
   Diagnostic.error ~code:"E0381" ~at:this.at "C's `%s` is imported here as `%s`" symbol
     (Show.ty this.ty)
-  |> Diagnostic.label ~at:first.at (Printf.sprintf "and here as `%s`" (Show.ty first.ty))
+  |> Diagnostic.label ~at:first.at "and here as `%s`" (Show.ty first.ty)
   |> Diagnostic.note "a C function has one type"

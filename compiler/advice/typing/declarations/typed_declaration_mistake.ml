@@ -12,7 +12,7 @@ let param ~at name (scheme : Ir.scheme) =
     Diagnostic.error ~code:"E0390" ~at "%s" text
     |> Diagnostic.note
          "a parameter must be a number or a `Bool`, so that the command line can set it"
-    |> Option.fold ~none:Fun.id ~some:Diagnostic.hint hint
+    |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
   in
   let cannot_be = Printf.sprintf "the parameter `%s` cannot be of %s `%s`" name in
   let ty = Show.scheme scheme in

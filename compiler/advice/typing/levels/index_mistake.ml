@@ -8,7 +8,7 @@ let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
   (match problem with
   | Variable (x, at) ->
       error at "the index of `!` must be constant, but `%s` is not" x.name
-      |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+      |> Diagnostic.label ~at:x.span "`%s` is bound here" x.name
   | Param (p, at) ->
       error at
         "the index of `!` must be constant, but the parameter `%s` is only known when the program \
@@ -18,7 +18,7 @@ let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
   | Computed at ->
       error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
   |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (let quoted = Option.bind array (fun (a : expr) -> Source.quote sources a.span) in
         let index = Option.value (Source.quote sources e.span) ~default:index in
         let missing =
@@ -43,8 +43,8 @@ let outside sources ~(array : expr) ~(index : expr) value ~size =
   match size with
   | Some n ->
       error "index %d is outside of an array of %d elements" value n
-      |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
-      |> Diagnostic.hint
+      |> Diagnostic.label ~at:array.span "this is `%s`" (Show.ty array.ty)
+      |> Diagnostic.hint "%s"
            (if n = 1 then "its only element has the index 0"
             else
               let array =

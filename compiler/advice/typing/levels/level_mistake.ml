@@ -38,9 +38,7 @@ let exchanged_delay sources (start : expr) (input : expr) =
       let text = Printf.sprintf "delay %s %s" constant x in
       Some
         (fun d ->
-          Diagnostic.hint
-            (Printf.sprintf "the initial value comes before the signal: write `%s`" text)
-            d
+          Diagnostic.hint "the initial value comes before the signal: write `%s`" text d
           |> Diagnostic.fix
                (Printf.sprintf "write `%s`" text)
                [ (start.span, constant); (input.span, x) ])
@@ -71,27 +69,24 @@ let likely sources (region : Level_fact.region) =
         _;
       }
     when name = "switch" || name = "dSwitch" ->
-      Diagnostic.hint (Printf.sprintf "pass it in the event of the `%s`, or use `initially`" name)
+      Diagnostic.hint "pass it in the event of the `%s`, or use `initially`" name
   | Binding_of_task _ ->
       Diagnostic.hint
         "pass values that are known at the start as parameters of the task, and signals in its \
          input"
-  | Head { head; input; value } -> Diagnostic.hint (for_arguments sources ~value head input)
+  | Head { head; input; value } -> Diagnostic.hint "%s" (for_arguments sources ~value head input)
   | Binding_of x ->
       Diagnostic.hint
-        (Printf.sprintf
-           "pass signals in its input: `%s` can take a pair, `proc (x, y) -> …`; to pass a value \
-            from one mode to the next, use the event of the switch"
-           x.name)
+        "pass signals in its input: `%s` can take a pair, `proc (x, y) -> …`; to pass a value from \
+         one mode to the next, use the event of the switch"
+        x.name
 
 let code : Level_fact.region -> string = function
   | Head _ -> "E0340"
   | Binding_of _ | Binding_of_task _ -> "E0344"
 
 let reason d ({ variable; why } : Level_fact.reason) =
-  let label at text =
-    Diagnostic.label ~at (Printf.sprintf "`%s` is a signal: %s" variable.name text) d
-  in
+  let label at text = Diagnostic.label ~at "`%s` is a signal: %s" variable.name text d in
   match why with
   | Input -> label variable.span "it comes from the `proc`'s input here"
   | Runs_at at -> label at "a signal function runs here"
@@ -115,8 +110,8 @@ let recursive (x : Local.t) (use : expr) =
   in
   Diagnostic.(
     error ~code:"E0346" ~at:use.span "`%s` is used in its own definition" x.name
-    |> here why
-    |> label ~at:x.span (Printf.sprintf "`%s` is defined here" x.name))
+    |> here "%s" why
+    |> label ~at:x.span "`%s` is defined here" x.name)
 
 let diagnostic sources (fact : Level_fact.t) =
   match fact with

@@ -21,9 +21,8 @@ let equation sources h (e : expr) =
   Printf.sprintf "`%s = %s`" (signal h) (Option.value (quote sources e) ~default:"…")
 
 let own_equation sources h e =
-  Diagnostic.hint
-    (Printf.sprintf "to run it at every instant, add the equation %s, and write `%s` here"
-       (equation sources h e) (signal h))
+  Diagnostic.hint "to run it at every instant, add the equation %s, and write `%s` here"
+    (equation sources h e) (signal h)
 
 (* A hint for an integral that pauses while the branch is not chosen. *)
 let paused sources condition h input =
@@ -37,10 +36,9 @@ let paused sources condition h input =
             else Printf.sprintf "if %s then 0 else %s" test input
           in
           Diagnostic.hint
-            (Printf.sprintf
-               "to pause it while this branch is not chosen, write `integral (%s)` in place of the \
-                whole `if`"
-               rate)
+            "to pause it while this branch is not chosen, write `integral (%s)` in place of the \
+             whole `if`"
+            rate
       | _ -> Fun.id)
   | _ -> Fun.id
 
@@ -59,7 +57,7 @@ let anew sources condition h input =
              (signal h) (Source.grouped h') input becomes)
     | _ -> None
   in
-  Diagnostic.hint
+  Diagnostic.hint "%s"
     (Option.value (Option.bind condition resets)
        ~default:"to restart it whenever this is chosen, `switch` between signal functions")
 
@@ -144,8 +142,8 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
     (obstacle : Level_fact.obstacle) (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let bound (x : Local.t) d =
-    Diagnostic.here (Printf.sprintf "`%s` only has a value here" x.name) d
-    |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+    Diagnostic.here "`%s` only has a value here" x.name d
+    |> Diagnostic.label ~at:x.span "`%s` is bound here" x.name
   in
   let of_choice where condition =
     let d = run where "E0342" in
@@ -173,14 +171,14 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
   | Outside ->
       run "outside of a `proc`" "E0341"
       |> Diagnostic.here "only a `proc` can run a signal function"
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match in_a_test sources definition within with
            | Some hint -> hint
            | None -> outside sources within head)
   | In_task ->
       run "outside of a `proc`" "E0341"
       |> Diagnostic.here "the statements of a task cannot run signal functions"
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (let asked = Option.value (quote sources head) ~default:"…" in
             Printf.sprintf "to read it once, write `x <- ask %s` before this, and `x` here"
               (Source.grouped asked))
@@ -197,7 +195,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
           |> own_equation sources head e
       | Bound_here x ->
           bound x d
-          |> Diagnostic.hint
+          |> Diagnostic.hint "%s"
                (match (f, quote sources head) with
                | "", Some h when String.equal h x.name ->
                    "use `parB` to run an array of signal functions on one input, `parZ` to run \

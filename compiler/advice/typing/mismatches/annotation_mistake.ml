@@ -15,9 +15,8 @@ let scaled_unit environment places measure =
   let d =
     Diagnostic.error ~code:"E0321" ~at:first
       "a type cannot contain a scaled unit, because values are stored in base units"
-    |> Diagnostic.hint
-         (Printf.sprintf "write `%s` here%s; use scaled units only after literals" text
-            (if Units.equal measure Units.one then ", or `Angle` as the whole type" else ""))
+    |> Diagnostic.hint "write `%s` here%s; use scaled units only after literals" text
+         (if Units.equal measure Units.one then ", or `Angle` as the whole type" else "")
     |> Diagnostic.fix
          (Printf.sprintf "write `%s`" text)
          (List.map (fun place -> (place, text)) places)
@@ -39,7 +38,7 @@ let wrong_kind sources environment ~(at : Span.t) (wanted : Type.kind) found =
   | Of_types, _ -> error "expected a type, found the size %s" shown
   | Of_sizes, _ ->
       error "expected the size of an array, found the type %s" shown
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match
               Option.bind (Source.text sources at.file) (fun text ->
                   Other_type.changed text (Text_place.offset text at.start))

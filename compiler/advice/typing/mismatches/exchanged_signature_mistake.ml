@@ -62,12 +62,10 @@ let in_wrong_order sources
   Diagnostic.error ~code:d.code
     ~at:(Span.merge first.span second.span)
     "the types in the signature of `%s` are in the wrong order" name
-  |> Diagnostic.here here
+  |> Diagnostic.here "%s" here
   |> Diagnostic.label ~at:(contradicting ~written d) "this does not fit the signature"
-  |> Diagnostic.hint
-       (Printf.sprintf "write the signature as `%s`%s" signature
-          (Option.fold others ~none:""
-             ~some:(Printf.sprintf ", or begin the definition with `%s =`")))
+  |> Diagnostic.hint "write the signature as `%s`%s" signature
+       (Option.fold others ~none:"" ~some:(Printf.sprintf ", or begin the definition with `%s =`"))
   |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits
 
 (* The definition may be wrong instead, so its message stays. *)
@@ -86,9 +84,8 @@ let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnosti
   if keeps then d
   else
     { d with hints = List.filter (fun h -> not (is_of_a_signature h)) d.hints }
-    |> Diagnostic.hint
-         (Printf.sprintf "if the types of the signature are in the wrong order, write it as `%s`"
-            signature)
+    |> Diagnostic.hint "if the types of the signature are in the wrong order, write it as `%s`"
+         signature
     |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits
 
 let diagnostic words (fact : Signature_fact.t) mistakes =

@@ -12,8 +12,8 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
   let name = Option.value (Wording.quote words function_.span) ~default:"f" in
   let operand = Option.value (Option.bind place (Wording.quote words)) ~default:"1" in
   error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
-  |> label ~at:function_.span (Printf.sprintf "this is %s" (Wording.described words ty))
-  |> hint (Printf.sprintf "put the negative argument in parentheses: `%s (-%s)`" name operand)
+  |> label ~at:function_.span "this is %s" (Wording.described words ty)
+  |> hint "put the negative argument in parentheses: `%s (-%s)`" name operand
   |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
          let place at = Span.make ~file:minus.file ~start:at ~stop:at in
          fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
@@ -44,10 +44,9 @@ let not_taken fact =
         (position - 1)
         (if position = 2 then "" else "s")
       |> here "one too many"
-      |> label ~at:fact.head.span
-           (Printf.sprintf "with %s, its result is %s"
-              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
-              left)
+      |> label ~at:fact.head.span "with %s, its result is %s"
+           (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
+           left
 
 (* {2 Rules}
 
@@ -59,7 +58,7 @@ let after_a_number fact =
   | Number { digits; unit_; _ } when fact.position = 1 ->
       let factor = if unit_ = None then Wording.quote fact.words fact.at else None in
       Some
-        (hint
+        (hint "%s"
            (match factor with
            | Some text ->
                Printf.sprintf
@@ -79,9 +78,8 @@ let after_a_field fact =
       Some
         (match (Wording.quote fact.words record.span, Wording.quote fact.words fact.at) with
         | Some record, Some value ->
-            hint
-              (Printf.sprintf "for a record with another `%s`, write `%s { %s = %s }`" field.text
-                 (Source.grouped record) field.text value)
+            hint "for a record with another `%s`, write `%s { %s = %s }`" field.text
+              (Source.grouped record) field.text value
         | _ -> Fun.id)
   | _ -> None
 
@@ -98,9 +96,7 @@ let of_two_limits fact =
             "clamp " ^ String.trim arguments ^ String.make (max 0 (count '(' - count ')')) ')'
           in
           fun d ->
-            hint
-              (Printf.sprintf "`limit` has one limit for both directions; for two, write `%s`" text)
-              d
+            hint "`limit` has one limit for both directions; for two, write `%s`" text d
             |> write fact.head.span "clamp")
         (match Source.quote (Wording.sources fact.words) arguments with
         | Some text when String.length text < 90 -> Some text
@@ -157,10 +153,7 @@ let element fact =
             fix (Printf.sprintf "write `%s`" text) [ edit ]
         | _ -> Fun.id
       in
-      Some
-        (fun d ->
-          hint (Printf.sprintf "write `%s` for that element; the first one is `! 0`" text) d
-          |> rewrite)
+      Some (fun d -> hint "write `%s` for that element; the first one is `! 0`" text d |> rewrite)
   | _ -> None
 
 (* The text between the head and this argument. *)
@@ -187,20 +180,16 @@ let initial_value fact =
       let text = Printf.sprintf "%s %s" name signal in
       Some
         (fun d ->
-          hint
-            (Printf.sprintf "remove the `%s`, because `%s` starts at 0 anyway: write `%s`" zero name
-               text)
-            d
+          hint "remove the `%s`, because `%s` starts at 0 anyway: write `%s`" zero name text d
           |> write (Span.merge fact.head.span fact.at) text)
   | Global { name = "integral"; _ }, Some before, Some argument
     when fact.position = 2 && Character.is_digit before.[0] ->
       Some
         (hint
-           (Printf.sprintf
-              "it starts at 0: for another initial value, write `%s + integral %s`; to restart it \
-               when an event occurs, write `resetOn integral (%s, e)`"
-              before argument
-              (Option.value (Wording.quote fact.words fact.at) ~default:"v")))
+           "it starts at 0: for another initial value, write `%s + integral %s`; to restart it \
+            when an event occurs, write `resetOn integral (%s, e)`"
+           before argument
+           (Option.value (Wording.quote fact.words fact.at) ~default:"v"))
   | Global { name = "integral"; _ }, _, _ when fact.position = 2 && not (is_a_time fact) ->
       Some
         (hint
@@ -232,7 +221,7 @@ let of_three fact =
         | Some (a, b), Some c -> Printf.sprintf "%s %s (%s %s %s)" name a name b (Source.grouped c)
         | _ -> Printf.sprintf "%s a (%s b c)" name name
       in
-      Some (hint (Printf.sprintf "for three values, write `%s`" written))
+      Some (hint "for three values, write `%s`" written)
   | _ -> None
 
 (* An event as an additional argument of a signal function of the prelude. *)
@@ -243,17 +232,13 @@ let started_afresh fact =
       Some
         (fun d ->
           match Wording.quote fact.words fact.at with
-          | Some text ->
-              hint
-                (Printf.sprintf "remove `%s`: `%s` knows the time between two instants" text name)
-                d
+          | Some text -> hint "remove `%s`: `%s` knows the time between two instants" text name d
           | None -> d)
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when fact.position > 1 ->
       Some
-        (hint
-           (Printf.sprintf "to restart it when an event occurs, write `resetOn %s (x, e)`"
-              (if name = "delay" then "(delay x0)" else name)))
+        (hint "to restart it when an event occurs, write `resetOn %s (x, e)`"
+           (if name = "delay" then "(delay x0)" else name))
   | _ -> None
 
 (* Two tasks, one below the other, without a `do`, or with the second one indented further. *)
@@ -261,7 +246,7 @@ let without_do fact =
   let column (span : Span.t) = Span.column span.start in
   if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
     Some
-      (hint
+      (hint "%s"
          (match (Wording.quote fact.words fact.head.span, Wording.quote fact.words fact.at) with
          | Some head, Some next when column fact.at > column fact.head.span ->
              Printf.sprintf
@@ -277,10 +262,8 @@ let after_a_formula fact =
   | Global { name = "+" | "-" | "*" | "/"; _ }, Number _ when fact.position = 3 ->
       Option.map
         (fun text ->
-          hint
-            (Printf.sprintf
-               "a formula in parentheses is not a function: for a product write `* %s` after it"
-               (Source.grouped text)))
+          hint "a formula in parentheses is not a function: for a product write `* %s` after it"
+            (Source.grouped text))
         (Wording.quote fact.words fact.at)
   | _ -> None
 
@@ -288,9 +271,7 @@ let after_a_formula fact =
 let signature fact =
   match fact.head.desc with
   | Global g when fact.position > 1 ->
-      Option.map
-        (fun ty -> hint (Printf.sprintf "`%s :: %s`" g.name ty))
-        (Wording.declared fact.words g)
+      Option.map (fun ty -> hint "`%s :: %s`" g.name ty) (Wording.declared fact.words g)
   | _ -> None
 
 let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
@@ -314,10 +295,7 @@ let infix fact =
       let fixed = Printf.sprintf "`%s`" g.name in
       Some
         (fun d ->
-          hint
-            (Printf.sprintf "between its arguments, a function needs backquotes: ``%s %s …``" left
-               fixed)
-            d
+          hint "between its arguments, a function needs backquotes: ``%s %s …``" left fixed d
           |> write fact.argument.span fixed)
   | _ -> None
 
@@ -331,13 +309,11 @@ let local fact =
             let operator = if left = Bool then "&&" else "*" in
             let text = Source.grouped text in
             hint
-              (Printf.sprintf
-                 "write an operator between the two values, as in `%s %s %s`; for a tuple, `(%s, \
-                  %s)`"
-                 x.name operator text x.name text)
+              "write an operator between the two values, as in `%s %s %s`; for a tuple, `(%s, %s)`"
+              x.name operator text x.name text
         | _ -> Fun.id
       in
-      Some (fun d -> label ~at:x.span (Printf.sprintf "it means this local `%s`" x.name) d |> pair)
+      Some (fun d -> label ~at:x.span "it means this local `%s`" x.name d |> pair)
   | _ -> None
 
 (* The first rule that applies is used. The rules for a kind of head come first, then those for
@@ -381,7 +357,7 @@ let not_a_function words ~head ~position ~(argument : Resolve.Ir.expr) left =
 (* {1 Other mistakes} *)
 
 let applied_without_parentheses ~name ~runs_a_task ~inner ~whole (d : Diagnostic.t) =
-  hint
+  hint "%s"
     (if String.equal name "return" && runs_a_task then
        Printf.sprintf "to run a task, remove `return`: `%s`" inner
      else Printf.sprintf "put parentheses around the argument: `%s`" whole)

@@ -6,8 +6,7 @@ let through_instances words { lacking; culprit; through } diagnostic =
   let asks = Wording.constraint_ words lacking culprit in
   match through with
   | [] -> diagnostic
-  | last :: _ ->
-      Diagnostic.label ~at:last.place (Printf.sprintf "this instance requires `%s`" asks) diagnostic
+  | last :: _ -> Diagnostic.label ~at:last.place "this instance requires `%s`" asks diagnostic
 
 let is_signal_function t = match Type.expand t with Signal_function _ -> true | _ -> false
 
@@ -35,10 +34,9 @@ let for_any_robot (class_ : Ir.Global.t) robot =
     | _ -> Printf.sprintf "(%s i, DiffDrive o)" class_.name
   in
   Diagnostic.hint
-    (Printf.sprintf
-       "for a program that runs on every robot with this capability, write the class instead of \
-        the robot's type: `main :: %s => Program i o`"
-       asked)
+    "for a program that runs on every robot with this capability, write the class instead of the \
+     robot's type: `main :: %s => Program i o`"
+    asked
 
 let is_function t = match Type.expand t with Function _ -> true | _ -> false
 
@@ -51,10 +49,8 @@ let about_foreign words t diagnostic =
   match foreign_of words t with
   | None -> diagnostic
   | Some tycon ->
-      Diagnostic.hint
-        (Printf.sprintf "only C can compare two values of type `%s`: import a function that does"
-           tycon.name)
-        diagnostic
+      Diagnostic.hint "only C can compare two values of type `%s`: import a function that does"
+        tycon.name diagnostic
 
 (* Does the program itself declare the class or the type? Then a missing instance is a likely cause.
    *)
@@ -107,7 +103,7 @@ let without_hints ({ required; lack; words; culprit; _ } as fact) =
 let where_needed ({ required; lack; words; _ } as fact) d =
   if Environment.is_task lack.culprit then d
   else
-    Diagnostic.here (Printf.sprintf "%s needs it" (user fact)) d
+    Diagnostic.here "%s needs it" (user fact) d
     |> through_instances words lack |> Required_label.add words required
 
 (* {2 Rules}
@@ -152,8 +148,8 @@ let output_with_an_event fact =
             here = "";
             labels = [];
           }
-          |> Diagnostic.hint
-               ("return the output and the event that ends it: " ^ Switch_mistake.ends_it output)
+          |> Diagnostic.hint "return the output and the event that ends it: %s"
+               (Switch_mistake.ends_it output)
           |> Option.fold written ~none:Fun.id ~some:(fun (whole, output) ->
                  Diagnostic.write whole (Switch_mistake.with_an_event output)))
   | _ -> None
@@ -169,7 +165,7 @@ let output_of_numbers fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput" | "DiffDrive"; _ } when of_numbers ->
       Some
-        (Diagnostic.hint
+        (Diagnostic.hint "%s"
            (match fact.required.by with
            | Name ("roMake" | "setVelTR") ->
                Printf.sprintf
@@ -185,7 +181,8 @@ let output_of_numbers fact =
 let twist fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput" | "DiffDrive"; _ } ->
-      Option.map Diagnostic.hint (Output_mistake.hint_for_a_twist fact.words fact.lack.culprit)
+      Option.map (Diagnostic.hint "%s")
+        (Output_mistake.hint_for_a_twist fact.words fact.lack.culprit)
   | _ -> None
 
 (* Is this a type of a library module, and so never the programmer's own robot output? *)
@@ -234,7 +231,7 @@ let own_output fact =
         | None -> None
       in
       Some
-        (Diagnostic.hint
+        (Diagnostic.hint "%s"
            (match (class_, rest) with
            | "RobotOutput", Some rest ->
                Printf.sprintf
@@ -288,15 +285,13 @@ let task fact =
       Some
         (fun d ->
           Diagnostic.hint
-            (Printf.sprintf
-               "a command of the robot is not a task: to give it for a time, write `%s`; until an \
-                event `e`, `mkTask (proc i -> (%s, e))`"
-               text command)
-            d
+            "a command of the robot is not a task: to give it for a time, write `%s`; until an \
+             event `e`, `mkTask (proc i -> (%s, e))`"
+            text command d
           |> Diagnostic.write at text)
   | Declared _, _ when Environment.is_task fact.lack.culprit ->
       Some
-        (Diagnostic.hint
+        (Diagnostic.hint "%s"
            (if fact.required.by = Name "roMake" then
               "a command of the robot is not a task: in a `do`, give it for a time with `sleepT \
                1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
@@ -319,7 +314,7 @@ let not_comparable fact =
   | (Eq | Ord) when (not (is_direct fact)) && is_asked_itself fact ->
       Some
         (fun d ->
-          Diagnostic.note (Printf.sprintf "it contains %s" fact.culprit) d
+          Diagnostic.note "it contains %s" fact.culprit d
           |> about_foreign fact.words fact.lack.culprit)
   | (Eq | Ord) when Type.expand fact.lack.culprit = String ->
       Some
@@ -332,7 +327,7 @@ let output_not_made fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when fact.required.by <> Name "roMake" ->
       let hint = Output_mistake.hint_without_instance fact.lack.culprit in
-      Some (Option.fold hint ~none:Fun.id ~some:Diagnostic.hint)
+      Some (Option.fold hint ~none:Fun.id ~some:(Diagnostic.hint "%s"))
   | _ -> None
 
 (* `roMake setVelTR . setLight`, where an argument is missing. *)
@@ -398,11 +393,9 @@ let mode_without_event fact =
         Some
           (fun d ->
             Diagnostic.hint
-              (Printf.sprintf
-                 "`mkTask` needs an event that ends the task, beside the output: write `mkTask \
-                  %s`, or another event"
-                 fixed)
-              d
+              "`mkTask` needs an event that ends the task, beside the output: write `mkTask %s`, \
+               or another event"
+              fixed d
             |> Diagnostic.write at fixed)
       else None
   | _ -> None
@@ -412,7 +405,7 @@ let of_no_robot fact =
   match fact.lack.lacking with
   | Declared { module_ = "Capability"; _ }
     when is_asked_itself fact && Missing_instance.is_no_robot fact.lack.culprit ->
-      Some (Diagnostic.hint (takes_a_robot fact))
+      Some (Diagnostic.hint "%s" (takes_a_robot fact))
   | _ -> None
 
 (* A class or type of the program. *)
@@ -420,9 +413,8 @@ let not_declared fact =
   match fact.lack.lacking with
   | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
       Some
-        (Diagnostic.hint
-           (Printf.sprintf "add `instance %s where`, and define the methods below it"
-              (Wording.constraint_ fact.words fact.lack.lacking fact.lack.culprit)))
+        (Diagnostic.hint "add `instance %s where`, and define the methods below it"
+           (Wording.constraint_ fact.words fact.lack.lacking fact.lack.culprit))
   | _ -> None
 
 (* Lists the types that have an instance, if they are few. *)
@@ -438,9 +430,7 @@ let other_instances fact =
           in
           Some
             (fun d ->
-              Diagnostic.note
-                (Printf.sprintf "types with `%s`: %s" class_.name (String.concat ", " types))
-                d
+              Diagnostic.note "types with `%s`: %s" class_.name (String.concat ", " types) d
               |> for_others)
       | _ -> None)
 
@@ -492,7 +482,7 @@ let asserted words ~(at : Span.t) culprit =
 let not_a_condition words ~at culprit =
   let e = Option.fold (Wording.quote words at) ~none:"e" ~some:Source.grouped in
   Diagnostic.error ~code:"E0360" ~at "%s is not a condition" (Wording.quoted words culprit)
-  |> Diagnostic.hint
+  |> Diagnostic.hint "%s"
        (if Environment.is_event culprit then
           Printf.sprintf "use `isEvent %s`, which is True when the event occurs" e
         else asserted words ~at culprit)
@@ -500,7 +490,7 @@ let not_a_condition words ~at culprit =
 let undecided words (required : required) class_ =
   Diagnostic.error ~code:"E0308" ~at:required.at "nothing determines the type at which %s is used"
     (Required_label.user words required)
-  |> Diagnostic.note (Printf.sprintf "it must be a type of the class `%s`" (Show.class_ class_))
+  |> Diagnostic.note "it must be a type of the class `%s`" (Show.class_ class_)
   |> Diagnostic.hint "annotate it with a type, as in `(e :: T)`"
   |> Required_label.add words required
 

@@ -11,10 +11,7 @@ let int_out_of_range ~at (n : Resolve.Ir.number) ~same_bits =
   Diagnostic.(
     error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
     |> note "an `Int` must be from -2147483648 to 2147483647"
-    |>
-    match same_bits with
-    | Some m -> hint (Printf.sprintf "for these 32 bits, write `(%ld)`" m)
-    | None -> Fun.id)
+    |> match same_bits with Some m -> hint "for these 32 bits, write `(%ld)`" m | None -> Fun.id)
 
 let out_of_range ~at (n : Resolve.Ir.number) (real : Real.t) =
   let d = Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits in

@@ -4,8 +4,7 @@ open Typing
 let suggest (name : Syntax.Ir.name) known diagnostic =
   match Suggest.closest name.text known with
   | Some near ->
-      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
-      |> Diagnostic.write name.span near
+      Diagnostic.hint "did you mean `%s`?" near diagnostic |> Diagnostic.write name.span near
   | None -> diagnostic
 
 (* The constructor that has this field, in a type with several constructors. *)
@@ -90,14 +89,14 @@ let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) 
   match of_that_name words name with
   | None ->
       Option.map
-        (fun row -> Diagnostic.hint (Phrasebook.hint row) diagnostic)
+        (fun row -> Diagnostic.hint "%s" (Phrasebook.hint row) diagnostic)
         (Phrasebook.find Robot name.text)
   | Some (kind, parameters) ->
       let argument = Wording.argument_or "x" words record in
       let arguments, stop = Option.value (called_with words name) ~default:([], name.span.stop) in
       let text = as_a_call parameters ty ~name:name.text ~record:argument arguments in
       Some
-        (Diagnostic.hint (Printf.sprintf "`%s` is a %s: write `%s`" name.text kind text) diagnostic
+        (Diagnostic.hint "`%s` is a %s: write `%s`" name.text kind text diagnostic
         |>
         if List.mem "…" (String.split_on_char ' ' text) then Fun.id
         else
@@ -210,11 +209,9 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
       in
       let fixed = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
       Some
-        (Diagnostic.hint
-           (Printf.sprintf "it is a signal function; its output %s `%s`"
-              (if has_it then "has it:" else "is")
-              fixed)
-           d
+        (Diagnostic.hint "it is a signal function; its output %s `%s`"
+           (if has_it then "has it:" else "is")
+           fixed d
         |>
         if String.equal text grouped then
           Diagnostic.fix
@@ -228,18 +225,16 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
       in
       match if lacks_it then as_a_function words ~ty name ~record d else None with
       | Some d when of_that_name words name <> None -> Some d
-      | _ -> Some (Diagnostic.hint (of_a_content name ~grouped ~lacks_it t content) d))
+      | _ -> Some (Diagnostic.hint "%s" (of_a_content name ~grouped ~lacks_it t content) d))
   | Data { tycon; _ }
     when tycon = Environment.array && List.mem name.text [ "size"; "length"; "count"; "len" ] ->
-      Some (Diagnostic.hint (Printf.sprintf "`length` is a function: write `length %s`" grouped) d)
+      Some (Diagnostic.hint "`length` is a function: write `length %s`" grouped d)
   | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays words name) ->
       Some
         (Diagnostic.hint
-           (Printf.sprintf
-              "for the field of the first element, write `(%s ! 0).%s`; for those of all elements, \
-               write `map (\\x -> x.%s) %s`"
-              grouped name.text name.text grouped)
-           d)
+           "for the field of the first element, write `(%s ! 0).%s`; for those of all elements, \
+            write `map (\\x -> x.%s) %s`"
+           grouped name.text name.text grouped d)
   | _ -> None
 
 (* By convention, the names of robots' input records end in `Input`. *)
@@ -260,26 +255,20 @@ let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
   match (name.text, elements) with
   | ("x" | "y"), (Some x, Some y) ->
       Diagnostic.hint
-        (Printf.sprintf
-           "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import \
-            Geometry`"
-           x y)
-        d
+        "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import Geometry`" x
+        y d
   | _ ->
-      Diagnostic.hint
-        (Printf.sprintf "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
-           (Option.value (Wording.quote words record.span) ~default:"p"))
+      Diagnostic.hint "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
+        (Option.value (Wording.quote words record.span) ~default:"p")
         d
 
 (* `i.scan`, where `i` is the input of a robot. *)
 let of_an_input (record : Resolve.Ir.expr) d =
   let i = match record.desc with Local x -> x.name | _ -> "i" in
   Diagnostic.hint
-    (Printf.sprintf
-       "a robot's sensors are signal functions of its input: write `frontSonar %s` for the \
-        distance in front, `sonars %s` for all sonars"
-       i i)
-    d
+    "a robot's sensors are signal functions of its input: write `frontSonar %s` for the distance \
+     in front, `sonars %s` for all sonars"
+    i i d
 
 let is_input_of_a_proc words (record : Resolve.Ir.expr) =
   match record.desc with Local x -> Wording.is_input words x.name | _ -> false
@@ -319,9 +308,8 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
   (match one_of_several (Wording.environment words) ty name.text with
   | Some { constructor; _ } ->
       error "not every %s has the field `%s`" described name.text
-      |> Diagnostic.hint
-           (Printf.sprintf "only `%s` has it: use a `case` with the pattern `%s { %s = x }`"
-              constructor.name constructor.name name.text)
+      |> Diagnostic.hint "only `%s` has it: use a `case` with the pattern `%s { %s = x }`"
+           constructor.name constructor.name name.text
   | None -> (
       let d = error "%s has no field `%s`" described name.text in
       let usual () =
@@ -337,34 +325,30 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
         match (Suggest.closest name.text known, known) with
         | None, _ when List.length (List.filter begins known) = 1 ->
             let field = List.find begins known in
-            Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
-            |> Diagnostic.write name.span field
+            Diagnostic.hint "did you mean `%s`?" field d |> Diagnostic.write name.span field
         | None, _ :: _ when List.compare_length_with known 8 <= 0 -> (
             let fields = List.map (Printf.sprintf "`%s`") known in
-            let d = Diagnostic.note ("its fields: " ^ String.concat ", " fields) d in
+            let d = Diagnostic.note "its fields: %s" (String.concat ", " fields) d in
             match of_the_same_quantity words ty name.text with
             | Some field ->
-                Diagnostic.hint (Printf.sprintf "did you mean `%s`?" field) d
-                |> Diagnostic.write name.span field
+                Diagnostic.hint "did you mean `%s`?" field d |> Diagnostic.write name.span field
             | None -> d)
         | _ -> suggest name known d
       in
       match (Type.expand ty, Wording.quote words record.span) with
       | Function (input, _), Some f when takes_a_record words input name.text <> None ->
           let constructor = Option.get (takes_a_record words input name.text) in
-          Diagnostic.hint
-            (Printf.sprintf "`%s` takes the record as an argument: use `%s (%s { %s = … })`" f f
-               constructor name.text)
-            d
+          Diagnostic.hint "`%s` takes the record as an argument: use `%s (%s { %s = … })`" f f
+            constructor name.text d
       | Function (input, _), Some f when Wording.signal words input <> None ->
           let applied = Printf.sprintf "(%s %s)" f (Option.get (Wording.signal words input)) in
           let text = Printf.sprintf "%s.%s" applied name.text in
-          Diagnostic.hint (Printf.sprintf "`%s` is a function: write `%s`" f text) d
+          Diagnostic.hint "`%s` is a function: write `%s`" f text d
           |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
       | _, Some text when field_within words ty name.text <> None ->
           let field = Option.get (field_within words ty name.text) in
           let fixed = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
-          Diagnostic.hint (Printf.sprintf "its field `%s` has it: write `%s`" field fixed) d
+          Diagnostic.hint "its field `%s` has it: write `%s`" field fixed d
           |> Diagnostic.fix
                (Printf.sprintf "write `%s`" fixed)
                [ (name.span, field ^ "." ^ name.text) ]
@@ -377,7 +361,7 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
               | None when is_a_tuple ty -> of_a_tuple words name record d
               | None when is_an_input ty -> of_an_input record d
               | None -> usual ()))))
-  |> Diagnostic.label ~at:record.span ("this is " ^ described)
+  |> Diagnostic.label ~at:record.span "this is %s" described
 
 let of_no_type words (name : Syntax.Ir.name) ~record =
   let d =
@@ -393,7 +377,7 @@ let of_several_types (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candida
   Diagnostic.error ~code:"E0311" ~at:name.span
     "several types have a field `%s`, and nothing determines which one you mean" name.text
   |> Diagnostic.label ~at:record.span "the type of this is unknown"
-  |> Diagnostic.note ("types with such a field: " ^ String.concat ", " names)
+  |> Diagnostic.note "types with such a field: %s" (String.concat ", " names)
   |> Diagnostic.hint "give the definition a signature"
 
 (* `robotPose i.heading`, which was meant as a field of `robotPose i`. *)
@@ -401,9 +385,8 @@ let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) fu
   let record = Option.value (Wording.quote words record.span) ~default:"r" in
   Diagnostic.error ~code:"E0310" ~at
     "a field binds tighter than application: this is a field of `%s`" record
-  |> Diagnostic.hint
-       (Printf.sprintf "for a field of the result of `%s`, write `(%s %s).%s`" function_ function_
-          record name.text)
+  |> Diagnostic.hint "for a field of the result of `%s`, write `(%s %s).%s`" function_ function_
+       record name.text
 
 (* An array function that is called like a method. *)
 let called_as_method words ({ at; record; field; arguments } : Application_fact.method_call) d =
@@ -412,7 +395,6 @@ let called_as_method words ({ at; record; field; arguments } : Application_fact.
   if (not (is_of_arrays words field)) || List.mem None texts then d
   else
     let text = String.concat " " (field.text :: List.map Option.get texts) in
-    Diagnostic.hint
-      (Printf.sprintf "`%s` is a function: write `%s`" field.text text)
+    Diagnostic.hint "`%s` is a function: write `%s`" field.text text
       { d with hints = []; fixes = [] }
     |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (at, "(" ^ text ^ ")") ]

@@ -9,11 +9,8 @@ let of_two_modules words diagnostic =
   match Wording.namesakes words with
   | [] -> diagnostic
   | name :: _ ->
-      hint
-        (Printf.sprintf
-           "two types have the name `%s`: use the same one in both places, or convert the value"
-           name)
-        diagnostic
+      hint "two types have the name `%s`: use the same one in both places, or convert the value"
+        name diagnostic
 
 (* A local function without a signature has only one type. *)
 let of_one_type words (expected : Expected.t) found (clash : Unify.clash) diagnostic =
@@ -29,14 +26,11 @@ let of_one_type words (expected : Expected.t) found (clash : Unify.clash) diagno
   | Parameter { callee = Some name; of_local = Some first; _ }
     when not (String.equal (shown expected.ty) (shown found)) ->
       let variable = if quantity expected.ty && quantity found then "Float[u]" else "a" in
-      label ~at:first
-        (Printf.sprintf "because of this use of `%s`" name)
-        { diagnostic with hints = []; fixes = [] }
+      label ~at:first "because of this use of `%s`" name { diagnostic with hints = []; fixes = [] }
       |> hint
-           (Printf.sprintf
-              "a local function without a signature has only one type: give `%s` a signature with \
-               a variable, as in `%s :: %s -> …`"
-              name name variable)
+           "a local function without a signature has only one type: give `%s` a signature with a \
+            variable, as in `%s :: %s -> …`"
+           name name variable
   | _ -> diagnostic
 
 (* If nothing more specific is known, refers to the argument by its number. *)
@@ -53,9 +47,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
         Option.fold (Wording.quote words e.span) ~none:default
           ~some:(if is_field then Fun.id else Source.grouped)
       in
-      hint
-        (Printf.sprintf "`atan` takes one argument: for two sides, write `atan2 %s %s`" (text y "y")
-           (text x "x"))
+      hint "`atan` takes one argument: for two sides, write `atan2 %s %s`" (text y "y") (text x "x")
         { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
@@ -66,7 +58,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
          && match g.name.[0] with 'a' .. 'z' -> true | _ -> false -> (
       match Wording.declared words g with
       | Some ty ->
-          hint
+          hint "%s"
             (if List.length given > takes || (List.length given = 1 && takes = 2) then
                Printf.sprintf "`%s` takes %s, but is applied to %d: `%s :: %s`" g.name
                  (Unrun_mistake.count takes) (List.length given) g.name ty
@@ -112,7 +104,7 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
       match Signature_mistake.promised_unit (wanted, given) with
       | Some (r, unit_) ->
           Signature_mistake.general_unit words ~at r unit_
-          |> here (Printf.sprintf "this is %s" (Wording.described words found))
+          |> here "this is %s" (Wording.described words found)
       | None -> (
           match
             Shared_unit_mistake.of_an_earlier_number words ~expected ~found ~subject (wanted, given)
@@ -171,13 +163,11 @@ let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), fir
   match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->
       let text = Printf.sprintf "(%s, %s)" b a in
-      hint (Printf.sprintf "write `%s`%s" text of_signature) d |> write at text
+      hint "write `%s`%s" text of_signature d |> write at text
   | _ ->
-      hint
-        (Printf.sprintf "expected %s, found %s"
-           (Wording.described words expected.ty)
-           (Wording.described words found))
-        d
+      hint "expected %s, found %s"
+        (Wording.described words expected.ty)
+        (Wording.described words found) d
 
 let too_large ~at (construct : Fact.construct) =
   let what =
@@ -189,18 +179,16 @@ let too_large ~at (construct : Fact.construct) =
     | Definition name -> Printf.sprintf "`%s` or of something in it" name
   in
   Diagnostic.error ~code:"E0316" ~at "the type of %s is too large" what
-  |> Diagnostic.note
-       (Printf.sprintf "a type can have at most %d parts, nested at most %d deep" Final.most_parts
-          Final.deepest)
+  |> Diagnostic.note "a type can have at most %d parts, nested at most %d deep" Final.most_parts
+       Final.deepest
 
 let too_many_updates ~at (record : Ir.constructor) ~updates ~most_fields =
   Diagnostic.error ~code:"E0413" ~at
     "the record updates up to here write more than %d fields, which is too many to compile"
     most_fields
   |> Diagnostic.note
-       (Printf.sprintf
-          "an update writes all fields of its record; `%s` has %d fields and %d updates so far"
-          record.constructor.name (List.length record.fields) updates)
+       "an update writes all fields of its record; `%s` has %d fields and %d updates so far"
+       record.constructor.name (List.length record.fields) updates
   |> Diagnostic.hint "change several fields in one update: `r { a = 1, b = 2 }`"
   |> Diagnostic.hint
        "put fields that change together into a smaller record, or keep them in an array"

@@ -21,7 +21,7 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   let text = Wording.measure words unit_ in
   let with_fix words units d =
     let with_unit unit_ = write at (Printf.sprintf "%s[%s]" digits unit_) in
-    List.fold_right with_unit (List.rev units) (hint words d)
+    List.fold_right with_unit (List.rev units) (hint "%s" words d)
   in
   let is_at_least least =
     Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) least)
@@ -98,7 +98,7 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
         let per_second angle =
           let text = Printf.sprintf "%s[%s/s]" digits angle in
           let with_fix d =
-            hint (Printf.sprintf "write `%s` if this is the turn rate" text) d
+            hint "write `%s` if this is the turn rate" text d
             |> Diagnostic.write at text
             |> Option.value
                  (Unit_conversion.of_the_other_operand words ~expected (wanted, given))
@@ -119,17 +119,13 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   match with_fix with
   | None -> diagnostic
   | Some (with_fix, _, None) -> with_fix diagnostic
-  | Some (with_fix, at, Some name) ->
-      label ~at (Printf.sprintf "`%s` is this number" name) diagnostic |> with_fix
+  | Some (with_fix, at, Some name) -> label ~at "`%s` is this number" name diagnostic |> with_fix
 
 (* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =
   let write u =
-    hint
-      (Printf.sprintf
-         "use `Float[%s]` for this unit; without brackets, `Float` and `Double` have no unit"
-         (Wording.measure words u))
-      diagnostic
+    hint "use `Float[%s]` for this unit; without brackets, `Float` and `Double` have no unit"
+      (Wording.measure words u) diagnostic
   in
   if Units.equal given Units.one && not (Units.is_open wanted) then write wanted
   else if Units.equal wanted Units.one && not (Units.is_open given) then write given
@@ -148,11 +144,9 @@ let by_time words ~(expected : Expected.t) diagnostic =
       match (Wording.quote words time.span, Wording.quote words signal.span) with
       | Some time, Some signal ->
           hint
-            (Printf.sprintf
-               "to delay by a time, write `delayBy %s %s`, with `import Control`; `delay x0` \
-                delays by one instant, and `x0` is its value at the first one"
-               time (Source.grouped signal))
-            diagnostic
+            "to delay by a time, write `delayBy %s %s`, with `import Control`; `delay x0` delays \
+             by one instant, and `x0` is its value at the first one"
+            time (Source.grouped signal) diagnostic
       | _ -> explained diagnostic)
   | Parameter { callee = Some "delay"; position = 2; _ } ->
       hint "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
@@ -174,10 +168,8 @@ let rec plain_factor (e : Resolve.Ir.expr) =
 let factor_without_unit words ~subject (wanted, given) diagnostic =
   match Option.bind subject plain_factor with
   | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
-      hint
-        (Printf.sprintf "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`"
-           digits (Wording.measure words given))
-        diagnostic
+      hint "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`" digits
+        (Wording.measure words given) diagnostic
   | _ -> diagnostic
 
 (* The name of the signal function that is applied, if the expression is such an application. *)
@@ -205,16 +197,11 @@ let hint_for_signature words ~(expected : Expected.t) ~found d =
   | Signature { at; name } | Output (Signature { at; name }) -> (
       match corrected_signature words at expected found with
       | Some text ->
-          hint
-            (Printf.sprintf "if this is the right result, write the signature as `%s :: %s`" name
-               text)
-            d
+          hint "if this is the right result, write the signature as `%s :: %s`" name text d
           |> write at text
       | None ->
-          hint
-            (Printf.sprintf "if this is the right result, write `%s` in the signature"
-               (Wording.type_ words found))
-            d)
+          hint "if this is the right result, write `%s` in the signature"
+            (Wording.type_ words found) d)
   | _ -> d
 
 (* The result may be correct and the signature wrong. *)
@@ -222,12 +209,9 @@ let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, gi
   match expected.because with
   | Signature { name; _ } when runs words subject <> None && Wording.inputs words = [] ->
       hint
-        (Printf.sprintf
-           "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … \
-            …`"
-           (Option.get (runs words subject))
-           name)
-        diagnostic
+        "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … …`"
+        (Option.get (runs words subject))
+        name diagnostic
   | (Signature _ | Output (Signature _))
     when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
          && is_whole given ->
@@ -260,19 +244,14 @@ let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
     when not (Units.equal wanted Units.one) ->
       (match Wording.quote words argument.span with
       | Some text when not (is_whole given) ->
-          hint
-            (Printf.sprintf
-               "to take the root of the number alone, write `sqrt (%s / 1[%s]) * 1[%s]`"
-               (Source.grouped text)
-               (Wording.measure words (Units.multiply given given))
-               (Wording.measure words wanted))
-            d
+          hint "to take the root of the number alone, write `sqrt (%s / 1[%s]) * 1[%s]`"
+            (Source.grouped text)
+            (Wording.measure words (Units.multiply given given))
+            (Wording.measure words wanted) d
       | Some _ | None -> d)
-      |> note
-           (Printf.sprintf
-              "`sqrt` halves the exponents of the unit: for `%s`, its argument must be in `%s`"
-              (Wording.measure words wanted)
-              (Wording.measure words (Units.multiply wanted wanted)))
+      |> note "`sqrt` halves the exponents of the unit: for `%s`, its argument must be in `%s`"
+           (Wording.measure words wanted)
+           (Wording.measure words (Units.multiply wanted wanted))
   | _ -> d
 
 (* The signature is suggested first if the definition is consistent by itself. *)
@@ -299,12 +278,10 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
          && Unit_conversion.is_per_second words wanted
          && not (Unit_conversion.is_operand expected || Units.is_open given) ->
       let text = Option.value (Wording.quote words e.span) ~default:"e" in
-      hint
-        (Printf.sprintf "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
-           (Wording.measure words given)
-           (Wording.measure words (Units.divide wanted given))
-           (Source.grouped text))
-        diagnostic
+      hint "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
+        (Wording.measure words given)
+        (Wording.measure words (Units.divide wanted given))
+        (Source.grouped text) diagnostic
   | _ -> diagnostic
 
 (* `n > 50[px]`, where the other operand has no unit. *)
@@ -316,30 +293,27 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
          && String.equal (Wording.type_ words other_type) "Angle" ->
       let text = digits ^ "[rad]" in
       let name = Option.value (Wording.quote words other.span) ~default:"the other operand" in
-      hint (Printf.sprintf "`%s` is an angle: write `%s`" name text) d |> write at text
+      hint "`%s` is an angle: write `%s`" name text d |> write at text
   | Operand { other; _ }, Some { digits; unit_ = Some _; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
       (match Wording.quote words other.span with
-      | Some other -> hint (Printf.sprintf "`%s` is a plain number: write `%s`" other digits) d
-      | None -> hint (Printf.sprintf "write `%s` if you mean a plain number" digits) d)
+      | Some other -> hint "`%s` is a plain number: write `%s`" other digits d
+      | None -> hint "write `%s` if you mean a plain number" digits d)
       |> write at digits
   | Parameter { callee = Some "turnBy"; head = Some head; _ }, Some { unit_ = Some _; _ }
     when d.hints = [] && Units.equal wanted Units.one
          && String.equal (Wording.measure words given) "m" ->
-      hint
-        (Printf.sprintf "`turnBy` turns by an angle: to drive a distance, write `forward %s`"
-           (Option.fold
-              (Option.bind subject (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span))
-              ~none:"1[m]" ~some:Source.grouped))
+      hint "`turnBy` turns by an angle: to drive a distance, write `forward %s`"
+        (Option.fold
+           (Option.bind subject (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span))
+           ~none:"1[m]" ~some:Source.grouped)
         d
       |> write head.span "forward"
   | Parameter { callee = Some _; _ }, Some { digits; unit_ = Some _; name = None; negative; at; _ }
     when d.hints = [] && Units.equal wanted Units.one ->
-      hint
-        (Printf.sprintf "write `%s%s`, without a unit, if it is a plain number"
-           (if negative then "-" else "")
-           digits)
-        d
+      hint "write `%s%s`, without a unit, if it is a plain number"
+        (if negative then "-" else "")
+        digits d
       |> write at digits
   | _ -> d
 
@@ -405,7 +379,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   in
   let is_number t = match Type.expand t with Number _ -> true | _ -> false in
   let diagnostic =
-    here (Printf.sprintf "this is %s" (Wording.described words found)) diagnostic
+    here "this is %s" (Wording.described words found) diagnostic
     |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
   let is_of_numbers = is_number expected.ty && is_number found in
@@ -463,7 +437,6 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
       when d.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
         hint_for_signature words ~expected ~found d
     | _ -> d)
-    |> note
-         (Printf.sprintf "expected %s, found %s"
-            (Wording.described words expected.ty)
-            (Wording.described words found))
+    |> note "expected %s, found %s"
+         (Wording.described words expected.ty)
+         (Wording.described words found)

@@ -34,9 +34,8 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
   match Type.expand result with
   | _ when as_one_tuple words ~name parameters expected <> None ->
       Diagnostic.hint
-        (Printf.sprintf
-           "the signature has one parameter, a tuple: write `%s`, or write `->` between the types"
-           (Option.get (as_one_tuple words ~name parameters expected)))
+        "the signature has one parameter, a tuple: write `%s`, or write `->` between the types"
+        (Option.get (as_one_tuple words ~name parameters expected))
         diagnostic
   | Signal_function _ ->
       let quote (p : Resolve.Ir.pattern) = Wording.quote words p.span in
@@ -51,7 +50,7 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
               last
         | _ -> "take the signal in a `proc`: `proc x -> …`"
       in
-      Diagnostic.hint hint diagnostic
+      Diagnostic.hint "%s" hint diagnostic
   | _ -> (
       let texts =
         List.filter_map (fun (p : Resolve.Ir.pattern) -> Wording.quote words p.span) parameters
@@ -59,11 +58,10 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
       match (name, expected.because) with
       | Some name, Signature _ when List.length texts = List.length parameters ->
           Diagnostic.hint
-            (Printf.sprintf
-               "the signature needs a type for each parameter (`%s`) and one for the result: `%s \
-                :: %s -> …`"
-               (String.concat "`, `" texts) name
-               (String.concat " -> " (List.map (fun _ -> "…") texts)))
+            "the signature needs a type for each parameter (`%s`) and one for the result: `%s :: \
+             %s -> …`"
+            (String.concat "`, `" texts) name
+            (String.concat " -> " (List.map (fun _ -> "…") texts))
             diagnostic
       | _ -> diagnostic)
 
@@ -77,8 +75,7 @@ let in_a_tuple words ~name ~at (parts : Resolve.Ir.pattern list) expected =
   if List.compare_lengths texts parts <> 0 then Fun.id
   else
     let text = String.concat " " texts in
-    fun d ->
-      Diagnostic.hint (Printf.sprintf "write `%s %s = …`" name text) d |> Diagnostic.write at text
+    fun d -> Diagnostic.hint "write `%s %s = …`" name text d |> Diagnostic.write at text
 
 (* The signature with these types inserted before its result, which is a signal function. *)
 let with_types signature types =
@@ -109,14 +106,12 @@ let lacking_types words ~name ~at (expected : Expected.t) lacking =
   match expected.because with
   | Signature { at; _ } -> (
       match Option.bind (Wording.quote words at) (fun text -> with_types text types) with
-      | Some text ->
-          Diagnostic.hint (Printf.sprintf "write `%s :: %s`" name text) d
-          |> Diagnostic.write at text
+      | Some text -> Diagnostic.hint "write `%s :: %s`" name text d |> Diagnostic.write at text
       | None -> d)
   | _ -> d
 
 let refutable_input ~(pattern : Resolve.Ir.pattern) input d =
-  Diagnostic.hint
+  Diagnostic.hint "%s"
     (match Type.expand input with
     | Tuple (_ :: _ :: _ as parts) ->
         Printf.sprintf "take the input apart, as in `(%s)`, or use `_`, which matches every value"

@@ -32,8 +32,7 @@ let promised words ~by (place : Span.t) needed d =
       ~stop:(Span.forward i place.start)
   in
   let insert whole edits =
-    Diagnostic.hint (Printf.sprintf "write `%s`" whole) d
-    |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
+    Diagnostic.hint "write `%s`" whole d |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
   in
   (* The place of an instance covers only its head, not its context. *)
   let is_whole =
@@ -72,21 +71,17 @@ let promised words ~by (place : Span.t) needed d =
                 [ (at 0, "("); (at (String.length before), ", " ^ joined ^ ")") ]
           | None -> d))
   | _ ->
-      Diagnostic.hint
-        (Printf.sprintf "start %s with `%s =>`, or add it to the existing context: `(…, %s) =>`"
-           (name by) alone joined)
-        d
+      Diagnostic.hint "start %s with `%s =>`, or add it to the existing context: `(…, %s) =>`"
+        (name by) alone joined d
 
 (* `smaller :: float -> float`, where the variable was meant as a type *)
 let meant_as_a_type (m : promise) d =
   Option.map
     (fun type_ ->
       Diagnostic.hint
-        (Printf.sprintf
-           "`%s` is a type variable, because it starts with a lower-case letter: for the type, \
-            write `%s`"
-           m.variable.name type_)
-        d)
+        "`%s` is a type variable, because it starts with a lower-case letter: for the type, write \
+         `%s`"
+        m.variable.name type_ d)
     (Variable_name.type_meant m.variable.name)
 
 let one words ({ required; _ } as m : promise) =
@@ -102,7 +97,7 @@ let one words ({ required; _ } as m : promise) =
       let by = Some by in
       error by
       |> (if Span.compare place required.at = 0 then Fun.id
-          else Diagnostic.label ~at:place (name by))
+          else Diagnostic.label ~at:place "%s" (name by))
       |> Required_label.add words required
       |> fun d ->
       match meant_as_a_type m d with Some d -> d | None -> promised words ~by place [ needed ] d)
@@ -117,9 +112,9 @@ let several words (first : promise) rest =
     | Some { by; place } -> (Some by, place)
   in
   let label diagnostic (m : promise) =
-    Diagnostic.label ~at:m.required.at
-      (Printf.sprintf "%s needs `%s`" (Required_label.user words m.required) (constraint_ words m))
-      diagnostic
+    Diagnostic.label ~at:m.required.at "%s needs `%s`"
+      (Required_label.user words m.required)
+      (constraint_ words m) diagnostic
   in
   let d =
     List.fold_left label

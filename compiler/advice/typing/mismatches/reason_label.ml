@@ -5,14 +5,12 @@ open Diagnostic
 let decided words (decided_by : Expected.decider list) diagnostic =
   match decided_by with
   | { place; decides; _ } :: _ ->
-      label ~at:place
-        (Printf.sprintf "because this is %s" (Wording.described words decides))
-        diagnostic
+      label ~at:place "because this is %s" (Wording.described words decides) diagnostic
   | [] -> diagnostic
 
 let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagnostic =
   let is_here at = Span.compare at diagnostic.at = 0 in
-  let label ~at text = if is_here at then Fun.id else label ~at text in
+  let label ~at text = if is_here at then Fun.id else label ~at "%s" text in
   match reason with
   | Unknown | Condition | Statement None -> diagnostic
   | Last_statement reason -> label_reason words reason expected diagnostic
@@ -80,10 +78,10 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
       in
       (match whole with
       | Some (text, edits) ->
-          hint text { diagnostic with hints = []; fixes = [] }
+          hint "%s" text { diagnostic with hints = []; fixes = [] }
           |> fix "give the numbers their units" edits
       | None ->
-          let relate constructor = note (Record_units.relation constructor) in
+          let relate constructor = note "%s" (Record_units.relation constructor) in
           Option.fold constructor ~none:Fun.id ~some:relate diagnostic)
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Wording.described words expected))
 
@@ -96,7 +94,7 @@ let label_subject subject (reason : Expected.reason) diagnostic =
   | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
     when Span.compare local.span diagnostic.at <> 0
          && not (List.exists (is_of_definition local.name) diagnostic.labels) ->
-      label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
+      label ~at:local.span "`%s` is bound here" local.name diagnostic
   | _ -> diagnostic
 
 let add words ({ ty; because } : Expected.t) diagnostic = label_reason words because ty diagnostic

@@ -10,7 +10,7 @@ let text_of_cause words = function
 
 let add words required diagnostic =
   match required.because with
-  | Some (place, cause) -> Diagnostic.label ~at:place (text_of_cause words cause) diagnostic
+  | Some (place, cause) -> Diagnostic.label ~at:place "%s" (text_of_cause words cause) diagnostic
   | None -> diagnostic
 
 let user words required =

@@ -28,7 +28,7 @@ let mentions words (place : Span.t) name =
 
 let variable_like_a_type words ~at (variable : Ir.variable) type_ =
   warning ~code:"W0302" ~at "`%s` is a type variable here, so it means any type" variable.name
-  |> hint (Printf.sprintf "if you meant the type, write `%s`" type_)
+  |> hint "if you meant the type, write `%s`" type_
   |>
   match mentions words at variable.name with
   | [] -> Fun.id
@@ -47,7 +47,7 @@ let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.varia
             String.sub text 0 i ^ needed ^ String.sub text (i + n) (String.length text - i - n))
           text (List.rev places)
       in
-      hint (Printf.sprintf "if the definition is right, write the signature as `%s`" replaced) d
+      hint "if the definition is right, write the signature as `%s`" replaced d
       |> fix (Printf.sprintf "write `%s`" replaced) (List.map (fun at -> (at, needed)) places)
   | _ -> d
 
@@ -58,9 +58,7 @@ let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
   in
   (match Wording.owner words variable with
   | Some { by; place } ->
-      label ~at:place
-        (Printf.sprintf "`%s` is any %s in %s" variable.name kind (construct by))
-        diagnostic
+      label ~at:place "`%s` is any %s in %s" variable.name kind (construct by) diagnostic
   | None -> diagnostic)
   |>
   match Variable_name.type_meant variable.name with
@@ -69,10 +67,9 @@ let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
         Option.bind (Wording.owner words variable) (fun ({ place; _ } : Surroundings.owned) ->
             Option.bind (Wording.quote words place) Other_type.of_text)
       in
-      hint
-        (Printf.sprintf "if you meant the type, write `%s`; a lower-case name means any %s"
-           (Option.value meant ~default:type_)
-           kind)
+      hint "if you meant the type, write `%s`; a lower-case name means any %s"
+        (Option.value meant ~default:type_)
+        kind
   | None -> (
       match (Wording.owner words variable, instead) with
       | Some owner, Some needed -> less_general words owner variable needed
@@ -103,8 +100,7 @@ let general_unit words ~at (r : Units.rigid) u =
   too_general words ~at ~kind:"unit" ~instead r.variable
     (Printf.sprintf "it to be `%s`" (Wording.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
-         hint
-           (Printf.sprintf "`%s` is a variable here: write a power as `%s`" r.variable.name power))
+         hint "`%s` is a variable here: write a power as `%s`" r.variable.name power)
 
 let general_representation words ~at (r : Units.rigid) n =
   let instead =
@@ -128,7 +124,7 @@ let promised_unit (a, b) =
 
 let idle_constraint ~at (variable : Ir.variable) ~ty =
   error ~code:"E0364" ~at "the context contains `%s`, but the type does not" variable.name
-  |> label ~at:ty (Printf.sprintf "nothing here determines the type `%s`" variable.name)
+  |> label ~at:ty "nothing here determines the type `%s`" variable.name
 
 let constraint_on_type words ~at ty =
   error ~code:"E0365" ~at "a context can only constrain a variable, not %s"
@@ -139,10 +135,9 @@ let unknown_size ~at ~of_ ~variable =
   |> (match variable with
      | Some variable ->
          note
-           (Printf.sprintf
-              "`%s` in the signature of `%s` is a variable for any size: write a number instead, \
-               or a name for it, as in `type Size = 4`"
-              variable of_)
+           "`%s` in the signature of `%s` is a variable for any size: write a number instead, or a \
+            name for it, as in `type Size = 4`"
+           variable of_
      | None -> Fun.id)
   |> hint
        "annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature"

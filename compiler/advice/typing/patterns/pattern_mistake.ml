@@ -84,16 +84,13 @@ let missing sources (case : Pattern_fact.case) missing ~guarded_only ~listed:all
   let d =
     Diagnostic.(
       error ~code:"E0350" ~at:case.scrutinee.span "this `case` does not cover every value"
-      |> here (Printf.sprintf "there is no branch for %s" (listed missing)))
+      |> here "there is no branch for %s" (listed missing))
   in
   match (guarded_only, (missing : Pattern_fact.missing)) with
   | None, { named = [ one ]; more = 0 } when not (has_number one) ->
-      Diagnostic.hint (Printf.sprintf "add a branch `%s -> …`" one) d
-      |> with_branches sources case all
+      Diagnostic.hint "add a branch `%s -> …`" one d |> with_branches sources case all
   | None, { named = one :: _; _ } ->
-      Diagnostic.hint
-        (Printf.sprintf "add branches such as `%s -> …`, or `_ -> …` for all other values" one)
-        d
+      Diagnostic.hint "add branches such as `%s -> …`, or `_ -> …` for all other values" one d
       |> with_branches sources case all
   | None, { named = []; _ } -> d
   | Some index, _ ->
@@ -112,7 +109,7 @@ let unreachable (case : Pattern_fact.case) (branch : branch) =
     | Some (name, (at : Span.t)) when Span.compare at branch.pattern.span < 0 ->
         fun d ->
           label ~at "this starts with a lower-case letter, so it is a name for any value" d
-          |> hint (Printf.sprintf "for the constructor, write `%s`" name)
+          |> hint "for the constructor, write `%s`" name
           |> write at name
     | Some _ | None -> Fun.id)
 
@@ -126,8 +123,8 @@ let refutable (pattern : pattern) (of_ : Pattern_fact.refutable) (missing : Patt
   in
   Diagnostic.(
     error ~code:"E0351" ~at:pattern.span "the pattern of %s must match every value" what
-    |> here (Printf.sprintf "does not match %s" (listed missing))
-    |> hint
+    |> here "does not match %s" (listed missing)
+    |> hint "%s"
          (match missing.named with
          | one :: _ -> Printf.sprintf "use a `case`, with a branch for `%s` too" one
          | [] -> "use a `case`, with branches for all values"))
@@ -144,7 +141,7 @@ let matched_twice (constructor : Ir.Global.t) ~(first : Resolve.Ir.pattern)
   Diagnostic.error ~code:"E0301" ~at:second.span "`%s` is matched twice, and `%s` is never matched"
     constructor.name missing
   |> Diagnostic.label ~at:first.span "this branch matches all of them"
-  |> Diagnostic.hint (Printf.sprintf "if this branch is for the other values, write `%s`" missing)
+  |> Diagnostic.hint "if this branch is for the other values, write `%s`" missing
 
 let diagnostic sources (fact : Pattern_fact.t) =
   match fact with

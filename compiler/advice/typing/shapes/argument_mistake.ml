@@ -33,15 +33,15 @@ let missing_in_definition fact ~missing d =
     when Option.bind (Wording.definition fact.words x) (start_lacking fact ~missing) <> None ->
       let e = Option.get (Wording.definition fact.words x) in
       let text = Option.get (start_lacking fact ~missing e) in
-      label ~at:e.span (Printf.sprintf "this is `%s`; it lacks its second argument" x.name) d
-      |> hint (Printf.sprintf "`foldl` begins with a value: write `%s`" text)
+      label ~at:e.span "this is `%s`; it lacks its second argument" x.name d
+      |> hint "`foldl` begins with a value: write `%s`" text
       |> write e.span text |> Option.some
   | Some { desc = Local x; _ } -> (
       match Option.map (fun e -> (e, Plain_name.of_head e)) (Wording.definition fact.words x) with
       | Some (({ desc = Apply _; _ } as e), Some head) ->
           let all = missing + List.length (arguments_of e) in
-          label ~at:e.span (Printf.sprintf "this is `%s`; it lacks %s" x.name (count missing)) d
-          |> hint
+          label ~at:e.span "this is `%s`; it lacks %s" x.name (count missing) d
+          |> hint "%s"
                (match declared fact.words (Some e) with
                | Some (_, ty) when List.compare_length_with (arguments_of e) 0 > 0 ->
                    Printf.sprintf "`%s` takes %s: `%s :: %s`" head (count all) head ty
@@ -51,8 +51,7 @@ let missing_in_definition fact ~missing d =
   | _ -> None
 
 (* Suggests replacing the name with the application. *)
-let applied fact text d =
-  hint (Printf.sprintf "write `%s`" text) (Unrun_mistake.instead fact.subject text d)
+let applied fact text d = hint "write `%s`" text (Unrun_mistake.instead fact.subject text d)
 
 (* An input of the enclosing proc that could be this function's argument. *)
 let signal_of words t =
@@ -78,16 +77,13 @@ let missing_signal fact ~missing d =
       Some
         (match fact.expected.because with
         | Parameter { callee = Some f; position = 1; before = None; _ } ->
-            hint (Printf.sprintf "put parentheses around the argument: `%s (%s)`" f text) d
+            hint "put parentheses around the argument: `%s (%s)`" f text d
         | _ -> applied fact text d)
   | _ -> None
 
 let missing_after_name fact ~missing d =
   Option.map
-    (fun name ->
-      hint
-        (Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s"))
-        d)
+    (fun name -> hint "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s") d)
     (name fact)
 
 (* `sleepT 1[s]` without the output. *)
@@ -96,7 +92,7 @@ let missing_output fact ~missing d =
   | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
       let fixed = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
       { d with message = "`sleepT` lacks its last argument, the output during that time" }
-      |> hint (Printf.sprintf "add an output: `%s` waits with the robot at rest" fixed)
+      |> hint "add an output: `%s` waits with the robot at rest" fixed
       |> fix (Printf.sprintf "write `%s`" fixed) [ (fact.at, fixed) ]
       |> Option.some
   | _ -> None
@@ -192,20 +188,19 @@ let missing_by_name fact ~missing d =
         @ List.filteri (fun i _ -> i >= kept) texts
       in
       Some
-        (hint
-           (Printf.sprintf "`%s` takes %s, `%s`: %s missing here, as in `%s`" f
-              (count (List.length names))
-              (String.concat " " (f :: names))
-              (Enumeration.all (List.map (Printf.sprintf "`%s`") lacking)
-              ^ if missing = 1 then " is" else " are")
-              (String.concat " " (f :: shown)))
+        (hint "`%s` takes %s, `%s`: %s missing here, as in `%s`" f
+           (count (List.length names))
+           (String.concat " " (f :: names))
+           (Enumeration.all (List.map (Printf.sprintf "`%s`") lacking)
+           ^ if missing = 1 then " is" else " are")
+           (String.concat " " (f :: shown))
            d)
   | _ -> None
 
 let missing_by_signature fact ~missing d =
   Option.map
     (fun (name, ty) ->
-      hint
+      hint "%s"
         (match (input_given fact, Option.map arguments_of fact.subject) with
         | None, Some (_ :: _ as given) when missing = 1 ->
             Printf.sprintf "the %s argument of `%s` is missing: `%s :: %s`"
@@ -220,7 +215,8 @@ let missing_by_signature fact ~missing d =
     (declared fact.words fact.subject)
 
 let missing_somewhere _ ~missing d =
-  Some (hint (if missing = 1 then "an argument is missing" else "some arguments are missing") d)
+  Some
+    (hint "%s" (if missing = 1 then "an argument is missing" else "some arguments are missing") d)
 
 (* The first hint that applies is used. Hints that name the missing argument come before those that
    only count arguments. *)
@@ -255,7 +251,7 @@ let more_missing_than_expected fact =
   | Function _, Function _, Some head when given > wanted ->
       error ~code:"E0301" ~at:fact.at "expected a function of %s, found one of %d: %s"
         (count wanted) given (found_text fact)
-      |> hint
+      |> hint "%s"
            (match (given - wanted, fact.given, Option.map arguments_of fact.subject) with
            | 1, Function (parameter, _), Some (_ :: _ as written) ->
                Printf.sprintf "`%s` lacks its %s argument, %s%s" head
@@ -301,10 +297,9 @@ let lambda_with_too_few_parameters fact =
   | Function _, (Number _ | Bool | String | Data _) when is_a_body fact ->
       Some
         (hinted fact
-           (Printf.sprintf
-              "the function receives one more argument: add a parameter, or `_` if you do not need \
-               it, as in `%s`"
-              (Option.value (with_one_more fact) ~default:"\\n _ -> …")))
+           "the function receives one more argument: add a parameter, or `_` if you do not need \
+            it, as in `%s`"
+           (Option.value (with_one_more fact) ~default:"\\n _ -> …"))
   | _ -> None
 
 let missing_in_an_operand fact =
@@ -321,10 +316,9 @@ let missing_in_an_operand fact =
       let xs = Wording.argument_or "xs" fact.words argument in
       let fixed = Printf.sprintf "%simumBy id %s" name xs in
       error ~code:"E0301" ~at:span "`%s` takes two values, not an array" name
-      |> hint
-           (Printf.sprintf "for the %s of all elements, write `%s`"
-              (if String.equal name "min" then "least" else "greatest")
-              fixed)
+      |> hint "for the %s of all elements, write `%s`"
+           (if String.equal name "min" then "least" else "greatest")
+           fixed
       |> write span fixed |> Option.some
   | Function _, Number _, Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
     when missing_arguments fact.wanted = 1 ->
@@ -332,7 +326,7 @@ let missing_in_an_operand fact =
         (fun (name, ty) ->
           error ~code:"E0301" ~at:e.span "`%s` lacks an argument" name
           |> label ~at:fact.at "but this is a number"
-          |> hint (Printf.sprintf "add the last argument: `%s :: %s`" name ty))
+          |> hint "add the last argument: `%s :: %s`" name ty)
         (declared fact.words (Some e))
   | _ -> None
 
@@ -346,8 +340,7 @@ let composed fact =
         | None -> hinted fact "compose functions with `.`: `f . g`"
         | Some parts ->
             let text = String.concat " . " parts in
-            hinted fact (Printf.sprintf "compose functions with `.`: `%s`" text)
-            |> instead fact.subject text)
+            hinted fact "compose functions with `.`: `%s`" text |> instead fact.subject text)
   | _ -> None
 
 let one_too_many fact =
@@ -358,9 +351,8 @@ let one_too_many fact =
       match (Plain_name.of_head e, Wording.quote fact.words head.span) with
       | Some name, Some text ->
           Some
-            (hinted fact
-               (Printf.sprintf "`%s` has one argument too many here: write `%s` for the function"
-                  name text))
+            (hinted fact "`%s` has one argument too many here: write `%s` for the function" name
+               text)
       | _ -> Some (different fact))
   | Function _, (Number _ | Bool | Data _ | Tuple _), _ -> Some (different fact)
   | _ -> None
@@ -384,7 +376,6 @@ let missing_before fact =
       let after = List.filteri (fun i _ -> i >= position - 1) given in
       let whole = (f :: List.map text before) @ (start :: List.map text after) in
       Some
-        (hinted fact
-           (Printf.sprintf "an argument is missing before this one, %s: write `%s`"
-              (expected_text fact) (String.concat " " whole)))
+        (hinted fact "an argument is missing before this one, %s: write `%s`" (expected_text fact)
+           (String.concat " " whole))
   | _ -> None

@@ -83,10 +83,9 @@ let product fact =
       let a, b = operands fact in
       let text = Printf.sprintf "%s %s %s" (if is_a_row other then "matVec" else "matMul") a b in
       Some
-        (hinted fact
-           (Printf.sprintf "to multiply a matrix by a %s, write `%s`"
-              (if is_a_row other then "vector" else "matrix")
-              text)
+        (hinted fact "to multiply a matrix by a %s, write `%s`"
+           (if is_a_row other then "vector" else "matrix")
+           text
         |> write (Span.merge first.span second.span) ("(" ^ text ^ ")"))
   | _ -> None
 
@@ -111,7 +110,7 @@ let computed fact =
   | Number _ when is_array fact.found ->
       Option.map
         (fun operator ->
-          let d = hinted fact (of_both operator) in
+          let d = hinted fact "%s" (of_both operator) in
           match fact.expected.because with
           | Parameter { given = [ first; second ]; _ } when is_of_two ->
               let a, b = operands fact in
@@ -146,9 +145,8 @@ let mapped_over_a_value fact =
       match (Wording.quote fact.words f.span, Wording.quote fact.words x.span) with
       | Some f, Some x ->
           Some
-            (hinted fact
-               (Printf.sprintf "`map` is for arrays: apply the function itself, as in `%s %s`"
-                  (Source.grouped f) (Source.grouped x)))
+            (hinted fact "`map` is for arrays: apply the function itself, as in `%s %s`"
+               (Source.grouped f) (Source.grouped x))
       | _ -> None)
   | _ -> None
 
@@ -164,8 +162,7 @@ let mapped fact =
   in
   Option.map
     (fun (name, of_what, place) ->
-      hinted fact (Printf.sprintf "to apply a function %s, %s" of_what (applied name))
-      |> write place name)
+      hinted fact "to apply a function %s, %s" of_what (applied name) |> write place name)
     (counterpart fact)
 
 let extreme fact =
@@ -182,9 +179,7 @@ let extreme fact =
       let xs = Wording.argument_or "xs" fact.words argument in
       error ~code:"E0301" ~at:fact.at "expected %s, found the function %s" (expected_text fact)
         (found_text fact)
-      |> hint
-           (Printf.sprintf "`%s` takes two values; for all elements, write `%simumBy id %s`" name
-              name xs)
+      |> hint "`%s` takes two values; for all elements, write `%simumBy id %s`" name name xs
       |> Option.some
   | _ -> None
 
@@ -193,7 +188,7 @@ let written_as_a_tuple fact =
   | Data _, Tuple (_ :: _ as given) when is_array fact.expected.ty ->
       error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
         (List.length given)
-      |> hint
+      |> hint "%s"
            (match all (elements fact) with
            | Some elements ->
                Printf.sprintf "write an array in brackets: `[%s]`" (String.concat ", " elements)
@@ -211,7 +206,7 @@ let of_another_size fact =
   | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }
     when is_array fact.expected.ty && is_array fact.found && unlike_sizes n n' ->
       different fact
-      |> hint
+      |> hint "%s"
            (match fact.subject with
            | Some { desc = Array elements; _ } -> (
                let given = List.length elements in
@@ -242,11 +237,9 @@ let of_records fact =
   in
   let message (_, fields) =
     let shown = List.filteri (fun i _ -> i < 4) fields in
-    hinted fact
-      (Printf.sprintf
-         "its elements are records with the fields %s: choose one, as in `map (\\x -> x.%s)`"
-         (Enumeration.all (List.map (Printf.sprintf "`%s`") shown))
-         (List.hd (List.rev shown)))
+    hinted fact "its elements are records with the fields %s: choose one, as in `map (\\x -> x.%s)`"
+      (Enumeration.all (List.map (Printf.sprintf "`%s`") shown))
+      (List.hd (List.rev shown))
   in
   match (Option.map Type.expand (element fact.wanted), element fact.found) with
   | Some (Number _ | Bool), Some record -> Option.map message (Wording.fields fact.words record)
@@ -267,7 +260,7 @@ let of_one_number fact =
     when is_array fact.expected.ty ->
       let x = grouped fact "x" in
       Some
-        (hinted fact
+        (hinted fact "%s"
            (match f with
            | "sum" ->
                Printf.sprintf

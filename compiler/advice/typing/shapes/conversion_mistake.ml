@@ -4,7 +4,7 @@ open Shape_fact
 let of_a_number fact =
   match (fact.wanted, fact.given) with
   | Data { tycon = { name; _ }; _ }, Number _ ->
-      Option.map (hinted fact) (Representation_mistake.makes name (grouped fact "x"))
+      Option.map (hinted fact "%s") (Representation_mistake.makes name (grouped fact "x"))
   | _ -> None
 
 (* `seeds = [1, 2, 3]` *)
@@ -20,7 +20,7 @@ let of_seeds fact =
           let last = List.nth sorted (List.length sorted - 1) in
           let text = Printf.sprintf "%d `to` %d" first last in
           Some
-            (hinted fact (Printf.sprintf "write the first and the last seed: ``%s``" text)
+            (hinted fact "write the first and the last seed: ``%s``" text
             |> Basis.Diagnostic.write span text)
       | _ -> None)
   | _ -> None
@@ -42,10 +42,7 @@ let of_a_text fact =
       let zero =
         match Wording.measure fact.words u with "1" -> "0" | unit_ -> Printf.sprintf "0[%s]" unit_
       in
-      Some
-        (hinted fact
-           (Printf.sprintf "a string is only a label: write a number, such as `%s`, in its place"
-              zero))
+      Some (hinted fact "a string is only a label: write a number, such as `%s`, in its place" zero)
   | Number _, String ->
       Some
         (hinted fact "a string is only a label: you cannot compute with it or concatenate strings")
@@ -58,8 +55,7 @@ let by_a_constructor fact =
   | Data _, Data _ -> (
       match Wording.makers fact.words fact.expected.ty ~of_:fact.found with
       | [] -> None
-      | makers ->
-          Some (hinted fact (Printf.sprintf "use %s to convert this value" (alternatives makers))))
+      | makers -> Some (hinted fact "use %s to convert this value" (alternatives makers)))
   | _ -> None
 
 let capital_choice fact =
@@ -67,9 +63,7 @@ let capital_choice fact =
   | Some { desc = Global { name; _ } | Local { name; _ }; _ } ->
       let meant = String.capitalize_ascii name in
       if List.mem meant (Wording.choices fact.words fact.expected.ty) then
-        Some
-          (hinted fact (Printf.sprintf "did you mean `%s`?" meant)
-          |> Basis.Diagnostic.write fact.at meant)
+        Some (hinted fact "did you mean `%s`?" meant |> Basis.Diagnostic.write fact.at meant)
       else None
   | Some _ | None -> None
 
@@ -80,8 +74,6 @@ let to_a_choice fact =
       | [], _ -> None
       | ([ _; _ ] as choices), Bool ->
           Some
-            (hinted fact
-               (Printf.sprintf "use %s, as in `if %s then … else …`" (alternatives choices)
-                  (raw fact "b")))
-      | choices, _ -> Some (hinted fact ("use " ^ alternatives choices)))
+            (hinted fact "use %s, as in `if %s then … else …`" (alternatives choices) (raw fact "b"))
+      | choices, _ -> Some (hinted fact "use %s" (alternatives choices)))
   | _ -> None

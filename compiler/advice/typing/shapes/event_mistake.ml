@@ -43,7 +43,7 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) =
         (Diagnostic.error ~code:"E0301" ~at:f.span "`%s` does not take a function as an argument"
            name
         |> Diagnostic.label ~at:e.span "the event must carry it"
-        |> Diagnostic.hint (Printf.sprintf "write `%s`" fixed)
+        |> Diagnostic.hint "write `%s`" fixed
         |> Diagnostic.write at fixed)
   | _ -> None
 
@@ -83,14 +83,13 @@ let in_a_maybe fact =
       let start = Option.get (false_at_first fact) in
       Some
         (hinted fact
-           (Printf.sprintf
-              "use `fromMaybe %s %s`, where `%s` replaces a missing value, so the comparison is \
-               False then"
-              start (grouped fact "m") start))
+           "use `fromMaybe %s %s`, where `%s` replaces a missing value, so the comparison is False \
+            then"
+           start (grouped fact "m") start)
   | (Parameter _ | Operand _ | Output _ | Field _ | Signature _)
     when is_maybe fact.found && not (is_maybe fact.wanted) ->
       Some
-        (hinted fact
+        (hinted fact "%s"
            (let start = match fact.wanted with Number _ -> "0" | Bool -> "False" | _ -> "x0" in
             Printf.sprintf "use `fromMaybe %s %s`, where `%s` replaces a missing value" start
               (grouped fact "m") start))
@@ -101,28 +100,25 @@ let in_place_of_a_number fact =
   | Number _ when is_an_event fact && Option.fold (content fact.found) ~none:false ~some:is_maybe ->
       Some
         (hinted fact
-           (Printf.sprintf
-              "an event has a value only when it occurs, and this one may be missing: write `hold \
-               0 (%s)`, which is 0 at first, and for a missing value"
-              (with_default fact "0")))
+           "an event has a value only when it occurs, and this one may be missing: write `hold 0 \
+            (%s)`, which is 0 at first, and for a missing value"
+           (with_default fact "0"))
   | Number _ when is_an_event fact && false_at_first fact <> None ->
       let start = Option.get (false_at_first fact) in
       let e = grouped fact "e" in
       Some
         (hinted fact
-           (Printf.sprintf
-              "an event has a value only when it occurs: write `hold %s %s` for its latest value; \
-               `%s` is its value at first, with which the comparison is False"
-              start e start))
+           "an event has a value only when it occurs: write `hold %s %s` for its latest value; \
+            `%s` is its value at first, with which the comparison is False"
+           start e start)
   | Number _ when is_an_event fact ->
       Some
         (hinted fact
-           (Printf.sprintf
-              "an event has a value only when it occurs: write `hold 0 %s` for its latest value, \
-               which is 0 at first%s"
-              (grouped fact "e")
-              (Option.fold (Array_mistake.with_each fact) ~none:""
-                 ~some:(Printf.sprintf ", or `mapE %s` to compute with each value"))))
+           "an event has a value only when it occurs: write `hold 0 %s` for its latest value, \
+            which is 0 at first%s"
+           (grouped fact "e")
+           (Option.fold (Array_mistake.with_each fact) ~none:""
+              ~some:(Printf.sprintf ", or `mapE %s` to compute with each value")))
   | _ -> None
 
 (* `hold 0 b` *)
@@ -148,10 +144,9 @@ let mapped_to_a_value fact =
       | Some e, Some x ->
           Some
             (hinted fact
-               (Printf.sprintf
-                  "`mapE` applies a function to the event's value: to replace the value, write \
-                   `tag %s %s`"
-                  e x))
+               "`mapE` applies a function to the event's value: to replace the value, write `tag \
+                %s %s`"
+               e x)
       | _ -> None)
   | _ -> None
 
@@ -166,7 +161,7 @@ let of_a_truth fact =
     let carries_a_number = carries (function Type.Number _ -> true | _ -> false) in
     let carries_a_truth = carries (function Type.Bool -> true | _ -> false) in
     Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found `Bool`" (expected_text fact)
-    |> Diagnostic.hint
+    |> Diagnostic.hint "%s"
          (if carries_a_number && is_held_from_zero fact then
             Printf.sprintf
               "to count how often the condition becomes True, write `count (edge %s)` here; to \
@@ -203,6 +198,6 @@ let operand fact =
           ~found:fact.expected.ty
       in
       Option.map
-        (Diagnostic.label ~at:fact.at (Printf.sprintf "this is %s" (found_text fact)))
+        (Diagnostic.label ~at:fact.at "this is %s" (found_text fact))
         (first [ Record_mistake.in_place_of_a_number; in_place_of_a_number; in_a_maybe ] swapped)
   | _ -> None

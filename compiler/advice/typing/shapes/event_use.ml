@@ -403,6 +403,6 @@ let mistake fact =
     | Value _ -> not_matched fact
     | Condition -> not_a_condition fact
     | _ -> different fact)
-    |> Diagnostic.hint text
+    |> Diagnostic.hint "%s" text
   in
   Option.map message (first hints fact)

@@ -81,11 +81,10 @@ let not_made (fact : Shape_fact.t) =
           | Some (e, text) ->
               let made = Printf.sprintf "roMake (%s)" text in
               Shape_fact.hinted fact
-                (Printf.sprintf
-                   "this only changes an output: for the robot's output itself, write `%s`" made)
+                "this only changes an output: for the robot's output itself, write `%s`" made
               |> Diagnostic.label ~at:e.span "this is a function"
               |> Diagnostic.fix (Printf.sprintf "write `%s`" made) [ (e.span, "(" ^ made ^ ")") ]
-          | None -> Shape_fact.hinted fact text)
+          | None -> Shape_fact.hinted fact "%s" text)
         (hint fact)
   | _ -> None
 
@@ -106,8 +105,8 @@ let speeds_of_a_program (fact : Shape_fact.t) =
             Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v) (Source.grouped omega)
           in
           Some
-            (Shape_fact.hinted fact
-               (Printf.sprintf "write `%s` for a robot's output: its speed and its turn rate" text)
+            (Shape_fact.hinted fact "write `%s` for a robot's output: its speed and its turn rate"
+               text
             |> Diagnostic.write span text)
       | _ -> None)
   | _ -> None
@@ -131,8 +130,7 @@ let task_of_a_program (fact : Shape_fact.t) =
               },
             Some task ) ->
             let text = Printf.sprintf "reactimateTask %s" (Source.grouped task) in
-            Diagnostic.hint (Printf.sprintf "to run a task, write `%s`" text) d
-            |> Diagnostic.write span text
+            Diagnostic.hint "to run a task, write `%s`" text d |> Diagnostic.write span text
         | _ -> Diagnostic.hint "to run a task, write `reactimateTask (…)`" d)
   | _ -> None
 
@@ -145,8 +143,7 @@ let speeds (fact : Shape_fact.t) =
         Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v') (Source.grouped omega')
       in
       Some
-        (Shape_fact.hinted fact
-           (Printf.sprintf "write `%s` for a robot's output: its speed and its turn rate" text)
+        (Shape_fact.hinted fact "write `%s` for a robot's output: its speed and its turn rate" text
         |> Diagnostic.write fact.at text)
   | _ -> speeds_of_a_program fact
 
@@ -160,14 +157,13 @@ let of_sleeping words ~(subject : Resolve.Ir.expr option) other =
           let made = Printf.sprintf "roMake (%s)" text in
           Diagnostic.error ~code:"E0301" ~at:output.span
             "expected the robot's output during that time, found %s" (Wording.described words other)
-          |> Diagnostic.hint (Printf.sprintf "write `%s`" made)
+          |> Diagnostic.hint "write `%s`" made
           |> Diagnostic.fix (Printf.sprintf "write `%s`" made) [ (output.span, made) ]
           |> Option.some
       | Number _, Some first, Some second when is_number other ->
           let text = Printf.sprintf "sleepT %s %s" (Source.grouped second) (Source.grouped first) in
           Diagnostic.error ~code:"E0301" ~at:span "the arguments of `sleepT` are in the wrong order"
-          |> Diagnostic.hint (Printf.sprintf "write `%s`" text)
-          |> Diagnostic.write span text |> Option.some
+          |> Diagnostic.hint "write `%s`" text |> Diagnostic.write span text |> Option.some
       | _ -> None)
   | _ -> None
 
@@ -178,14 +174,12 @@ let statement (fact : Shape_fact.t) =
       Diagnostic.error ~code:"E0370" ~at:fact.at
         "the statements of a `do` are tasks, but this is %s" (Shape_fact.found_text fact)
       |> Diagnostic.hint
-           (Printf.sprintf
-              "use `sleepT 1[s] %s` for a task of one second, or `constT %s` for one that never \
-               ends"
-              output output)
+           "use `sleepT 1[s] %s` for a task of one second, or `constT %s` for one that never ends"
+           output output
       |> Option.some
   | _ -> None
 
 let twist (fact : Shape_fact.t) =
   if is_output fact.expected.ty then
-    Option.map (Shape_fact.hinted fact) (hint_for_a_twist fact.words fact.found)
+    Option.map (Shape_fact.hinted fact "%s") (hint_for_a_twist fact.words fact.found)
   else None

@@ -58,7 +58,7 @@ let built fact =
   match (fact.wanted, fact.given, Wording.fields fact.words fact.expected.ty) with
   | Data _, (Number _ | Bool), Some (constructor, fields)
     when List.compare_length_with fields 8 <= 0 ->
-      Option.map (hinted fact) (how_to_build fact constructor fields)
+      Option.map (hinted fact "%s") (how_to_build fact constructor fields)
   | _ -> None
 
 (* `robotPose i.heading`, where a field of `robotPose i` was meant. *)
@@ -97,7 +97,7 @@ let in_place_of_a_number fact =
   match (fact.wanted, fact.given) with
   | Number _, Data _ ->
       Option.map
-        (fun (_, fields) -> hinted fact (parts fact fields))
+        (fun (_, fields) -> hinted fact "%s" (parts fact fields))
         (Wording.fields fact.words fact.found)
   | _ -> None
 
@@ -106,11 +106,9 @@ let compared_with_a_number fact =
   | Data _, Number _, Some _ ->
       Option.map
         (fun (_, fields) ->
-          hinted fact
-            (Printf.sprintf
-               "the other operand is a record with the fields %s: choose one, as in `r.%s`"
-               (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
-               (List.hd fields)))
+          hinted fact "the other operand is a record with the fields %s: choose one, as in `r.%s`"
+            (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
+            (List.hd fields))
         (Wording.fields fact.words fact.expected.ty)
   | _ -> None
 
@@ -120,7 +118,7 @@ let in_place_of_a_part fact =
       Option.map
         (fun field ->
           let fixed = Printf.sprintf "%s.%s" (Source.grouped text) field in
-          let d = hinted fact (Printf.sprintf "use its field: `%s`" fixed) in
+          let d = hinted fact "use its field: `%s`" fixed in
           match fact.subject with
           | Some e ->
               Diagnostic.fix (Printf.sprintf "write `%s`" fixed) [ (e.span, "(" ^ fixed ^ ")") ] d

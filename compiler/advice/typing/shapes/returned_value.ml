@@ -58,7 +58,7 @@ let diagnostic words ~(at : Span.t) =
   Option.map
     (fun { word; equation; _ } ->
       Diagnostic.error ~code:"E0301" ~at:word "%s" message
-      |> Diagnostic.hint
+      |> Diagnostic.hint "%s"
            (match equation with
            | Some equation -> Printf.sprintf "write `%s`" equation
            | None -> "write the value after the `=`, without `return`")

@@ -77,7 +77,7 @@ val names : int -> string list
 val different : t -> Diagnostic.t
 (** The error [E0301], which says that the type found differs from the expected one. *)
 
-val hinted : t -> string -> Diagnostic.t
+val hinted : t -> ('a, unit, string, Diagnostic.t) format4 -> 'a
 (** {!different}, with this hint added. *)
 
 val not_a_condition : t -> Diagnostic.t

@@ -13,8 +13,8 @@ let in_place_of_a_test fact =
       let sf = grouped fact "sf" in
       error ~code:"E0301" ~at:fact.at
         "expected a `Test`, which also says how long to run the signal function"
-      |> here (Printf.sprintf "this is %s" (found_text fact))
-      |> hint
+      |> here "this is %s" (found_text fact)
+      |> hint "%s"
            (match Type.expand input with
            | Data { tycon = { name = "Truth"; _ }; _ } ->
                Printf.sprintf
@@ -39,11 +39,8 @@ let condition_of_an_event fact =
         | Some text ->
             let text = Printf.sprintf "(%s >>> edge)" (Source.grouped text) in
             hint
-              (Printf.sprintf
-                 "its output is a condition: for an event that occurs when it becomes True, write \
-                  `%s`"
-                 text)
-              d
+              "its output is a condition: for an event that occurs when it becomes True, write `%s`"
+              text d
             |> write fact.at text
         | None ->
             hint
@@ -53,7 +50,7 @@ let condition_of_an_event fact =
   | Signal_function (_, wanted), Function (_, given)
     when Environment.is_event wanted && Type.expand given = Bool ->
       no_signal_function fact
-      |> hint
+      |> hint "%s"
            (match name fact with
            | Some name ->
                Printf.sprintf
@@ -108,7 +105,7 @@ let lambda_for_proc fact =
           let x = String.trim (String.sub text 1 (arrow - 2)) in
           let stop = Span.forward (arrow + 1) fact.at.start in
           no_signal_function fact
-          |> hint (Printf.sprintf "write `proc %s -> …` in place of `\\%s -> …`" x x)
+          |> hint "write `proc %s -> …` in place of `\\%s -> …`" x x
           |> fix
                (Printf.sprintf "write `proc %s -> …`" x)
                [ ({ fact.at with stop }, Printf.sprintf "proc %s ->" x) ]
@@ -161,9 +158,7 @@ let without_arguments fact =
       in
       let values = List.map (value fact) parameters in
       let text = String.concat " " (raw fact name :: values) in
-      let d =
-        no_signal_function fact |> hint (Printf.sprintf "`%s` lacks %s: write `%s`" name what text)
-      in
+      let d = no_signal_function fact |> hint "`%s` lacks %s: write `%s`" name what text in
       Some (if List.mem "…" values then d else Unrun_mistake.instead fact.subject text d)
   | _ -> None
 
@@ -172,16 +167,16 @@ let function_not_lifted fact =
   | Signal_function _, Function _, _ when without_arguments fact <> None -> without_arguments fact
   | Signal_function _, Function _, _ when lambda_for_proc fact <> None -> lambda_for_proc fact
   | Signal_function _, Function _, _ when as_a_proc fact <> None ->
-      Some (hint (Option.get (as_a_proc fact)) (no_signal_function fact))
+      Some (hint "%s" (Option.get (as_a_proc fact)) (no_signal_function fact))
   | Signal_function _, Function _, Some text ->
       let text = "arr " ^ Source.grouped text in
       no_signal_function fact
-      |> hint (Printf.sprintf "use `arr` to turn a function into a signal function: `%s`" text)
+      |> hint "use `arr` to turn a function into a signal function: `%s`" text
       |> Unrun_mistake.instead fact.subject text
       |> Option.some
   | Signal_function _, Function _, None ->
       no_signal_function fact
-      |> hint
+      |> hint "%s"
            (match Wording.quote fact.words fact.at with
            | Some text when text.[0] = '\\' ->
                "use `proc x -> …`, with `proc` instead of `\\`, or use `arr` to turn a function \
@@ -248,17 +243,14 @@ let in_place_of_a_function fact =
       Some
         (if Switch_mistake.goes_on fact.expected then
            let text = "\\_ -> " ^ raw fact "…" in
-           hint (Printf.sprintf "write a function that ignores its argument: `%s`" text) d
+           hint "write a function that ignores its argument: `%s`" text d
            |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
          else
            match next_mode fact with
            | Some text ->
-               hint
-                 (Printf.sprintf
-                    "the second argument of `switch` is a function of the event's value: use `%s`"
-                    text)
-                 d
-           | None -> Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint text d))
+               hint "the second argument of `switch` is a function of the event's value: use `%s`"
+                 text d
+           | None -> Option.fold (by_its_use fact) ~none:d ~some:(fun text -> hint "%s" text d))
   | _ -> None
 
 (* `x > 0 &&& x < 1` *)

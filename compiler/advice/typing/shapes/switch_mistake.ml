@@ -142,11 +142,10 @@ let next_mode fact =
          | _ -> false ->
       Some
         (hinted fact
-           (Printf.sprintf
-              "the second argument of `%s` takes the value of the event and returns the next mode: \
-               `\\_ -> …`; the event itself is in the output of the first argument, as in \
-               `(output, edge b)`"
-              name))
+           "the second argument of `%s` takes the value of the event and returns the next mode: \
+            `\\_ -> …`; the event itself is in the output of the first argument, as in `(output, \
+            edge b)`"
+           name)
   | _ -> None
 
 let hint_for_a_mode fact =
@@ -200,7 +199,7 @@ let input_as_pair fact =
          && match Type.expand given with Tuple [ _; e ] -> Environment.is_event e | _ -> false ->
       let text = Option.value (Wording.quote fact.words output.span) ~default:"output" in
       error ~code:"E0301" ~at:output.span "this mode of `%s` returns no event" name
-      |> hint (needs_an_event name text)
+      |> hint "%s" (needs_an_event name text)
       |> write output.span (with_an_event text)
       |> Option.some
   | _ -> None
@@ -215,13 +214,13 @@ let output_without_event fact =
     when Environment.is_event event
          && not (Environment.is_event fact.found || Environment.is_task fact.found) ->
       let text = raw fact "output" in
-      Some (hinted fact (needs_an_event name text) |> write fact.at (with_an_event text))
+      Some (hinted fact "%s" (needs_an_event name text) |> write fact.at (with_an_event text))
   | _ -> None
 
 let mode fact =
   match (fact.wanted, other_operand fact) with
   | Signal_function _, None when ends_a_mode fact.expected ->
-      Option.map (hinted fact) (hint_for_a_mode fact)
+      Option.map (hinted fact "%s") (hint_for_a_mode fact)
   | _ -> None
 
 let three_arguments words ~name ~at arguments =
@@ -263,7 +262,7 @@ let three_arguments words ~name ~at arguments =
           let d =
             error ~code:"E0301" ~at:second.span "the event of `%s` is not a separate argument" name
             |> label ~at:first.span "this must return it together with its output"
-            |> hint (Printf.sprintf "write `%s`" fixed)
+            |> hint "write `%s`" fixed
           in
           Some (if String.contains fixed '\n' then d else write at fixed d))
   | _ -> None

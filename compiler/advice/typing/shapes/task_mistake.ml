@@ -28,10 +28,9 @@ let to_wait words (argument : Resolve.Ir.expr) =
     | _ -> "1[s]"
   in
   hint
-    (Printf.sprintf
-       "to wait with the robot at rest, write `sleepT %s restingOutput`; `delay` returns the \
-        previous value of a signal"
-       how_long)
+    "to wait with the robot at rest, write `sleepT %s restingOutput`; `delay` returns the previous \
+     value of a signal"
+    how_long
 
 (* How to turn a signal function into a task that ends at an event, or into one that never ends. *)
 let to_task words (subject : Resolve.Ir.expr option) output =
@@ -39,22 +38,19 @@ let to_task words (subject : Resolve.Ir.expr option) output =
   let name = Option.value text ~default:"sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
-      hint
-        (Printf.sprintf "use `mkTask %s`, which ends when its event occurs" (Source.grouped name))
+      hint "use `mkTask %s`, which ends when its event occurs" (Source.grouped name)
   | _ -> (
       match Option.bind subject (parts words) with
       | Some (input, output) ->
           hint
-            (Printf.sprintf
-               "add the event that ends the task: `mkTask (proc %s -> (%s, after 1[s] ()))`; with \
-                `never ()` as the event, it never ends"
-               input output)
+            "add the event that ends the task: `mkTask (proc %s -> (%s, after 1[s] ()))`; with \
+             `never ()` as the event, it never ends"
+            input output
       | None ->
           hint
-            (Printf.sprintf
-               "to run it for a time, write `mkTask (%s &&& after 5[s])`; to run it without end, \
-                `mkTask (%s &&& never)`"
-               name name))
+            "to run it for a time, write `mkTask (%s &&& after 5[s])`; to run it without end, \
+             `mkTask (%s &&& never)`"
+            name name)
 
 (* Is it probably the output of a robot? *)
 let is_an_output words t =
@@ -66,10 +62,10 @@ let is_an_output words t =
 
 let in_place_of_a_task fact output =
   error ~code:"E0371" ~at:fact.at "expected a task, found a signal function"
-  |> here (Printf.sprintf "this is %s" (found_text fact))
+  |> here "this is %s" (found_text fact)
   |> (match (fact.expected.because, name fact) with
      | Statement _, Some name when not (is_an_output fact.words output) ->
-         hint (Printf.sprintf "to read it once, write `ask %s`" name)
+         hint "to read it once, write `ask %s`" name
      | Parameter { callee = Some "reactimateTask"; _ }, _ ->
          hint "use `reactimateRobot` to turn a signal function into a program"
      | _ -> Fun.id)
@@ -103,8 +99,8 @@ let of_a_switch fact given ~position =
 let in_place_of_a_signal_function fact =
   let name = Option.value (name fact) ~default:"t" in
   error ~code:"E0371" ~at:fact.at "expected a signal function, found a task"
-  |> here (Printf.sprintf "this is %s" (found_text fact))
-  |> hint
+  |> here "this is %s" (found_text fact)
+  |> hint "%s"
        (match fact.expected.because with
        | Parameter { callee = Some "reactimateRobot"; _ } ->
            Printf.sprintf "use `reactimateTask %s` to turn a task into a program" name
@@ -130,8 +126,8 @@ let function_of_the_input fact =
   | Function (_, result), Some name
     when is_statement fact && match Type.expand result with Function _ -> false | _ -> true ->
       error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is a function"
-      |> here (Printf.sprintf "this is %s" (found_text fact))
-      |> hint
+      |> here "this is %s" (found_text fact)
+      |> hint "%s"
            (match name with
            | "place" -> "write `robotPlace`, a task that returns the robot's position"
            | _ -> Printf.sprintf "to apply it to the input once, write `ask (arr %s)`" name)
@@ -148,7 +144,7 @@ let statement_without_task fact =
          && is_statement fact ->
       error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is %s"
         (found_text fact)
-      |> hint
+      |> hint "%s"
            (match name fact with
            | Some name ->
                Printf.sprintf "use `return %s` for a task that returns it immediately" name
@@ -179,7 +175,7 @@ let of_an_array fact =
         | Some _ | None -> None
       in
       Some
-        (hinted fact
+        (hinted fact "%s"
            (match tasks with
            | Some (first :: second :: _) ->
                Printf.sprintf
@@ -270,7 +266,7 @@ let only_returned fact =
     when is_only_returned fact.words fact.given
          && (not (Environment.is_task fact.wanted))
          && without_tasks fact <> None ->
-      Some (hinted fact (Option.get (without_tasks fact)))
+      Some (hinted fact "%s" (Option.get (without_tasks fact)))
   | (Number _ | Bool | Data _ | Tuple (_ :: _))
     when is_only_returned fact.words fact.given && not (Environment.is_task fact.wanted) ->
       Some
@@ -296,7 +292,7 @@ let in_place_of_a_program fact =
     when tycon = Environment.built_in "Program" && Environment.is_task fact.given ->
       let text = Wording.argument fact.words e in
       let fixed = "reactimateTask " ^ Option.value text ~default:"(…)" in
-      let d = hinted fact (Printf.sprintf "to turn the task into a program, write `%s`" fixed) in
+      let d = hinted fact "to turn the task into a program, write `%s`" fixed in
       Some (if text = None then d else write e.span fixed d)
   | _ -> None
 
@@ -315,18 +311,16 @@ let in_place_of_its_result fact =
           | Some value when Span.line value.span.start >= Span.line x.span.start ->
               Option.map
                 (fun text ->
-                  hinted fact
-                    (Printf.sprintf "run the task: write `%s` in place of `let %s = %s`"
-                       (run x.name text) x.name text)
+                  hinted fact "run the task: write `%s` in place of `let %s = %s`" (run x.name text)
+                    x.name text
                   |> label ~at:value.span "this task is named here, but not run")
                 (Wording.quote fact.words value.span)
           | Some _ | None -> None)
       | Apply _ | Global _ ->
           Option.map
             (fun text ->
-              hinted fact
-                (Printf.sprintf "in a `do`, run the task on the line before, `%s`, and use `x` here"
-                   (run "x" text)))
+              hinted fact "in a `do`, run the task on the line before, `%s`, and use `x` here"
+                (run "x" text))
             (Wording.quote fact.words e.span)
       | _ -> None)
   | _ -> None
@@ -345,9 +339,8 @@ let without_count fact =
       let counted = f ^ " 4" in
       let d =
         different fact
-        |> hint
-             (Printf.sprintf "the number of times comes first: write `%s (…)`%s" counted
-                (if String.equal f "repeatT" then "; to repeat without end, use `forever`" else ""))
+        |> hint "the number of times comes first: write `%s (…)`%s" counted
+             (if String.equal f "repeatT" then "; to repeat without end, use `forever`" else "")
         |> write at counted
       in
       Some d
@@ -364,7 +357,7 @@ let condition fact =
         | Some _ | None -> None
       in
       not_a_condition fact
-      |> hint
+      |> hint "%s"
            (match defined with
            | Some (name, task) ->
                Printf.sprintf "run the task: write `%s <- %s` in place of `let %s = %s`" name task
@@ -423,7 +416,7 @@ let unlike fact =
       match (differ input input', differ output output', differ result result') with
       | false, false, true ->
           says "expected a task that returns %s, but this one returns %s" result result'
-          |> hint (of_another_result fact result result')
+          |> hint "%s" (of_another_result fact result result')
           |> Option.some
       | false, true, false ->
           Some

@@ -4,7 +4,7 @@ open Diagnostic
 open Shape_fact
 
 let no_truth fact text =
-  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint text
+  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint "%s" text
 
 (* A comparison to suggest in place of a number. *)
 let comparison fact =
@@ -52,9 +52,9 @@ let condition fact =
       let d = not_a_condition fact in
       Some
         (match comparison fact with
-        | Some text -> hint text d
+        | Some text -> hint "%s" text d
         | None when Environment.is_event fact.found -> (
-            let d = hint (is_now fact "e") d in
+            let d = hint "%s" (is_now fact "e") d in
             match (condition_of_edge fact, fact.subject) with
             | Some b, Some e -> write e.span (Source.grouped b) d
             | _ -> d)
@@ -173,7 +173,7 @@ let in_place_of_a_number fact =
   | Number _, Bool, Element _ -> None
   | Number (_, u), Bool, _ -> (
       match after_a_number fact with
-      | Some text -> Some (hinted fact text)
+      | Some text -> Some (hinted fact "%s" text)
       | None ->
           let one =
             if Units.is_open u || Units.equal u Units.one then "1"
@@ -185,5 +185,5 @@ let in_place_of_a_number fact =
             | "False" -> "0"
             | b -> Printf.sprintf "(if %s then %s else 0)" b one
           in
-          Some (hinted fact (Printf.sprintf "a `Bool` is not a number: write `%s`" text)))
+          Some (hinted fact "a `Bool` is not a number: write `%s`" text))
   | _ -> None

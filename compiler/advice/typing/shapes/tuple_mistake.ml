@@ -13,10 +13,9 @@ let selected fact =
       let p = raw fact "p" in
       Some
         (hinted fact
-           (Printf.sprintf
-              "for the parts of a tuple, write an equation, `(a, b) = %s`; for those of a pair, \
-               also `fst %s` and `snd %s`"
-              p p p))
+           "for the parts of a tuple, write an equation, `(a, b) = %s`; for those of a pair, also \
+            `fst %s` and `snd %s`"
+           p p p)
   | _ -> None
 
 let of_an_input fact =
@@ -24,10 +23,9 @@ let of_an_input fact =
   | (Number _ | Bool), Tuple (_ :: _ :: _ as parts), Some { desc = Local x; _ }
     when Wording.is_input fact.words x.name ->
       Some
-        (hinted fact
-           (Printf.sprintf
-              "`%s` is the whole input: take it apart in the pattern, as in `proc (%s) -> …`" x.name
-              (String.concat ", " (names (List.length parts))))
+        (hinted fact "`%s` is the whole input: take it apart in the pattern, as in `proc (%s) -> …`"
+           x.name
+           (String.concat ", " (names (List.length parts)))
         |> label ~at:x.span "this is one name for the whole tuple")
   | _ -> None
 
@@ -70,9 +68,8 @@ let second_part fact =
           let input = Unrun_mistake.signal_for fact.words first in
           let pair = Printf.sprintf "(%s, %s)" input event in
           Some
-            (hinted fact
-               (Printf.sprintf "write the input, and then the event: `%s`"
-                  (String.concat " " ((f :: before) @ [ pair ])))
+            (hinted fact "write the input, and then the event: `%s`"
+               (String.concat " " ((f :: before) @ [ pair ]))
             |> write fact.at pair)
       | _ -> None)
   | _ -> None
@@ -83,9 +80,8 @@ let parameter fact =
   | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _) when is_a_parameter fact ->
       let length = List.length wanted in
       Some
-        (hinted fact
-           (Printf.sprintf "`%s` takes one tuple of %d: write `%s`" (callee fact) length
-              (gathered fact length)))
+        (hinted fact "`%s` takes one tuple of %d: write `%s`" (callee fact) length
+           (gathered fact length))
   | _ -> None
 
 (* How to take a tuple apart where a tuple of a different length is expected. *)
@@ -93,15 +89,15 @@ let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
   | Parameter { callee = Some ("fst" | "snd"); _ } ->
-      hint (Printf.sprintf "for its parts, write an equation: `(%s) = %s`" names (raw fact "p"))
-  | Pattern _ -> hint (Printf.sprintf "write the pattern as `(%s)`" names)
+      hint "for its parts, write an equation: `(%s) = %s`" names (raw fact "p")
+  | Pattern _ -> hint "write the pattern as `(%s)`" names
   | (Signature _ | Annotation _ | Parameter _) when fact.subject = None ->
       let names =
         match fact.wanted with
         | Tuple wanted -> String.concat ", " (Shape_fact.names (List.length wanted))
         | _ -> names
       in
-      hint (Printf.sprintf "write the pattern as `(%s)`" names)
+      hint "write the pattern as `(%s)`" names
   | _ -> Fun.id
 
 let ordinal n =
@@ -136,17 +132,15 @@ let odd_part fact wanted given =
   in
   match List.compare_lengths wanted given with
   | 1 when List.compare_length_with given (List.length wanted - 1) = 0 ->
-      Option.map (fun (_, part) -> hint (Printf.sprintf "%s is missing" part)) (odd wanted given)
+      Option.map (fun (_, part) -> hint "%s is missing" part) (odd wanted given)
   | -1 when List.compare_length_with wanted (List.length given - 1) = 0 ->
       Option.map
         (fun (i, part) ->
           match (i, fact.subject, all (elements fact)) with
           | Some i, Some { desc = Tuple _; span }, Some texts ->
               let text = "(" ^ String.concat ", " (without i texts) ^ ")" in
-              fun d ->
-                hint (Printf.sprintf "%s is one too many: write `%s`" part text) d
-                |> write span text
-          | _ -> hint (part ^ " is one too many"))
+              fun d -> hint "%s is one too many: write `%s`" part text d |> write span text
+          | _ -> hint "%s" (part ^ " is one too many"))
         (odd given wanted)
   | _ -> None
 
@@ -157,7 +151,7 @@ let of_another_length fact =
         (List.length given)
       |> (match fact.subject with
          | Some { desc = Tuple _; _ } -> Fun.id
-         | _ -> here (Printf.sprintf "this is %s" (found_text fact)))
+         | _ -> here "this is %s" (found_text fact))
       |> (fun d ->
       match (taken_apart fact given d, fact.subject) with
       | d, Some { desc = Tuple _; _ } when d.hints = [] ->
@@ -172,7 +166,7 @@ let written_as_an_array fact =
     when Array_mistake.is_array fact.given && List.compare_lengths elements parts = 0 ->
       let message texts =
         let tuple = "(" ^ String.concat ", " texts ^ ")" in
-        hinted fact (Printf.sprintf "put a tuple in parentheses: `%s`" tuple) |> write span tuple
+        hinted fact "put a tuple in parentheses: `%s`" tuple |> write span tuple
       in
       List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) elements
       |> all |> Option.map message
@@ -213,7 +207,7 @@ let of_more_than_two fact =
     Option.map
       (fun text ->
         error ~code:"E0301" ~at "`%s` takes two values, but is given %d" name (List.length es)
-        |> hint (Printf.sprintf "write `%s`" text))
+        |> hint "write `%s`" text)
       (nested_of fact name es)
   in
   match (fact.expected.because, fact.subject, call fact) with
@@ -265,7 +259,7 @@ let of_all_arguments fact =
         (match all (List.map quote es) with
         | Some texts ->
             let text = String.concat " " (name :: List.map argument_of texts) in
-            hint (Printf.sprintf "write the arguments without parentheses and commas: `%s`" text) d
+            hint "write the arguments without parentheses and commas: `%s`" text d
             |> fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
         | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)
   | _ -> None
@@ -282,9 +276,8 @@ let mapped_range fact =
           (fun texts -> Other_notation.expression ("map(" ^ String.concat ", " texts ^ ")"))
       in
       error ~code:"E0301" ~at:fact.at "`map` applies a function to each element of an array"
-      |> hint
-           (Printf.sprintf "to convert a number from one range to another, write `%s`"
-              (Option.value written ~default:"(x - a) / (b - a) * (d - c) + c"))
+      |> hint "to convert a number from one range to another, write `%s`"
+           (Option.value written ~default:"(x - a) / (b - a) * (d - c) + c")
       |> Option.some
   | _ -> None
 
@@ -298,10 +291,8 @@ let without_winner fact =
       let d =
         error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of 2" (expected_text fact)
         |> hint
-             (Printf.sprintf
-                "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins \
-                 %s`"
-                text text)
+             "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins %s`"
+             text text
       in
       Some d
   | _ -> None
@@ -323,7 +314,7 @@ let separated_by_commas fact =
       let arguments = side_by_side fact components in
       error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
         (List.length components)
-      |> hint
+      |> hint "%s"
            (match (takes, name) with
            | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
            | 1, ("integral" | "derivative") when List.find_map signal_of (elements fact) <> None ->
@@ -348,8 +339,7 @@ let of_a_function_and_its_argument fact =
       | Function _, Some head, Some arguments ->
           let text = String.concat " " (head :: List.map Source.grouped arguments) in
           Some
-            (hinted fact
-               (Printf.sprintf "a comma makes a tuple: write the arguments without it, `(%s)`" text)
+            (hinted fact "a comma makes a tuple: write the arguments without it, `(%s)`" text
             |> write span ("(" ^ text ^ ")"))
       | _ -> None)
   | _ -> None

@@ -109,7 +109,7 @@ let hint_to_run words subject ~wanted input d =
     | ({ span; _ } : Resolve.Ir.expr) ->
         Option.fold (Wording.quote words span) ~none:"…" ~some:Source.grouped
   in
-  hint
+  hint "%s"
     (match (Option.bind subject Plain_name.of_head, arguments) with
     | Some (("hold" | "dHold") as name), [ ({ desc = Local x; _ } as only) ]
       when is_no_event words x ->
@@ -189,21 +189,20 @@ let message words ~subject ~at ~wanted ~input ~found =
   let d =
     error ~code:"E0303" ~at
       "expected a value, found a signal function that is not applied to a signal"
-    |> here (Printf.sprintf "this is %s" (Wording.described words found))
+    |> here "this is %s" (Wording.described words found)
   in
   match truth_of_event words ~subject ~wanted ~found with
   | Some fixed ->
-      hint (Printf.sprintf "its output is an event: for a condition, write `%s`" fixed) d
-      |> instead subject fixed
+      hint "its output is an event: for a condition, write `%s`" fixed d |> instead subject fixed
   | None -> (
       let d =
         match (subject, meant words subject) with
         | Some { desc = Local x; _ }, Some e when Some e <> subject ->
-            label ~at:e.span (Reason_label.definition x.name) d
+            label ~at:e.span "%s" (Reason_label.definition x.name) d
         | _ -> d
       in
       match sense_without_input words ~subject input with
-      | Some text -> hint text d
+      | Some text -> hint "%s" text d
       | None -> hint_to_run words subject ~wanted input d)
 
 (* Programs are built from signal functions that are not applied to a signal. *)
@@ -215,8 +214,8 @@ let is_program ty =
 let program (fact : Shape_fact.t) =
   let d =
     error ~code:"E0301" ~at:fact.at "expected a program, found a signal function"
-    |> here (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
-    |> note (Printf.sprintf "expected %s" (Shape_fact.expected_text fact))
+    |> here "this is %s" (Shape_fact.found_text fact)
+    |> note "expected %s" (Shape_fact.expected_text fact)
   in
   let text =
     Option.bind fact.subject (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span)
@@ -225,7 +224,7 @@ let program (fact : Shape_fact.t) =
   | None -> hint "use `reactimateRobot` to turn a signal function into a program" d
   | Some text ->
       let made = "reactimateRobot " ^ Source.grouped text in
-      d |> hint (Printf.sprintf "write `%s`" made) |> instead fact.subject made
+      d |> hint "write `%s`" made |> instead fact.subject made
 
 (* A program whose `proc` has the input `()`, although the robot has an input. *)
 let program_without_input (fact : Shape_fact.t) =
@@ -261,7 +260,7 @@ let two_judges (fact : Shape_fact.t) =
       | Some f, Some g ->
           let text = Printf.sprintf "bothOf %s %s" f g in
           Some
-            (Shape_fact.hinted fact (Printf.sprintf "to require two verdicts, write `%s`" text)
+            (Shape_fact.hinted fact "to require two verdicts, write `%s`" text
             |> write (Span.merge a.span b.span) text)
       | _ -> None)
   | _ -> None
@@ -273,7 +272,7 @@ let unrun (fact : Shape_fact.t) =
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
       message fact.words ~subject:fact.subject ~at:fact.at ~wanted:fact.expected.ty ~input
         ~found:fact.found
-      |> note (Printf.sprintf "expected %s" (Shape_fact.expected_text fact))
+      |> note "expected %s" (Shape_fact.expected_text fact)
       |> Option.some
   | _ -> None
 
@@ -283,7 +282,7 @@ let unrun_operand (fact : Shape_fact.t) =
     ->
       message fact.words ~subject:(Some other) ~at:other.span ~wanted:fact.found ~input
         ~found:fact.expected.ty
-      |> label ~at:fact.at (Printf.sprintf "this is %s" (Shape_fact.found_text fact))
+      |> label ~at:fact.at "this is %s" (Shape_fact.found_text fact)
       |> Option.some
   | _ -> None
 
@@ -297,6 +296,5 @@ let program_in_place_of_a_signal_function (fact : Shape_fact.t) =
       in
       Some
         (Shape_fact.hinted fact
-           (Printf.sprintf "this is a program: write its type as `Program RobotInput RobotOutput`%s"
-              maker))
+           "this is a program: write its type as `Program RobotInput RobotOutput`%s" maker)
   | _ -> None

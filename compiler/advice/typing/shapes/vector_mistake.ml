@@ -42,7 +42,9 @@ let of_a_number fact =
         | Parameter { given; position; _ } -> List.filteri (fun i _ -> i >= position - 1) given
         | _ -> Option.to_list fact.subject
       in
-      Option.map (fun text -> hinted fact (by_name text)) (vector fact.words ~elements fact.wanted)
+      Option.map
+        (fun text -> hinted fact "%s" (by_name text))
+        (vector fact.words ~elements fact.wanted)
   | _ -> None
 
 let of_a_tuple fact =
@@ -55,7 +57,7 @@ let of_a_tuple fact =
       let message text =
         Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d"
           (expected_text fact) (List.length types)
-        |> Diagnostic.hint (by_name text)
+        |> Diagnostic.hint "%s" (by_name text)
       in
       Option.map message (vector fact.words ~elements fact.wanted)
   | _ -> None
@@ -74,6 +76,6 @@ let of_an_operator fact =
   match (fact.wanted, fact.given) with
   | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ } ->
       Option.map
-        (fun operator -> hinted fact ("for vectors, use " ^ operator))
+        (fun operator -> hinted fact "for vectors, use %s" operator)
         (operator fact.expected)
   | _ -> None

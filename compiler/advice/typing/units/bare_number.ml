@@ -203,23 +203,20 @@ let give_literals numbers d =
   let quoted (number, unit_) = "`" ^ snd (with_unit number unit_) ^ "`" in
   let edit (number, unit_) = (number.at, fst (with_unit number unit_)) in
   let texts = String.concat " and " (List.map quoted numbers) in
-  Diagnostic.hint (Printf.sprintf "write %s if that is their unit" texts) d
+  Diagnostic.hint "write %s if that is their unit" texts d
   |> Diagnostic.fix (Printf.sprintf "write %s" texts) (List.map edit numbers)
 
 let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
   let literal, text = with_unit number unit_ in
   let float = Printf.sprintf "Float[%s]" unit_ in
   match name with
-  | None ->
-      Diagnostic.hint (Printf.sprintf "write `%s` if that is its unit" text) d
-      |> Diagnostic.write at literal
+  | None -> Diagnostic.hint "write `%s` if that is its unit" text d |> Diagnostic.write at literal
   | Some name when of_record ->
-      Diagnostic.label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
+      Diagnostic.label ~at "`%s` is this number without a unit" name d
       |> Diagnostic.hint
-           (Printf.sprintf
-              "give the field `%s` its unit: `%s = %s`, and `%s :: %s` in the declaration of the \
-               record"
-              name name text name float)
+           "give the field `%s` its unit: `%s = %s`, and `%s :: %s` in the declaration of the \
+            record"
+           name name text name float
   | Some name ->
       (* a `param` has its signature and its value on one line *)
       let fixed, edits =
@@ -231,6 +228,6 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
               [ (place, float) ] )
         | Some _ | None -> (Printf.sprintf "`%s = %s`" name text, [])
       in
-      Diagnostic.label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
-      |> Diagnostic.hint (Printf.sprintf "give `%s` its unit: %s" name fixed)
+      Diagnostic.label ~at "`%s` is this number without a unit" name d
+      |> Diagnostic.hint "give `%s` its unit: %s" name fixed
       |> Diagnostic.fix (Printf.sprintf "write `%s`" text) (edits @ [ (at, literal) ])

@@ -80,7 +80,7 @@ let give words ~given ~wanted ~where numbers d =
     else Printf.sprintf "is in `%s`" (Wording.measure words given)
   in
   let label d (n : Bare_number.t) =
-    label ~at:n.at
+    label ~at:n.at "%s"
       (match n.name with
       | Some name -> Printf.sprintf "`%s` is this number, which %s" name what
       | None -> "this number " ^ what)
@@ -94,7 +94,7 @@ let give words ~given ~wanted ~where numbers d =
     else " if you meant that unit"
   in
   List.fold_left label d numbers
-  |> hint (Printf.sprintf "write %s%s%s" texts where if_meant)
+  |> hint "write %s%s%s" texts where if_meant
   |> fix (Printf.sprintf "write %s" texts)
        (List.map (fun (n : Bare_number.t) -> (n.at, literal n)) numbers)
 

@@ -18,7 +18,7 @@ let sqrt_of words (e : Resolve.Ir.expr) d =
   match Formula.grouped words e with
   | Some text ->
       let fixed = "sqrt " ^ text in
-      hint (Printf.sprintf "for the square root, write `%s`" fixed) d |> replace e fixed
+      hint "for the square root, write `%s`" fixed d |> replace e fixed
   | None -> hint "for the square root, write `sqrt (…)` around it" d
 
 (* The exponent, from 2 to 4, that turns the second unit into the first one. *)
@@ -36,11 +36,9 @@ let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.ex
     | Some text ->
         let fixed = Printf.sprintf "%s ^ %d" text k in
         fun d ->
-          hint
-            (Printf.sprintf "to use the %s, write `%s`"
-               (match k with 2 -> "square" | 3 -> "cube" | _ -> "fourth power")
-               fixed)
-            d
+          hint "to use the %s, write `%s`"
+            (match k with 2 -> "square" | 3 -> "cube" | _ -> "fourth power")
+            fixed d
           |> replace lower fixed
     | None -> Fun.id
   in
@@ -126,11 +124,8 @@ let power words ~subject ~expected units =
               Option.map
                 (fun text d ->
                   hint
-                    (Printf.sprintf
-                       "the missing factor `%s` is the unit of `%s`: write `%s` if its square is \
-                        meant"
-                       (Wording.measure words missing) name text)
-                    d
+                    "the missing factor `%s` is the unit of `%s`: write `%s` if its square is meant"
+                    (Wording.measure words missing) name text d
                   |> write x.span (grouped ^ " ^ 2"))
                 (Formula.with_part words formula ~part:x.span (grouped ^ " ^ 2"))
           | _ -> None)
@@ -150,13 +145,9 @@ let of_fields words ~subject (wanted, given) =
         Option.bind (Formula.grouped words base) (fun base ->
             Option.map
               (fun text d ->
-                label ~at:e.span
-                  (Printf.sprintf "the field `%s` is in `%s`" name.text
-                     (Wording.measure words given))
+                label ~at:e.span "the field `%s` is in `%s`" name.text (Wording.measure words given)
                   d
-                |> hint
-                     (Printf.sprintf "for a field in `%s`, write `%s`"
-                        (Wording.measure words wanted) text)
+                |> hint "for a field in `%s`, write `%s`" (Wording.measure words wanted) text
                 |> write square.span base)
               (Formula.with_part words e ~part:square.span base))
     | _ -> None
@@ -203,7 +194,7 @@ let within_root words ~subject (wanted, given) =
             match (base a, base b) with
             | Some a, Some b ->
                 let text = Printf.sprintf "sqrt (%s ^ 2 + %s ^ 2)" a b in
-                Some (hint (Printf.sprintf "for the root of a sum of squares, write `%s`" text))
+                Some (hint "for the root of a sum of squares, write `%s`" text)
             | _ -> None)
         | _ -> None
       else if
@@ -214,11 +205,9 @@ let within_root words ~subject (wanted, given) =
         let unit_ = Wording.measure words missing in
         Option.map
           (fun inside ->
-            hint
-              (Printf.sprintf
-                 "a factor in `%s`%s is missing inside the root, as in `sqrt (1[%s] * %s)`" unit_
-                 (if unit_ = "m/s^2" then ", an acceleration," else "")
-                 unit_ inside))
+            hint "a factor in `%s`%s is missing inside the root, as in `sqrt (1[%s] * %s)`" unit_
+              (if unit_ = "m/s^2" then ", an acceleration," else "")
+              unit_ inside)
           (as_a_factor words argument)
   | _ -> None
 
@@ -245,8 +234,7 @@ let rounded words ~subject (wanted, given) =
       Option.map
         (fun inside d ->
           let text = Printf.sprintf "%s (%s / 1[%s])" name inside (Wording.measure words given) in
-          hint (Printf.sprintf "divide by the unit before rounding: `%s`" text) d
-          |> write span ("(" ^ text ^ ")"))
+          hint "divide by the unit before rounding: `%s`" text d |> write span ("(" ^ text ^ ")"))
         (as_a_factor words argument)
   | _ -> None
 
@@ -265,8 +253,7 @@ let rate_for_angle words ~subject (wanted, given) =
           let text = Printf.sprintf "%s[%s]" digits name in
           Some
             (fun d ->
-              hint (Printf.sprintf "this is a turn rate: for an angle, write `%s`" text) d
-              |> write span text)
+              hint "this is a turn rate: for an angle, write `%s`" text d |> write span text)
       | Some (Unit_variable _, _) | None -> None)
   | _ -> None
 
@@ -293,10 +280,9 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
       Option.map
         (fun (name, u) ->
           hint
-            (Printf.sprintf
-               "the gain of a rate of change has another unit: write `Float[%s]` for `%s` in the \
-                signature"
-               (Wording.measure words u) name))
+            "the gain of a rate of change has another unit: write `Float[%s]` for `%s` in the \
+             signature"
+            (Wording.measure words u) name)
         (List.find_map gain factors)
   in
   match (expected.because, subject) with
@@ -324,8 +310,7 @@ let opposite words ~subject (wanted, given) =
         else ("integral", "the sum over time")
       in
       Option.map
-        (fun text d ->
-          hint (Printf.sprintf "for %s, write `%s %s`" meaning other text) d |> write span other)
+        (fun text d -> hint "for %s, write `%s %s`" meaning other text d |> write span other)
         (Formula.grouped words argument)
   | _ -> None
 
@@ -344,10 +329,8 @@ let upside_down words ~subject (wanted, given) =
           let whole = (Option.get subject).span in
           Some
             (fun d ->
-              hint
-                (Printf.sprintf "the quotient the other way round has the unit `%s`: `%s`"
-                   (Wording.measure words wanted) quotient)
-                d
+              hint "the quotient the other way round has the unit `%s`: `%s`"
+                (Wording.measure words wanted) quotient d
               |> write whole quotient)
       | _ -> None)
   | _ -> None
@@ -399,13 +382,12 @@ let rate words ~subject ~(expected : Expected.t) (wanted, given) =
           let in_a_proc = Wording.inputs words <> [] in
           Some
             (fun d ->
-              hint
-                (Printf.sprintf "`%s` is a rate of change: multiply it by a time, as in `%s`%s"
-                   (Option.value (Formula.text words rate) ~default:"it")
-                   (sum times)
-                   (if in_a_proc then
-                      Printf.sprintf ", or, for its sum over time, write `%s`" (sum integral)
-                    else ""))
+              hint "`%s` is a rate of change: multiply it by a time, as in `%s`%s"
+                (Option.value (Formula.text words rate) ~default:"it")
+                (sum times)
+                (if in_a_proc then
+                   Printf.sprintf ", or, for its sum over time, write `%s`" (sum integral)
+                 else "")
                 d
               |> fix (Printf.sprintf "write `%s`" times) [ (rate.span, times) ]
               |>

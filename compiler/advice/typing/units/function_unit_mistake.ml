@@ -42,9 +42,7 @@ let angle_of_a_rate words ~subject ~(expected : Expected.t) (_, given) =
         else Option.map (Printf.sprintf "integral %s") (grouped words e)
       in
       let with_fix angle d =
-        hint
-          (Printf.sprintf "an angle is a rate times a time: in a `proc`, write `%s (%s)`" f angle)
-          d
+        hint "an angle is a rate times a time: in a `proc`, write `%s (%s)`" f angle d
         |> fix (Printf.sprintf "write `%s (%s)`" f angle) [ (e.span, "(" ^ angle ^ ")") ]
       in
       Option.map with_fix angle
@@ -63,23 +61,22 @@ let power words ~(expected : Expected.t) ?unit_ () =
           let k = Printf.sprintf "%.0f" k in
           Some
             (fun d ->
-              hint (Printf.sprintf "for a power with a whole exponent, write `%s ^ %s`" base k) d
+              hint "for a power with a whole exponent, write `%s ^ %s`" base k d
               |> fix (Printf.sprintf "write `%s ^ %s`" base k) [ (at, "^"); (exponent.span, k) ])
       | Some b, Some 0.5 ->
           let fixed = "sqrt " ^ b in
           Some
             (fun d ->
-              hint (Printf.sprintf "for a square root, write `%s`" fixed) d
+              hint "for a square root, write `%s`" fixed d
               |> fix
                    (Printf.sprintf "write `%s`" fixed)
                    [ (Span.merge base.span exponent.span, "(" ^ fixed ^ ")") ])
       | Some base, _ ->
           let plain unit_ =
             hint
-              (Printf.sprintf
-                 "the base of `**` is a plain number: divide by the unit, `(%s / 1[%s])`, or, for \
-                  a whole exponent, write `%s ^ 2`"
-                 base unit_ base)
+              "the base of `**` is a plain number: divide by the unit, `(%s / 1[%s])`, or, for a \
+               whole exponent, write `%s ^ 2`"
+              base unit_ base
           in
           Option.map plain unit_
       | None, _ -> None)
@@ -103,25 +100,20 @@ let whole_numbers words ~(expected : Expected.t) ~found =
       match (f, grouped words a, grouped words b) with
       | "div", Some x, Some y ->
           Some
-            (hint
-               (Printf.sprintf
-                  "`div` is for whole numbers: write `%s / %s`, or `floor (%s / %s)` for an `Int`" x
-                  y x y))
+            (hint "`div` is for whole numbers: write `%s / %s`, or `floor (%s / %s)` for an `Int`" x
+               y x y)
       | "mod", Some x, Some y when is_angle found || has_an_angle b ->
           Some
             (hint
-               (Printf.sprintf
-                  "`mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle \
-                   %s`, with `import Geometry`; for one from 0 on, `%s - %s * floorFloat (%s / \
-                   %s)`"
-                  x x y x y))
+               "`mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle %s`, \
+                with `import Geometry`; for one from 0 on, `%s - %s * floorFloat (%s / %s)`"
+               x x y x y)
       | "mod", Some x, Some y ->
           Some
             (hint
-               (Printf.sprintf
-                  "`mod` is for whole numbers: for the remainder, write `%s - %s * floorFloat (%s \
-                   / %s)`"
-                  x y x y))
+               "`mod` is for whole numbers: for the remainder, write `%s - %s * floorFloat (%s / \
+                %s)`"
+               x y x y)
       | _ -> None)
   | _ -> None
 
@@ -136,7 +128,7 @@ let quotient words ~(expected : Expected.t) =
           let fixed = Printf.sprintf "toFloat %s" x in
           Some
             (fun d ->
-              hint (Printf.sprintf "write `%s / %s`" fixed y) d
+              hint "write `%s / %s`" fixed y d
               |> fix (Printf.sprintf "write `%s`" fixed) [ (a.span, "(" ^ fixed ^ ")") ])
       | Some x, Some y ->
           let fixed = Printf.sprintf "div %s %s" x y in
@@ -145,11 +137,9 @@ let quotient words ~(expected : Expected.t) =
           Some
             (fun d ->
               hint
-                (Printf.sprintf
-                   "for a whole number, write `%s`, which rounds down; for a number with a \
-                    fraction, write `toFloat %s / %s`"
-                   fixed x divisor)
-                d
+                "for a whole number, write `%s`, which rounds down; for a number with a fraction, \
+                 write `toFloat %s / %s`"
+                fixed x divisor d
               |> fix
                    (Printf.sprintf "write `%s`" fixed)
                    [ (Span.merge a.span b.span, "(" ^ fixed ^ ")") ])

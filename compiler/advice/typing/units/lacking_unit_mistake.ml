@@ -71,12 +71,8 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
             in
             Some
               (fun d ->
-                (if is_elsewhere then
-                   label ~at:number.at (Printf.sprintf "this %s has no unit" what) d
-                 else d)
-                |> hint
-                     (Printf.sprintf "if the %s `%s` has a unit, write it: `%s`" what number.digits
-                        text)
+                (if is_elsewhere then label ~at:number.at "this %s has no unit" what d else d)
+                |> hint "if the %s `%s` has a unit, write it: `%s`" what number.digits text
                 |> write number.at text)
         | None -> None
         | Some _ -> (
@@ -92,10 +88,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
                 then
                   Some
                     (fun d ->
-                      hint
-                        (Printf.sprintf "write `%s`, without a unit, if it is a plain number"
-                           number.digits)
-                        d
+                      hint "write `%s`, without a unit, if it is a plain number" number.digits d
                       |> write number.at number.digits)
                 else None
             | Some _ | None -> None))
@@ -127,7 +120,7 @@ let of_the_only_decimal words ~(subject : Resolve.Ir.expr option) ~expected (wan
           let unit_ = Wording.measure words wanted in
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
           label ~at:number.at "this number has no unit" d
-          |> hint (Printf.sprintf "if `%s` is in `%s`, write `%s`" number.digits unit_ text)
+          |> hint "if `%s` is in `%s`, write `%s`" number.digits unit_ text
           |> write number.at text)
         (Bare_number.literal words e)
   | _ -> None
@@ -165,11 +158,9 @@ let of_a_difference words ~(subject : Resolve.Ir.expr option) (wanted, given) =
         let fixed = "derivative " ^ x in
         fun d ->
           hint
-            (Printf.sprintf
-               "for the rate of change, write `%s`, which divides the difference by the length of \
-                the step"
-               fixed)
-            d
+            "for the rate of change, write `%s`, which divides the difference by the length of the \
+             step"
+            fixed d
           |> fix
                (Printf.sprintf "write `%s`" fixed)
                [ ((Bare_number.value words e).span, "(" ^ fixed ^ ")") ]
@@ -188,10 +179,8 @@ let gain_without_unit words ~(subject : Resolve.Ir.expr option) ~(expected : Exp
         let text = Printf.sprintf "%s[%s]" number.digits unit_ in
         Some
           (fun d ->
-            hint
-              (Printf.sprintf "if the gain `%s` has a unit, as in the other operand, write `%s`"
-                 number.digits text)
-              d
+            hint "if the gain `%s` has a unit, as in the other operand, write `%s`" number.digits
+              text d
             |> write number.at text)
     | _ -> None
   in
@@ -221,24 +210,19 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
           let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
           Some
             (fun d ->
-              hint
-                (Printf.sprintf "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
-                   (Wording.measure words product) text)
-                d
+              hint "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
+                (Wording.measure words product) text d
               |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
       | Some a, Some b when simple gain ->
           let factor = Printf.sprintf "1[%s]" (Wording.measure words gain) in
           Some
             (hint
-               (Printf.sprintf
-                  "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * \
-                   %s`"
-                  operator b (Wording.measure words gain) a operator b factor))
+               "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * %s`"
+               operator b (Wording.measure words gain) a operator b factor)
       | Some a, Some b when simple product ->
           Some
-            (hint
-               (Printf.sprintf "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
-                  (Source.grouped a) (Source.grouped b) (Wording.measure words product)))
+            (hint "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
+               (Source.grouped a) (Source.grouped b) (Wording.measure words product))
       | _ -> None)
   | _ -> None
 
@@ -278,9 +262,8 @@ let of_fields words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
           Some
             (fun d ->
               label ~at:first.at "this number has no unit" d
-              |> hint
-                   (Printf.sprintf "give the fields their unit: `%s`"
-                      (String.concat ", " (List.map shown numbers)))
+              |> hint "give the fields their unit: `%s`"
+                   (String.concat ", " (List.map shown numbers))
               |> fix "give the fields their unit" (List.map edit numbers)))
   | Some _ | None -> None
 
@@ -343,7 +326,7 @@ let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
           in
           Some
             (fun d ->
-              hint (Printf.sprintf "write `%s`, which has that unit" text) d
+              hint "write `%s`, which has that unit" text d
               |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
                      write e.span text))
       | _ -> None)

@@ -32,10 +32,10 @@ let to_float words ~found (e : Resolve.Ir.expr option) =
   | Some text, Some each ->
       fun d ->
         let text = Printf.sprintf "%stoFloat %s" each (Source.grouped text) in
-        hint (Printf.sprintf "write `%s`" text) d
+        hint "write `%s`" text d
         |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
   | None, Some (("map " | "mapE ") as each) ->
-      hint (Printf.sprintf "use `%stoFloat` to convert each `Int` to a `Float`" each)
+      hint "use `%stoFloat` to convert each `Int` to a `Float`" each
   | _ -> hint "use `toFloat` to convert an `Int` to a `Float`"
 
 (* The likely unit of a number of this size: a speed of 200 is probably in mm/s. *)
@@ -68,10 +68,9 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
           Some
             (fun d ->
-              label ~at (Printf.sprintf "`%s` is this number without a unit" name) d
-              |> hint
-                   (Printf.sprintf "give `%s` its unit: `%s :: Float[%s]` and `%s = %s`" name name
-                      measure name text)
+              label ~at "`%s` is this number without a unit" name d
+              |> hint "give `%s` its unit: `%s :: Float[%s]` and `%s = %s`" name name measure name
+                   text
               |> fix
                    (Printf.sprintf "write `%s`" text)
                    [ (place, Printf.sprintf "Float[%s]" measure); (at, text) ])
@@ -79,7 +78,7 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
           let fixed = Printf.sprintf "toFloat %s * 1[%s]" (Source.grouped text) measure in
           Some
             (fun d ->
-              hint (Printf.sprintf "if it counts the unit `%s`, write `%s`" measure fixed) d
+              hint "if it counts the unit `%s`, write `%s`" measure fixed d
               |> fix (Printf.sprintf "write `%s`" fixed) [ (e.span, "(" ^ fixed ^ ")") ])
       | _, None -> None)
   | _ -> None
@@ -98,24 +97,20 @@ let to_int words ~found (e : Resolve.Ir.expr option) =
   | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
       fun d ->
         let text = Option.get (whole digits) in
-        hint (Printf.sprintf "write a whole number without a point: `%s`" text) d |> write span text
+        hint "write a whole number without a point: `%s`" text d |> write span text
   | _ -> (
       match for_each found with
       | Some (("map " | "mapE ") as each) ->
           hint
-            (Printf.sprintf
-               "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
-                `truncate` instead of `round`"
-               each)
+            "use `%sround` to convert each `Float` to an `Int`, or use `floor`, `ceiling` or \
+             `truncate` instead of `round`"
+            each
       | _ -> (
           match Option.bind e (fun (e : Resolve.Ir.expr) -> Wording.quote words e.span) with
           | Some text ->
               let text = "round " ^ Source.grouped text in
               fun d ->
-                hint
-                  (Printf.sprintf
-                     "write `%s`, or use `floor`, `ceiling` or `truncate` instead of `round`" text)
-                  d
+                hint "write `%s`, or use `floor`, `ceiling` or `truncate` instead of `round`" text d
                 |> fix
                      (Printf.sprintf "write `%s`" text)
                      [ ((Option.get e).span, "(" ^ text ^ ")") ]
@@ -129,7 +124,7 @@ let superfluous words ~(expected : Expected.t) (e : Resolve.Ir.expr option) =
   | Parameter { callee = Some "toFloat"; at; _ }, Some e ->
       Option.map
         (fun text d ->
-          hint (Printf.sprintf "remove `toFloat`: `%s` is a `Float` already" text) d
+          hint "remove `toFloat`: `%s` is a `Float` already" text d
           |> fix (Printf.sprintf "write `%s`" text) [ (Span.merge at e.span, Source.grouped text) ])
         (Wording.quote words e.span)
   | _ -> None
@@ -168,16 +163,13 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
         (Wording.described words expected.ty)
         (Wording.described words found)
-      |> here (Printf.sprintf "this is %s" (Wording.described words found))
+      |> here "this is %s" (Wording.described words found)
       |> to_float words ~found number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
       plain () |> hint "to divide whole numbers, use `div`" |> to_float words ~found subject
   | _, Float, Int -> plain () |> to_float words ~found subject
   | _, Int, Float -> plain () |> to_int words ~found subject
-  | _ ->
-      plain ()
-      |> note
-           (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
+  | _ -> plain () |> note "`%s` and `%s` are different representations" (text wanted) (text given)
 
 let makes name x =
   match name with

@@ -68,7 +68,7 @@ let wrong words ~(expected : Expected.t) ~found =
           let at = Span.merge head.span last.span in
           let d =
             error ~code:"E0320" ~at "the arguments of `%s` are in the wrong order" name
-            |> hint (Printf.sprintf "write `%s`" fixed)
+            |> hint "write `%s`" fixed
           in
           Some (if String.contains fixed '\n' then d else write at fixed d)
       | _ -> None)

@@ -145,19 +145,17 @@ let give words { number; unit_; _ } d =
       in
       match name with
       | None ->
-          hint
+          hint "%s"
             (if String.equal text number.digits then
                Printf.sprintf "write `%s%s`, without a unit" sign text
              else Printf.sprintf "write `%s%s` if you meant that unit" sign text)
             d
           |> write number.at text
       | Some name ->
-          label ~at:number.at (Printf.sprintf "`%s` is this number" name) d
+          label ~at:number.at "`%s` is this number" name d
           |>
           if number.signature = None then fun d ->
-            hint
-              (Printf.sprintf "if `%s` has the wrong unit, write `%s = %s%s`" name name sign text)
-              d
+            hint "if `%s` has the wrong unit, write `%s = %s%s`" name name sign text d
             |> write number.at text
           else Fun.id)
 
@@ -172,10 +170,9 @@ let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
     else error "expected the unit `%s`, found `%s`" (text first.unit_) (text first.current)
   in
   d
-  |> here (Printf.sprintf "argument %d of `%s`" first.position callee)
-  |> label ~at:subject.span
-       (Printf.sprintf "because this is %s, and `%s` needs matching units"
-          (Wording.described words found) callee)
+  |> here "argument %d of `%s`" first.position callee
+  |> label ~at:subject.span "because this is %s, and `%s` needs matching units"
+       (Wording.described words found) callee
   |> fun d ->
   let all = first :: rest in
   let is_bare { number; _ } = number.unit_ = None && number.name = None in
@@ -219,10 +216,9 @@ let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : 
     Bare_number.give words number (text needed) d
   in
   d
-  |> here (Printf.sprintf "argument %d of `%s`" place callee)
-  |> label ~at:subject.span
-       (Printf.sprintf "because this is %s, and `%s` needs matching units"
-          (Wording.described words found) callee)
+  |> here "argument %d of `%s`" place callee
+  |> label ~at:subject.span "because this is %s, and `%s` needs matching units"
+       (Wording.described words found) callee
   |> fun d -> List.fold_left give d constants
 
 (* A product with a constant that lacks its unit, as an argument before a number that has one: `min

@@ -57,11 +57,10 @@ let complete words ~subject ~(expected : Expected.t) (wanted, given) =
   | Some ((x : Resolve.Ir.Local.t), change) when differ_by_time ->
       Option.map
         (fun text d ->
-          label ~at:change.span (Printf.sprintf "this is added to `%s` at every instant" x.name) d
+          label ~at:change.span "this is added to `%s` at every instant" x.name d
           |> hint
-               (Printf.sprintf
-                  "for the sum over time, write `%s = integral %s`, which knows the time between \
-                   two instants"
-                  x.name text))
+               "for the sum over time, write `%s = integral %s`, which knows the time between two \
+                instants"
+               x.name text)
         (rate words change)
   | Some _ | None -> None

@@ -79,7 +79,7 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
         if Units.equal wanted Units.one then (right, other, given) else (other, right, wanted)
       in
       let unit_ = Wording.measure words unit_ in
-      hint
+      hint "%s"
         (match Formula.binary plain with
         | Some ("!", _, _) ->
             Printf.sprintf
@@ -104,9 +104,8 @@ let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
     && subject <> None
   then
     let unit_ = Wording.measure words wanted in
-    hint
-      (Printf.sprintf "if it is a number of `%s`, multiply by the unit: `%s`" unit_
-         (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_)))
+    hint "if it is a number of `%s`, multiply by the unit: `%s`" unit_
+      (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_))
       diagnostic
   else operands words ~subject ~expected (wanted, given) diagnostic
 
@@ -141,12 +140,12 @@ let power words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) di
   in
   if Units.equal (Units.multiply given given) wanted && is_operand expected then
     let text = with_e "%s ^ 2" in
-    Some (hint (Printf.sprintf "write `%s`, which has that unit" text) diagnostic |> write text)
+    Some (hint "write `%s`, which has that unit" text diagnostic |> write text)
   else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
     let text = with_e "sqrt %s" in
     let is_product = Option.fold subject ~none:false ~some:(Formula.is_product words) in
     Some
-      (hint
+      (hint "%s"
          (if is_product then Printf.sprintf "for the square root, write `%s`" text
           else Printf.sprintf "write `%s`, which has that unit" text)
          diagnostic
@@ -169,7 +168,7 @@ let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
           (fun text ->
             let text = f ^ " " ^ Source.grouped text in
             fun d ->
-              hint (Printf.sprintf "for its %s, write `%s` before the `%s`" what text operator) d
+              hint "for its %s, write `%s` before the `%s`" what text operator d
               |> write other.span text)
           (Wording.quote words other.span)
       in
@@ -193,9 +192,7 @@ let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
       { diagnostic with hints = text :: diagnostic.hints }
       |> fix (Printf.sprintf "write `%s`" integral) [ (e.span, "(" ^ integral ^ ")") ]
   | _ ->
-      hint
-        (Printf.sprintf "multiply by a time, as in `%s`, or, for the sum over time, write `%s`"
-           times integral)
+      hint "multiply by a time, as in `%s`, or, for the sum over time, write `%s`" times integral
         diagnostic
 
 (* A rate where a time is expected, or the reverse. *)
@@ -206,15 +203,11 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
   in
   if is_of_a_filter expected && not (String.equal (Wording.measure words wanted) "Hz") then
     let cutoff = with_e "(1 / (2 * pi * %s))" in
-    hint
-      (Printf.sprintf "this is a time constant: for the cutoff frequency `%s`, write `%s`"
-         (with_e "%s") cutoff)
-      d
+    hint "this is a time constant: for the cutoff frequency `%s`, write `%s`" (with_e "%s") cutoff d
     |> replace cutoff
   else
-    hint
-      (Printf.sprintf "to convert between a rate and a time, write `%s`"
-         (with_e (if is_argument expected then "(1 / %s)" else "1 / %s")))
+    hint "to convert between a rate and a time, write `%s`"
+      (with_e (if is_argument expected then "(1 / %s)" else "1 / %s"))
       d
     |> replace (with_e "(1 / %s)")
 
@@ -222,7 +215,7 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
 let of_numbers words ~subject ~wanted d =
   let digits = List.hd (numbers_without_units words subject) in
   let unit_ = Wording.measure words wanted in
-  hint
+  hint "%s"
     (match with_units words subject unit_ with
     | Some text -> Printf.sprintf "give its numbers the unit: `%s`" text
     | None -> Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_)
@@ -234,7 +227,7 @@ let of_numbers words ~subject ~wanted d =
         Option.fold (Wording.definition words x) ~none:span ~some:(fun (e : Resolve.Ir.expr) ->
             e.span)
       in
-      label ~at (Reason_label.definition x.name)
+      label ~at "%s" (Reason_label.definition x.name)
   | _ -> Fun.id
 
 let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
@@ -254,9 +247,7 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   then between_rate_and_time words ~subject ~expected ~wanted diagnostic
   else if Units.equal given Units.one && plain then of_numbers words ~subject ~wanted diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
-    hint
-      (Printf.sprintf "multiply the plain number by a unit or a gain in `1/s`, as in `%s`"
-         (with_e "1[1/s] * %s"))
+    hint "multiply the plain number by a unit or a gain in `1/s`, as in `%s`" (with_e "1[1/s] * %s")
       diagnostic
   else if Units.equal wanted Units.one && String.equal factor "s" && is_of_a_signal words expected
   then over_time words ~subject ~expected diagnostic
@@ -265,9 +256,8 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     && not (is_operand expected)
   then
     let unit_ = Wording.measure words given in
-    hint
-      (Printf.sprintf "to get a plain number, divide by the unit: `%s`"
-         (changed words subject (fun e -> Printf.sprintf "%s / 1[%s]" e unit_)))
+    hint "to get a plain number, divide by the unit: `%s`"
+      (changed words subject (fun e -> Printf.sprintf "%s / 1[%s]" e unit_))
       diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then
     if diagnostic.hints = [] && written = None then
@@ -275,25 +265,21 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     else diagnostic
   else if gravities words subject wanted <> None then
     let text, at = Option.get (gravities words subject wanted) in
-    hint
-      (Printf.sprintf
-         "`g` is the gram: for a multiple of the gravitational acceleration, write `%s`" text)
+    hint "`g` is the gram: for a multiple of the gravitational acceleration, write `%s`" text
       diagnostic
     |> write at text
   else if written <> None then
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Wording.measure words wanted) in
-    hint (Printf.sprintf "write `%s` if you meant that unit" text) diagnostic
+    hint "write `%s` if you meant that unit" text diagnostic
     |> write at text
     |> Option.value (of_the_other_operand words ~expected (wanted, given)) ~default:Fun.id
   else
     match power words ~subject ~expected (wanted, given) diagnostic with
     | Some diagnostic -> diagnostic
     | None when String.equal factor "1/s" || String.equal factor "Hz" ->
-        hint
-          (Printf.sprintf "multiply by a gain, as in `%s`, or, for the rate of change, write `%s`"
-             (with_e "0.5[1/s] * %s") (with_e "derivative %s"))
-          diagnostic
+        hint "multiply by a gain, as in `%s`, or, for the rate of change, write `%s`"
+          (with_e "0.5[1/s] * %s") (with_e "derivative %s") diagnostic
     | None when String.equal factor "s" -> over_time words ~subject ~expected diagnostic
     | None -> (
         match Lacking_unit_mistake.of_operands words ~subject ~expected (wanted, given) with

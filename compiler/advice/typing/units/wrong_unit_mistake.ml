@@ -41,12 +41,11 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
               let is_multiplied = String.equal operator "" in
               Some
                 (fun d ->
-                  hint
-                    (Printf.sprintf "remove `%s%s%s`: `%s` is %s already" operator factor
-                       (if is_multiplied then " *" else "")
-                       text
-                       (if is_one wanted then "a plain number"
-                        else Printf.sprintf "in `%s`" (Wording.measure words wanted)))
+                  hint "remove `%s%s%s`: `%s` is %s already" operator factor
+                    (if is_multiplied then " *" else "")
+                    text
+                    (if is_one wanted then "a plain number"
+                     else Printf.sprintf "in `%s`" (Wording.measure words wanted))
                     d
                   |> fix (Printf.sprintf "write `%s`" text) [ (whole.span, text) ])
           | _ -> None)
@@ -69,9 +68,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
         | Some u, Some text when Units.equal u wanted ->
             Some
               (fun d ->
-                hint
-                  (Printf.sprintf "remove `%s`: `%s` is in `%s` already" name text
-                     (Wording.measure words wanted))
+                hint "remove `%s`: `%s` is in `%s` already" name text (Wording.measure words wanted)
                   d
                 |> fix (Printf.sprintf "write `%s`" text) [ (e.span, Source.grouped text) ])
         | _ -> None)
@@ -116,9 +113,7 @@ let with_unit words (number : Bare_number.t) u =
   (shown, of_signature @ [ (number.at, literal) ])
 
 let label_number (number : Bare_number.t) d =
-  match number.name with
-  | Some name -> label ~at:number.at (Printf.sprintf "`%s` is this number" name) d
-  | None -> d
+  match number.name with Some name -> label ~at:number.at "`%s` is this number" name d | None -> d
 
 let rec mentions names (e : Resolve.Ir.expr) =
   match e.desc with
@@ -154,10 +149,9 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
                 ( Bare_number.value words e,
                   fun d ->
                     label_number number d
-                    |> hint
-                         (Printf.sprintf "if the gain `%s` has %s unit, write %s" what
-                            (if is_one unit_ then "no" else "another")
-                            shown)
+                    |> hint "if the gain `%s` has %s unit, write %s" what
+                         (if is_one unit_ then "no" else "another")
+                         shown
                     |> fix (Printf.sprintf "write %s" shown) edits )
         | None -> None)
     | _ -> None
@@ -202,7 +196,7 @@ let constant words ~subject ~(expected : Expected.t) (wanted, given) =
             in
             let d =
               label_number number d
-              |> hint
+              |> hint "%s"
                    (if is_one wanted then
                       Printf.sprintf "write `%s`, without a unit, if it is a plain number" shown
                     else Printf.sprintf "write `%s` if that is its unit" shown)
@@ -274,10 +268,8 @@ let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
         let text = Printf.sprintf "Float[%s]" unit_ in
         Some
           (fun d ->
-            label ~at:type_.span (Printf.sprintf "the signature gives `%s` no unit" x.name) d
-            |> hint
-                 (Printf.sprintf "if `%s` has a unit, write the signature as `%s`" x.name
-                    (with_type text))
+            label ~at:type_.span "the signature gives `%s` no unit" x.name d
+            |> hint "if `%s` has a unit, write the signature as `%s`" x.name (with_type text)
             |> write type_.span text)
     | _ -> None
   in
@@ -295,10 +287,9 @@ let parameter words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
             (fun d ->
               let others = (Unit_conversion.suggest words ~subject ~expected units d).hints in
               let d =
-                label ~at:span (Printf.sprintf "the signature gives `%s` this type" x.name) d
-                |> hint
-                     (Printf.sprintf "if `%s` is of type `%s`, write the signature as `%s`" x.name
-                        type_ (with_type type_))
+                label ~at:span "the signature gives `%s` this type" x.name d
+                |> hint "if `%s` is of type `%s`, write the signature as `%s`" x.name type_
+                     (with_type type_)
                 |> write span type_
               in
               { d with hints = d.hints @ others })

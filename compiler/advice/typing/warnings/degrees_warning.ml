@@ -2,7 +2,7 @@ open Basis
 
 let over_a_turn (e : Resolve.Ir.expr) =
   let write (number : Resolve.Ir.expr) digits text d =
-    Diagnostic.hint (Printf.sprintf text digits) d |> Diagnostic.write number.span (digits ^ "[deg]")
+    Diagnostic.hint text digits d |> Diagnostic.write number.span (digits ^ "[deg]")
   in
   Diagnostic.warning ~code:"W0303" ~at:e.span
     "this angle is in radians, so it is more than a whole turn"
@@ -22,10 +22,10 @@ let in_degrees words ~(angle : Resolve.Ir.expr) ~factors ~beside =
   in
   let other =
     match Option.map (fun (b : Resolve.Ir.expr) -> (b.span, quote b)) beside with
-    | Some (at, Some text) -> Diagnostic.label ~at (Printf.sprintf "`%s` is in radians" text)
+    | Some (at, Some text) -> Diagnostic.label ~at "`%s` is in radians" text
     | Some (at, None) -> Diagnostic.label ~at "this is in radians"
     | None -> Fun.id
   in
   Diagnostic.warning ~code:"W0313" ~at:angle.span "this is in degrees, but angles are in radians"
   |> other
-  |> Diagnostic.hint ("remove the conversion, because `90[deg]` is in radians too" ^ itself)
+  |> Diagnostic.hint "remove the conversion, because `90[deg]` is in radians too%s" itself

@@ -55,15 +55,15 @@ let wrapped resolved ~name ~(head : expr) ~(angle : expr) ~scaled ~instead ~modu
     Diagnostic.(
       warning ~code:"W0315" ~at:head.span "`%s` of an angle that wraps" name
       |> label ~at:angle.span "this angle is between -pi and pi"
-      |> note
-           (Printf.sprintf
-              "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees" name))
+      |> note "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees" name)
   in
   if scaled || String.equal instead "unwrap" then
-    Diagnostic.hint ("make the angle continuous with " ^ of_module "unwrap" "Angles") d
+    Diagnostic.hint "%s" ("make the angle continuous with " ^ of_module "unwrap" "Angles") d
     |> unwrapped resolved head unwrap
   else
-    Diagnostic.hint ((if same_arguments then "write " else "use ") ^ of_module instead module_) d
+    Diagnostic.hint "%s"
+      ((if same_arguments then "write " else "use ") ^ of_module instead module_)
+      d
     |>
     if same_arguments then
       Diagnostic.fix
