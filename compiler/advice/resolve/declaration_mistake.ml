@@ -52,6 +52,19 @@ let hint_of_builtin name ~found ~text at =
       Some "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
   | _ -> None
 
+(* `SF a b` for `SF a -> b`, where the place is that of `SF a` *)
+let without_arrow ~text (at : Span.t) =
+  let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
+  let rest = String.sub text stop (Text_place.end_of_line text stop - stop) in
+  match String.split_on_char '>' rest with
+  | [ " -"; output ] when Span.line at.start = Span.line at.stop ->
+      let output = String.trim output in
+      let is_plain c = Character.is_name c || c = '[' || c = ']' || c = '/' in
+      if output <> "" && String.for_all is_plain output then
+        Some (Printf.sprintf "%s %s" (String.sub text start (stop - start)) output)
+      else None
+  | _ -> None
+
 let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in
   let noun = if of_units then "unit argument" else "type argument" in
@@ -62,6 +75,10 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let is_builtin = Interface.is_builtin tycon in
   let hint =
     match Other_type.changed text (Text_place.offset text at.start) with
+    | _ when String.equal name "SF" && found = 1 && without_arrow ~text at <> None ->
+        Option.map
+          (Printf.sprintf "there is no arrow between the input and the output: write `%s`")
+          (without_arrow ~text at)
     | Some signature -> Some ("write " ^ signature)
     | None when is_builtin -> hint_of_builtin name ~found ~text at
     | None -> None

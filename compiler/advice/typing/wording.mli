@@ -40,6 +40,8 @@ val inputs : t -> (string * Type.t) list
 (** The input signals of the enclosing proc. *)
 
 val fields : t -> Type.t -> (string * string list) option
+val enclosing : t -> Surroundings.enclosing list
+val field_type : t -> Type.t -> string -> Type.t option
 val field_of : t -> Type.t -> of_:Type.t -> string option
 val choices : t -> Type.t -> string list
 val owner : t -> Ir.variable -> Surroundings.owned option

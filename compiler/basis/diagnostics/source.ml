@@ -62,6 +62,10 @@ let is_number text =
   && String.for_all (fun c -> Character.is_digit c || c = '.') (String.sub text 0 n)
   && (n = String.length text || text.[String.length text - 1] = ']')
 
+let with_opening text =
+  let count c = List.length (String.split_on_char c text) in
+  if count ')' > count '(' then "(" ^ text else text
+
 let grouped text =
   let joins c = String.contains " +-*/<>=&|$.^!" c in
   if is_number text || in_brackets text || not (String.exists joins text) then text

@@ -22,6 +22,9 @@ val line : t -> string -> int -> string option
 val quote : t -> Span.t -> string option
 (** The text of the span, if the span is within one line. *)
 
+val with_opening : string -> string
+(** Adds the parenthesis in front of a signature whose span starts inside its context. *)
+
 val grouped : string -> string
 (** Adds parentheses around an expression if it needs them as an argument. *)
 

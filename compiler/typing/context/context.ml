@@ -51,6 +51,7 @@ type t = {
   scope : Annotation.scope;
   depth : int;
   left_operand : (Resolve.Ir.expr * string) option;
+  around : Surroundings.enclosing list;
   inputs : (string * Type.t) list;
   unnamed_input : Span.t option;
   sources : Source.t;
@@ -83,6 +84,7 @@ let start reader ~sources ~real =
     scope = Annotation.empty;
     depth = 1;
     left_operand = None;
+    around = [];
     inputs = [];
     unnamed_input = None;
     sources;
@@ -90,6 +92,7 @@ let start reader ~sources ~real =
     group = new_group ();
   }
 
+let within t ?wanted expr = { t with around = { Surroundings.expr; wanted } :: t.around }
 let in_group t = { t with group = new_group () }
 let bind_local t (x : Ir.Local.t) scheme = Int_table.replace t.group.locals x.id scheme
 let find_local t (x : Ir.Local.t) = Int_table.find_opt t.group.locals x.id
@@ -244,6 +247,17 @@ let surroundings t : Surroundings.t =
             | _ -> None)
     | _ -> None
   in
+  let field_type ty name =
+    match Type.expand ty with
+    | Data { tycon; _ } as ty ->
+        Option.bind (Environment.record_of t.reader.environment tycon) (fun constructor ->
+            let instance = Type.instantiate t.reader.supply ~depth:t.depth constructor.scheme in
+            let types, result = Environment.fields constructor instance.ty in
+            match (Environment.position constructor name, Unify.types ty result) with
+            | Some index, Ok () -> Some (List.nth types index)
+            | _ -> None)
+    | _ -> None
+  in
   let declared g =
     Option.map
       (fun (entry : entry) -> entry.scheme.body)
@@ -255,6 +269,7 @@ let surroundings t : Surroundings.t =
     sources = t.sources;
     environment = t.reader.environment;
     inputs = t.inputs;
+    enclosing = t.around;
     unnamed_input = t.unnamed_input;
     parameter = parameter t;
     needs_class;
@@ -263,6 +278,7 @@ let surroundings t : Surroundings.t =
     unit_ = written_unit t;
     fields;
     field_of;
+    field_type;
     choices = choices t;
     declared;
     named = named t;

@@ -55,6 +55,7 @@ type t = {
   depth : int;  (** number of enclosing signatures *)
   left_operand : (Resolve.Ir.expr * string) option;
       (** the left operand that is currently being inferred, if any, and its operator *)
+  around : Surroundings.enclosing list;  (** see {!Surroundings.t} *)
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
   unnamed_input : Span.t option;  (** see {!Surroundings.t} *)
   sources : Source.t;
@@ -69,6 +70,9 @@ and group
 
 val start : Annotation.t -> sources:Source.t -> real:Real.t -> t
 (** The initial state, outside all groups. *)
+
+val within : t -> ?wanted:Type.t -> Resolve.Ir.expr -> t
+(** The state inside this application or record. [wanted]: the type that it must have. *)
 
 val in_group : t -> t
 (** The state at the start of a new group. *)

@@ -16,6 +16,9 @@ type call = {
   exchanged : int option;
       (** the position of another argument; the types fit if it is swapped with the failing one *)
   rotated : int list option;  (** another order in which the types fit *)
+  lacking : int option;
+      (** the number of arguments that are missing before the failing one, if the arguments from
+          there on fit the last parameters *)
 }
 
 type method_call = {

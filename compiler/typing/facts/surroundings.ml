@@ -2,17 +2,20 @@ open Basis
 
 type construct = Signature of string | Class of string | Instance of string
 type owned = { by : construct; place : Span.t }
+type enclosing = { expr : Resolve.Ir.expr; wanted : Type.t option }
 
 type t = {
   environment : Environment.t;
   sources : Source.t;
   inputs : (string * Type.t) list;
+  enclosing : enclosing list;
   needs_class : Type.t -> bool;
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
   local : Resolve.Ir.Local.t -> Type.t option;
   unit_ : Resolve.Ir.unit_ -> Units.t option;
   fields : Type.t -> (string * string list) option;
   field_of : Type.t -> of_:Type.t -> string option;
+  field_type : Type.t -> string -> Type.t option;
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
   named : string -> Type.t list;
@@ -32,12 +35,14 @@ let nowhere environment =
     values = (fun _ ~file:_ -> []);
     sources = Source.create ();
     inputs = [];
+    enclosing = [];
     needs_class = (fun _ -> false);
     definition = (fun _ -> None);
     local = (fun _ -> None);
     unit_ = (fun _ -> None);
     fields = (fun _ -> None);
     field_of = (fun _ ~of_:_ -> None);
+    field_type = (fun _ _ -> None);
     choices = (fun _ -> []);
     declared = (fun _ -> None);
     binding = (fun _ -> None);

@@ -8,10 +8,16 @@ type construct = Signature of string | Class of string | Instance of string
 
 type owned = { by : construct; place : Span.t }
 
+type enclosing = {
+  expr : Resolve.Ir.expr;
+  wanted : Type.t option;  (** the type that it must have, if the context determines it *)
+}
+
 type t = {
   environment : Environment.t;
   sources : Source.t;
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
+  enclosing : enclosing list;  (** the enclosing applications and records, innermost first *)
   needs_class : Type.t -> bool;  (** whether some use requires a class for this type *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
       (** the value of a local variable without parameters *)
@@ -22,6 +28,7 @@ type t = {
   field_of : Type.t -> of_:Type.t -> string option;
       (** the field of the record whose data type has the same constructor as the second type, if
           there is exactly one *)
+  field_type : Type.t -> string -> Type.t option;  (** the type of this field of a record *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)

@@ -120,3 +120,20 @@ let rotated ~unfit ~parameters ~given =
   else
     let by k = List.init n (fun i -> ((i + k) mod n) + 1) in
     List.find_opt fits [ by 1; by (n - 1) ]
+
+let shifted ~unfit ~is_constrained ~parameters ~given ~position =
+  let missing = List.length parameters - List.length given in
+  let bound = nothing_bound () in
+  let fits i ty =
+    if i < position then agree bound (List.nth parameters (i - 1)) ty
+    else
+      let parameter = List.nth parameters (i - 1 + missing) in
+      match (Type.expand parameter, Type.expand ty) with
+      | _, (Flexible _ | Erroneous) -> false
+      (* a variable fits anything, so it says nothing about this argument *)
+      | Flexible _, _ when not (is_constrained parameter) -> false
+      | _ -> surely ~unfit bound parameter ty
+  in
+  if missing > 0 && List.for_all Fun.id (List.mapi (fun i ty -> fits (i + 1) ty) given) then
+    Some missing
+  else None

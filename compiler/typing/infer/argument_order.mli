@@ -28,3 +28,14 @@ val rotated :
   int list option
 (** An order in which the arguments fit, if there are at least three and the first one was given
     last, or the last one first. *)
+
+val shifted :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  is_constrained:(Type.t -> bool) ->
+  parameters:Type.t list ->
+  given:Type.t list ->
+  position:int ->
+  int option
+(** The number of missing arguments, if the argument at [position] and those after it fit the last
+    parameters, and those before it the first ones. [is_constrained]: must the variable have a
+    class? *)

@@ -226,13 +226,14 @@ let is_at (span : Span.t) (fact : Fact.t) =
   | Inference { fact = Not_a_function { argument; _ }; _ } -> Span.compare argument.span span = 0
   | _ -> false
 
-(* The orders of the arguments in which their types fit, for {!Application_fact.call}. *)
+(* The orders of the arguments in which their types fit, and the number of missing arguments, for
+   {!Application_fact.call}. *)
 let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
   let entry =
     match head.desc with Global name -> Resolve.Global_table.find_opt ctx.globals name | _ -> None
   in
   match entry with
-  | None -> (None, None)
+  | None -> (None, None, None)
   | Some { scheme; _ } ->
       let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
       (* an input never has type `String`: if one does, this application has just inferred it *)
@@ -253,8 +254,25 @@ let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
         in
         List.exists lacks instance.required
       in
+      (* an input of the proc is probably meant as the input of the signal function *)
+      let runs_on_an_input =
+        let rec is_run (t : Type.t) =
+          match Type.expand t with
+          | Function (_, t) -> is_run t
+          | Signal_function _ -> true
+          | _ -> false
+        in
+        is_run instance.ty && is_input (List.nth arguments (failed - 1)).value
+      in
+      let is_constrained ty =
+        runs_on_an_input
+        || List.exists
+             (fun (_, argument) -> Type.expand argument == Type.expand ty)
+             instance.required
+      in
       ( Argument_order.exchanged ~unfit ~parameters ~given ~position:failed,
-        Argument_order.rotated ~unfit ~parameters ~given )
+        Argument_order.rotated ~unfit ~parameters ~given,
+        Argument_order.shifted ~unfit ~is_constrained ~parameters ~given ~position:failed )
 
 (* The application, if it may explain the mistake better than the failing argument does. *)
 let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~failed result mistake
@@ -271,8 +289,8 @@ let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~fa
   else
     let own, is_right_alone = trial ctx (fun () -> (expressions.infer ctx failing).ty) in
     let types = List.mapi (fun i ty -> if i + 1 = failed then own else ty) types in
-    let exchanged, rotated =
-      if is_whole then orders ctx ~head arguments ~types ~failed else (None, None)
+    let exchanged, rotated, lacking =
+      if is_whole then orders ctx ~head arguments ~types ~failed else (None, None, None)
     in
     Some
       {
@@ -285,6 +303,7 @@ let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~fa
         result;
         exchanged;
         rotated;
+        lacking;
       }
 
 (* Explains the only error among the arguments. *)

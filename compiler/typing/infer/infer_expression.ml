@@ -81,7 +81,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       let build () = node e.span ty (Tuple (List.map (fun (t : typed) -> t.build ()) elements)) in
       { ty; build }
   | Array elements -> array ctx e elements
-  | Apply _ -> Infer_application.infer expressions ctx e
+  | Apply _ -> Infer_application.infer expressions (within ctx e) e
   | Negate { desc = Number n; _ } when Literal.is_only_negative n ->
       let ty, value = Literal.number ctx ~negative:true ~at:e.span n in
       { ty; build = (fun () -> node e.span ty (Number value)) }
@@ -107,7 +107,8 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       let typed = infer ctx base in
       let ty = power ctx base typed exponent in
       { ty; build = (fun () -> node e.span ty (Power (typed.build (), exponent))) }
-  | Record { constructor; fields } -> Infer_record.construct expressions ctx e constructor fields
+  | Record { constructor; fields } ->
+      Infer_record.construct expressions (within ctx e) e constructor fields
   | Field { record; field; candidates } ->
       Infer_record.field expressions ctx e ~record field ~candidates
   | Update { record; fields; candidates } ->
@@ -162,7 +163,12 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
     when tycon = (Environment.constructor ctx.reader.environment constructor).tycon ->
       (* report a mismatch at the field that causes it *)
-      let typed = Infer_record.construct expressions ctx ~wanted e constructor fields in
+      let ctx' = within ctx ~wanted e in
+      let typed = Infer_record.construct expressions ctx' ~wanted e constructor fields in
+      expect ctx ~subject:e ~at:e.span expected typed.ty;
+      typed.build
+  | Apply _, wanted ->
+      let typed = Infer_application.infer expressions (within ctx ~wanted e) e in
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
   | _ ->

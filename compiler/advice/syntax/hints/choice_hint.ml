@@ -144,6 +144,15 @@ let double_arrow found =
         (if String.length value < 60 && value <> "" then
            Printf.sprintf "use `->` in a branch: `%s -> %s`" pattern value
          else "write the branch as `pattern -> value`")
+  | DOUBLE_ARROW, Some _ -> (
+      (* `proc v => do` *)
+      let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+      match Other_type.find "proc " line with
+      | Some i when not (Other_type.mentions "->" line || String.contains line ':') ->
+          Some
+            (Printf.sprintf "write `->` after the input of a `proc`: `%s ->`"
+               (String.trim (String.sub line i (String.length line - i))))
+      | _ -> None)
   | _ -> None
 
 let branch found =

@@ -138,6 +138,7 @@ let declarations =
       Type_hint.unit_without_brackets;
       Type_hint.in_another_notation;
       Type_hint.contexts;
+      Type_hint.list;
       Type_hint.split_arrow;
       Type_hint.parameters;
       Choice_hint.in_braces;

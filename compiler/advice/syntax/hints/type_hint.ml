@@ -85,6 +85,23 @@ let contexts found =
       | _ -> None)
   | _ -> None
 
+(* `type Row = [Distance]` *)
+let list found =
+  match (found.token.token, found.before) with
+  | LBRACKET, Some { token = EQUAL; _ } when first_word found = "type" ->
+      let inside =
+        between found found.token.stop.pos_cnum (end_of_line found found.token.start.pos_cnum)
+      in
+      Some
+        (match String.split_on_char ']' inside with
+        | [ element; "" ] when element <> "" && String.for_all Basis.Character.is_name element ->
+            Printf.sprintf
+              "Frob has arrays with a fixed number of elements: write `Array 5 %s`, with your \
+               number in place of 5"
+              element
+        | _ -> "Frob has arrays with a fixed number of elements, as in `Array 5 Float`")
+  | _ -> None
+
 let split_arrow found =
   match (found.token.token, found.before) with
   | MINUS, Some { token = UPPER _ | LOWER _ | RPAREN | RBRACKET; _ } when splits_an_arrow found ->

@@ -29,3 +29,6 @@ val size : Found.rule
 
 val misplaced : Found.t -> string
 (** The hint for a [::] at a place that allows neither a signature nor an annotation. *)
+
+val list : Found.rule
+(** The type of a list, as in `type Row = [Distance]`. *)

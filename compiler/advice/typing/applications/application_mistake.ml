@@ -81,6 +81,95 @@ let order ({ words; call; mistake } as fact) =
       | None -> Some (in_order words ~name:name.name ~at:call.at ~arguments order mistake))
   | _ -> None
 
+(* {1 A missing argument} *)
+
+(* Does the value change from instant to instant, as a signal of the enclosing proc? *)
+let rec is_signal words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local x ->
+      Wording.is_input words x.name
+      || Option.fold (Wording.definition words x) ~none:false ~some:(is_signal words)
+  | Field { record; _ } -> is_signal words record
+  | Apply { head; argument; _ } -> is_signal words argument || is_signal words head
+  | Negate e -> is_signal words e
+  | _ -> false
+
+(* An example of a value of this type. *)
+let example words t =
+  match Type.expand t with
+  | Type.Number (_, u) when Units.is_open u || Units.rigid_powers u <> [] || Units.equal u Units.one
+    ->
+      Some "0"
+  | Number (_, u) -> Some (Printf.sprintf "1[%s]" (Wording.measure words u))
+  | Bool -> Some "False"
+  | String -> Some "\"name\""
+  | _ -> None
+
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+(* `knob "speed" 0 1[m/s] i`, without the initial value *)
+let lacking ({ words; call; mistake } as fact) =
+  let argument = fst (failing fact) in
+  (* the unit of a constant is wrong more often *)
+  let is_likely = (not (String.equal mistake.code "E0320")) || is_signal words argument in
+  (* a hint that shows the call of the function, rather than its type *)
+  let shows_a_call (g : Resolve.Ir.Global.t) text =
+    Other_type.mentions (Printf.sprintf "`%s " g.name) text && not (Other_type.mentions "::" text)
+  in
+  match (call.head.desc, call.lacking) with
+  | Global g, Some missing
+    when is_likely && is_about_the_argument fact && not (List.exists (shows_a_call g) mistake.hints)
+    ->
+      let arguments = List.map fst call.arguments in
+      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Wording.quote words e.span) in
+      let before, after =
+        ( List.filteri (fun i _ -> i < call.failed - 1) arguments,
+          List.filteri (fun i _ -> i >= call.failed - 1) arguments )
+      in
+      let types = Option.fold (Wording.declared_type words g) ~none:[] ~some:parameters in
+      let of_the_missing i _ = i >= call.failed - 1 && i < call.failed - 1 + missing in
+      let of_numbers = String.starts_with ~prefix:"expected a number" mistake.message in
+      let example t =
+        match (example words t, Type.expand t) with
+        | None, (Rigid _ | Flexible _) when of_numbers && missing = 1 -> Some "0"
+        | text, _ -> text
+      in
+      let examples = List.map example (List.filteri of_the_missing types) in
+      let shown = Option.value (quote argument) ~default:"this argument" in
+      let texts = List.map quote before @ examples @ List.map quote after in
+      let written =
+        if List.mem None texts || List.length types <> List.length texts then None
+        else Some (String.concat " " (g.name :: List.filter_map Fun.id texts))
+      in
+      let d =
+        {
+          mistake with
+          code = "E0301";
+          message =
+            (if missing = 1 then Printf.sprintf "`%s` lacks an argument before `%s`" g.name shown
+             else Printf.sprintf "`%s` lacks %d arguments before `%s`" g.name missing shown);
+          here = "";
+          labels = [];
+          hints = [];
+          notes = [];
+          fixes = [];
+        }
+        |> Option.fold (Wording.declared words g) ~none:Fun.id ~some:(fun ty ->
+               Diagnostic.label ~at:call.head.span "`%s :: %s`" g.name ty)
+      in
+      Some
+        (match (written, examples) with
+        | Some text, [ Some one ] ->
+            Diagnostic.hint "write `%s`, with the value that you want in place of `%s`" text one d
+            |> Diagnostic.write call.at text
+        | Some text, _ -> Diagnostic.hint "write all arguments, as in `%s`" text d
+        | None, _ -> d)
+  | _ -> None
+
 (* {1 Other rules} *)
 
 (* `robotPose i.x`, where the field belongs to the result of the function or to a part of that
@@ -194,7 +283,7 @@ let parentheses ({ words; call; mistake } as fact) =
   | _ -> None
 
 (* The first rule that applies is used. The order comes last, because it only compares types. *)
-let rules = [ field_of_the_result; habit; parentheses; order ]
+let rules = [ field_of_the_result; habit; parentheses; order; lacking ]
 
 let explain words call mistake =
   let fact = { words; call; mistake } in

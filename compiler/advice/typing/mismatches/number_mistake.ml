@@ -188,7 +188,8 @@ let corrected_signature words at (expected : Expected.t) found =
   let wanted = Wording.type_ words expected.ty and found = Wording.type_ words found in
   match Wording.quote words at with
   | Some text when String.ends_with ~suffix:(" " ^ wanted) text ->
-      Some (String.sub text 0 (String.length text - String.length wanted) ^ found)
+      let before = String.sub text 0 (String.length text - String.length wanted) in
+      Some (Source.with_opening (before ^ found))
   | Some text when String.equal text wanted -> Some found
   | Some _ | None -> None
 
@@ -331,6 +332,8 @@ let certain words ~subject ~expected ~is_first units =
           Distant_number.chosen words ~subject ~expected units
         else None);
       (fun () -> Wrong_unit_mistake.superfluous_factor words ~subject ~expected units);
+      (fun () -> Formula_edit.exchanged_angle words ~subject ~expected units);
+      (fun () -> Formula_edit.suggest words ~elsewhere:true ~subject ~expected units);
       (fun () -> Function_unit_mistake.complete words ~subject ~expected units);
       (fun () -> if operand then Formula_mistake.root words ~subject ~expected units else None);
       (fun () -> Lacking_unit_mistake.gain_without_unit words ~subject ~expected units);
@@ -353,7 +356,8 @@ let likely words ~subject ~expected units =
       (fun () -> Formula_mistake.rate_for_angle words ~subject units);
       (fun () -> Formula_mistake.gain_of_rate words ~subject ~expected units);
       (fun () -> Formula_mistake.upside_down words ~subject units);
-      (fun () -> Formula_mistake.opposite words ~subject units);
+      (fun () -> Formula_edit.of_a_field words ~subject ~expected units);
+      (fun () -> Formula_edit.suggest words ~elsewhere:false ~subject ~expected units);
       (fun () -> Formula_mistake.power words ~subject ~expected units);
       (fun () -> Distant_number.chosen words ~subject ~expected units);
       (fun () -> Wrong_unit_mistake.superfluous_function words ~subject ~expected units);

@@ -37,8 +37,16 @@ let variable_like_a_type words ~at (variable : Ir.variable) type_ =
 (* Suggests the signature with the variable replaced by the required type. The head of an instance
    is not a signature. *)
 let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.variable) needed d =
+  (* a context can only constrain variables *)
+  let is_constrained text =
+    match String.index_opt text '=' with
+    | Some i when i + 1 < String.length text && text.[i + 1] = '>' ->
+        let context = { place with stop = Span.forward i place.start } in
+        mentions words context variable.name <> []
+    | Some _ | None -> false
+  in
   match (by, Wording.quote words place, mentions words place variable.name) with
-  | Signature _, Some text, (_ :: _ as places) ->
+  | Signature _, Some text, (_ :: _ as places) when not (is_constrained text) ->
       let piece (at : Span.t) = Span.column at.start - Span.column place.start in
       let replaced =
         List.fold_left
@@ -47,6 +55,7 @@ let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.varia
             String.sub text 0 i ^ needed ^ String.sub text (i + n) (String.length text - i - n))
           text (List.rev places)
       in
+      let replaced = Source.with_opening replaced in
       hint "if the definition is right, write the signature as `%s`" replaced d
       |> fix (Printf.sprintf "write `%s`" replaced) (List.map (fun at -> (at, needed)) places)
   | _ -> d

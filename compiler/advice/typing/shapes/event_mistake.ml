@@ -47,10 +47,16 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) =
         |> Diagnostic.write at fixed)
   | _ -> None
 
+(* Is it the event of a `count`, which starts at 0? *)
+let counts fact =
+  match Option.map (Bare_number.value fact.words) fact.subject with
+  | Some e -> Plain_name.of_head e = Some "count"
+  | None -> false
+
 (* `e < 0.4[m]`: an initial value with which the comparison is false until the event occurs. *)
 let false_at_first fact =
   match (fact.expected.because, other_operand fact) with
-  | Operand { operator; _ }, Some other -> (
+  | Operand { operator; _ }, Some other when not (counts fact) -> (
       let is_on_the_left = compare fact.at.start other.span.start < 0 in
       let is_less =
         match operator with

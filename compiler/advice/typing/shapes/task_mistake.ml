@@ -270,7 +270,26 @@ let only_returned fact =
   | (Number _ | Bool | Data _ | Tuple (_ :: _))
     when is_only_returned fact.words fact.given && not (Environment.is_task fact.wanted) ->
       Some
-        (hinted fact "`return` is only for tasks: write the value after the `=`, without `return`")
+        (match Option.map (Bare_number.value fact.words) fact.subject with
+        | Some
+            {
+              desc =
+                Apply
+                  {
+                    head = { desc = Global { name = "return"; _ }; span; _ };
+                    argument;
+                    style = Juxtaposed;
+                  };
+              span = whole;
+            }
+          when Wording.quote fact.words argument.span <> None ->
+            let value = Option.get (Wording.quote fact.words argument.span) in
+            error ~code:"E0301" ~at:span "`return` is only for tasks"
+            |> hint "remove `return`: write `%s`" value
+            |> write whole (Source.grouped value)
+        | _ ->
+            hinted fact
+              "`return` is only for tasks: write the value after the `=`, without `return`")
   | _ -> None
 
 (* Is it an argument of a function that also takes a task, such as `timeOut`? *)

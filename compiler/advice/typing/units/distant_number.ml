@@ -106,7 +106,7 @@ let chosen words ~subject ~expected (wanted, given) =
     | Some _ | None -> None
   in
   if Units.is_open wanted || Units.is_open given then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
 (* The numbers that the variable is compared with or added to in the expressions that [visit]
    visits. *)

@@ -31,6 +31,23 @@ let rec result t =
   | Signal_function (_, t) -> number t
   | _ -> number t
 
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+let is_zero (e : Resolve.Ir.expr) =
+  match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
+
+(* The unit that the variable of the parameter's unit has, if the argument's unit is known. *)
+let solution ~parameter ~argument =
+  match Units.rigid_powers parameter with
+  | [ (r, power) ] when not (Rational.is_zero power) ->
+      let constant = Units.divide parameter (Units.power (Units.of_rigid r) power) in
+      Some (r, Units.power (Units.divide argument constant) (Rational.inverse power))
+  | _ -> None
+
 let rec find words (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { unit_ = None; _ } -> Some Units.one
@@ -49,17 +66,50 @@ let rec find words (e : Resolve.Ir.expr) =
           | _ -> None)
       | Some (("+" | "-"), a, _) -> find words a
       | _ -> None)
-  | Apply { style = Juxtaposed; _ } -> (
-      match applied words e with
-      | Some u when Units.rigid_powers u = [] -> Some u
-      | Some _ | None -> None)
+  | Field { record; field; _ } ->
+      Option.bind (type_of_record words record) (fun ty ->
+          Option.bind (Wording.field_type words ty field.text) number)
+  | Apply { style = Juxtaposed; _ } -> applied words e
   | _ -> None
 
-and applied words (e : Resolve.Ir.expr) =
+and type_of_record words (e : Resolve.Ir.expr) =
   match e.desc with
-  | Apply { head; style = Juxtaposed; _ } -> applied words head
-  | Global g -> Option.bind (Wording.declared_type words g) result
-  | Local x -> Option.bind (Wording.local words x) result
+  | Local x -> Wording.local words x
+  | Global g -> Wording.declared_type words g
+  | Field { record; field; _ } ->
+      Option.bind (type_of_record words record) (fun ty -> Wording.field_type words ty field.text)
+  | _ -> None
+
+(* The unit of an application, where the arguments determine the variables in the declared unit. *)
+and applied words (e : Resolve.Ir.expr) =
+  let head, arguments = Resolve.Walk.application e in
+  let ty =
+    match head.desc with
+    | Global g -> Wording.declared_type words g
+    | Local x -> Wording.local words x
+    | _ -> None
+  in
+  match (ty, Option.bind ty result) with
+  | Some ty, Some u ->
+      let pairs = List.filteri (fun i _ -> i < List.length arguments) (parameters ty) in
+      if List.compare_lengths pairs (parameters ty) <> 0 then None
+      else
+        let given = List.filteri (fun i _ -> i < List.length pairs) arguments in
+        let solve parameter argument =
+          match (number parameter, is_zero argument) with
+          | Some parameter, false when Units.rigid_powers parameter <> [] ->
+              Option.bind (find words argument) (fun argument -> solution ~parameter ~argument)
+          | _ -> None
+        in
+        let solutions = List.filter_map Fun.id (List.map2 solve pairs given) in
+        let of_variable id =
+          List.find_map
+            (fun ((r : Units.rigid), u) -> if r.variable.id = id then Some u else None)
+            solutions
+        in
+        let known ((r : Units.rigid), _) = of_variable r.variable.id <> None in
+        if List.for_all known (Units.rigid_powers u) then Some (Units.substitute of_variable u)
+        else None
   | _ -> None
 
 let unit_of words e = try find words e with Rational.Out_of_range -> None
@@ -112,15 +162,25 @@ let is_product words e =
   | _ :: _ :: _ as all -> List.for_all (fun (e, _) -> is_variable e) all
   | _ -> false
 
-let with_part words (e : Resolve.Ir.expr) ~(part : Span.t) replacement =
+let with_parts words (e : Resolve.Ir.expr) replacements =
   let column (p : Span.position) = Span.column p in
-  match text words e with
-  | Some whole when Span.line part.start = Span.line e.span.start ->
-      let from = column part.start - column e.span.start in
-      let until = column part.stop - column e.span.start in
-      if from < 0 || until > String.length whole || until < from then None
-      else
-        Some
-          (String.sub whole 0 from ^ replacement
-          ^ String.sub whole until (String.length whole - until))
-  | Some _ | None -> None
+  let replace whole ((part : Span.t), replacement) =
+    Option.bind whole (fun whole ->
+        let from = column part.start - column e.span.start in
+        let until = column part.stop - column e.span.start in
+        if
+          Span.line part.start <> Span.line e.span.start
+          || from < 0
+          || until > String.length whole
+          || until < from
+        then None
+        else
+          Some
+            (String.sub whole 0 from ^ replacement
+            ^ String.sub whole until (String.length whole - until)))
+  in
+  (* the last part first, so that the parts before it keep their columns *)
+  let later ((a : Span.t), _) ((b : Span.t), _) = Int.compare (column b.start) (column a.start) in
+  List.fold_left replace (text words e) (List.sort later replacements)
+
+let with_part words e ~part replacement = with_parts words e [ (part, replacement) ]

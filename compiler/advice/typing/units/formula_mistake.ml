@@ -132,7 +132,7 @@ let power words ~subject ~expected units =
       | [] -> None
   in
   if depends_on_another_field expected || not (closed units) then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected units)
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected units)
 
 (* `Vec2 { x = d ^ 2 * cos a, y = d * sin a }`, where a field has a power too much *)
 let of_fields words ~subject (wanted, given) =
@@ -290,28 +290,6 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
       match of_side e (wanted, given) with
       | Some advice -> Some advice
       | None -> of_side other (given, wanted))
-  | _ -> None
-
-(* `integral x` for `derivative x`, and the other way round *)
-let opposite words ~subject (wanted, given) =
-  let seconds k = String.equal (Wording.measure words (Units.divide wanted given)) k in
-  match subject with
-  | Some
-      ({
-         desc =
-           Apply { head = { desc = Global { name; _ }; span; _ }; argument; style = Juxtaposed };
-         _;
-       } :
-        Resolve.Ir.expr)
-    when closed (wanted, given)
-         && ((name = "integral" && seconds "1/s^2") || (name = "derivative" && seconds "s^2")) ->
-      let other, meaning =
-        if name = "integral" then ("derivative", "the rate of change")
-        else ("integral", "the sum over time")
-      in
-      Option.map
-        (fun text d -> hint "for %s, write `%s %s`" meaning other text d |> write span other)
-        (Formula.grouped words argument)
   | _ -> None
 
 (* `radius / speed` where the unit of `speed / radius` is expected *)

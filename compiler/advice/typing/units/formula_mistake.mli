@@ -46,13 +46,6 @@ val within_root :
   (Diagnostic.t -> Diagnostic.t) option
 (** A square root of a quantity that lacks a factor: [sqrt (2 * d)], which is not a velocity. *)
 
-val opposite :
-  Wording.t ->
-  subject:Resolve.Ir.expr option ->
-  Units.t * Units.t ->
-  (Diagnostic.t -> Diagnostic.t) option
-(** [integral x] where the unit of [derivative x] is expected, or the other way round. *)
-
 val upside_down :
   Wording.t ->
   subject:Resolve.Ir.expr option ->

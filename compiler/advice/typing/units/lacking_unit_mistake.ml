@@ -12,11 +12,31 @@ let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rati
 let give words units d ((number : Bare_number.t), power) =
   Bare_number.give words number (Wording.measure words (needed units power)) d
 
-(* The operand whose constants would correct the units, with its expected and its actual unit. *)
-let sides ~subject ~(expected : Expected.t) (wanted, given) =
+(* The unit that the largest sum around the mistake must have, if the context determines it. *)
+let unit_of_the_sum words =
+  let rec largest found = function
+    | ({ expr; wanted } : Surroundings.enclosing) :: rest -> (
+        match Formula.binary expr with
+        | Some (("+" | "-"), _, _) -> largest wanted rest
+        | _ -> found)
+    | [] -> found
+  in
+  match Option.map Type.expand (largest None (Wording.enclosing words)) with
+  | Some (Number (_, u)) when not (Units.is_open u) -> Some (Units.resolve u)
+  | Some _ | None -> None
+
+(* The operands whose constants would correct the units, each with its expected and its actual unit.
+   *)
+let sides words ~subject ~(expected : Expected.t) (wanted, given) =
   let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
   match expected.because with
-  | Operand { other; operator = "+" | "-" | "<" | "<=" | ">" | ">=" | "==" | "/="; _ } ->
+  | Operand { other; operator = "+" | "-"; _ } -> (
+      let others = [ (other, (given, wanted)) ] in
+      match unit_of_the_sum words with
+      | Some u when Units.equal u wanted -> this
+      | Some u when Units.equal u given -> others
+      | Some _ | None -> this @ others)
+  | Operand { other; operator = "<" | "<=" | ">" | ">=" | "==" | "/="; _ } ->
       this @ [ (other, (given, wanted)) ]
   | Operand _ -> []
   | _ -> this
@@ -28,7 +48,7 @@ let complete words ~subject ~(expected : Expected.t) (wanted, given) =
     | constants -> Some (fun d -> List.fold_left (give words units) d constants)
   in
   if Units.is_open wanted || Units.is_open given then None
-  else List.find_map constants (sides ~subject ~expected (wanted, given))
+  else List.find_map constants (sides words ~subject ~expected (wanted, given))
 
 let rec mentions names (e : Resolve.Ir.expr) =
   match e.desc with
@@ -46,14 +66,36 @@ let is_product_with_value words e =
       | _ -> false)
   | _ -> false
 
+(* Does the unit have only negative exponents? *)
+let is_unit_of_a_gain u =
+  let powers = Units.base_powers u in
+  let is_negative (_, power) = Rational.is_negative power in
+  powers <> [] && List.for_all is_negative powers
+
 (* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
    contain `pi` or `time`, because their numbers usually have no unit. *)
 let of_a_literal words ~likely ~subject ~expected (wanted, given) =
+  let all = sides words ~subject ~expected (wanted, given) in
+  (* in a sum, the other operand is right, or its gain has a unit *)
+  let is_gain e unit_ =
+    is_unit_of_a_gain unit_
+    &&
+    let has_unit ((number : Bare_number.t), _) = number.unit_ <> None in
+    match (expected.Expected.because, all) with
+    | Operand { operator = "+" | "-"; _ }, [ _ ] -> true
+    | Operand { operator = "+" | "-"; other; _ }, _ ->
+        List.exists
+          (fun other -> other != e && List.exists has_unit (Bare_number.written_factor words other))
+          (other :: Option.to_list subject)
+    | _ -> false
+  in
   let fix_of (e, units) =
     match Bare_number.written_factor words e with
     | [ ((number : Bare_number.t), power) ]
       when Bare_number.literal words e = None
-           && (number.unit_ <> None || String.contains number.digits '.' = likely)
+           && (number.unit_ <> None
+              || String.contains number.digits '.' = likely
+              || is_gain e (needed units power))
            && (not (mentions [ "pi"; "time"; "sqrt" ] (Bare_number.value words e)))
            && not (power < 0 && String.equal number.digits "2") -> (
         let unit_ = needed units power in
@@ -94,8 +136,7 @@ let of_a_literal words ~likely ~subject ~expected (wanted, given) =
             | Some _ | None -> None))
     | _ -> None
   in
-  if Units.is_open wanted || Units.is_open given then None
-  else List.find_map fix_of (sides ~subject ~expected (wanted, given))
+  if Units.is_open wanted || Units.is_open given then None else List.find_map fix_of all
 
 (* `n / perRev * 2 * pi * 0.04`: a formula without a unit, in which only one number has a decimal
    point. *)
@@ -200,13 +241,14 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
     | _ -> false
   in
   let is_a_rate u = String.equal (Wording.measure words u) "m/s" in
+  let has_a_number (e : Resolve.Ir.expr) = Bare_number.written_factor words e <> [] in
   match (expected.because, subject) with
   | Operand { operator = ("+" | "-") as operator; other; _ }, Some (e : Resolve.Ir.expr)
     when not (is_one wanted || is_one given) -> (
       let product = Units.multiply wanted given in
       let gain = Units.divide wanted given in
       match (Wording.quote words other.span, Wording.quote words e.span) with
-      | Some a, Some b when is_a_rate product ->
+      | Some a, Some b when is_a_rate product && not (has_a_number other || has_a_number e) ->
           let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
           Some
             (fun d ->

@@ -7,12 +7,14 @@ val needed : Units.t * Units.t -> int -> Units.t
 (** The unit by which a factor with this exponent must be multiplied to correct the unit. *)
 
 val sides :
+  Wording.t ->
   subject:Resolve.Ir.expr option ->
   expected:Expected.t ->
   Units.t * Units.t ->
   (Resolve.Ir.expr * (Units.t * Units.t)) list
 (** The expression, and the other operand of a sum or a comparison, each with the unit that it
-    should have and the unit that it has. *)
+    should have and the unit that it has. If the context determines the unit of a sum, the list
+    contains only the operand with another unit. *)
 
 val complete :
   Wording.t ->
@@ -22,6 +24,9 @@ val complete :
   (Diagnostic.t -> Diagnostic.t) option
 (** Points to the constants that would correct the expression's unit, and suggests their units. The
     pair contains the expected unit and the actual one. *)
+
+val is_unit_of_a_gain : Units.t -> bool
+(** Does the unit have only negative exponents? *)
 
 val of_a_literal :
   Wording.t ->

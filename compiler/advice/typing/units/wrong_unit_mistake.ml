@@ -52,7 +52,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
       | None -> None
   in
   if is_open (wanted, given) then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
 let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given) =
   let of_side (e, (wanted, _)) =
@@ -75,7 +75,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
     | _ -> None
   in
   if is_open (wanted, given) || is_one wanted then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
 (* {1 Gains and constants} *)
 
@@ -122,12 +122,6 @@ let rec mentions names (e : Resolve.Ir.expr) =
   | Negate e -> mentions names e
   | _ -> false
 
-(* Does the unit have only negative exponents? *)
-let is_of_a_gain u =
-  let powers = Units.base_powers u in
-  let is_negative (_, power) = Rational.is_negative power in
-  powers <> [] && List.for_all is_negative powers
-
 let gain words ~subject ~(expected : Expected.t) (wanted, given) =
   let of_side (e, (wanted, given)) =
     match Bare_number.gain words e with
@@ -143,7 +137,8 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
             in
             let shown, edits = with_unit words number unit_ in
             let of_a_rate = mentions [ "derivative"; "integral" ] (Bare_number.value words e) in
-            if not (is_of_a_gain unit_ || (of_a_rate && is_one unit_)) then None
+            if not (Lacking_unit_mistake.is_unit_of_a_gain unit_ || (of_a_rate && is_one unit_))
+            then None
             else
               Some
                 ( Bare_number.value words e,
@@ -159,7 +154,7 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
   let sides =
     match expected.because with
     | Operand { operator = "+" | "-"; _ } ->
-        Lacking_unit_mistake.sides ~subject ~expected (wanted, given)
+        Lacking_unit_mistake.sides words ~subject ~expected (wanted, given)
     | Operand _ -> []
     | _ -> Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject)
   in
@@ -211,7 +206,7 @@ let constant words ~subject ~(expected : Expected.t) (wanted, given) =
       [ wanted; given ]
   in
   if is_open (wanted, given) || is_one given || between_rate_and_time then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
 (* {1 Parameters} *)
 
@@ -240,8 +235,8 @@ let declared_parameter words (x : Resolve.Ir.Local.t) =
             | Destructure _ -> ""
           in
           let with_type text =
-            name ^ String.sub whole 0 from ^ text
-            ^ String.sub whole until (String.length whole - until)
+            let rest = String.sub whole until (String.length whole - until) in
+            name ^ Source.with_opening (String.sub whole 0 from ^ text ^ rest)
           in
           Some { type_; with_type }
       | _ -> None)
@@ -274,7 +269,7 @@ let bare_parameter words ~subject ~(expected : Expected.t) (wanted, given) =
     | _ -> None
   in
   if is_open (wanted, given) || is_one wanted then None
-  else List.find_map of_side (Lacking_unit_mistake.sides ~subject ~expected (wanted, given))
+  else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
 let parameter words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) units =
   match (subject, expected.because) with

@@ -148,3 +148,29 @@ Notations of other languages:
   $ check 'import Robot\nmain :: HasSonar i => DiffDrive o => Program i o\nmain = f\n'
   error[E0110]: expected `->` or the end of this type, found `=>`
     = hint: write one context: `(HasSonar i, DiffDrive o) =>`
+
+  $ try 'SF (Bool, Velocity) Velocity' 'f = proc (hit, v) -> if n < 3 then v else 0 where n = count (edge hit)' \
+  >   'f = proc (hit, v) -> if hold 0 n < 3 then v else 0 where n = count (edge hit)'
+  error[E0301]: expected a number, found `Event Int`
+    = hint: an event has a value only when it occurs: write `hold 0 n` for its latest value, which is 0 at first
+  [1]
+
+  $ try 'SF Bool Time' 'f = proc pressed -> resetOn time (edge pressed)' 'f = proc pressed -> resetOn time ((), edge pressed)'
+  error[E0301]: expected `(a, Event ())`, found `Event ()`
+    = hint: write the input, and then the event: `resetOn time ((), edge pressed)`
+  [1]
+
+  $ try 'SF (Velocity, Bool) Distance' 'f = proc (v, b) -> resetOn integral (edge b)' 'f = proc (v, b) -> resetOn integral (v, edge b)'
+  error[E0301]: expected `(Float[u], Event ())`, found `Event ()`
+    = hint: write the input, and then the event: `resetOn integral (v, edge b)`
+  [1]
+
+  $ try 'Velocity -> Velocity' 'f v = return max (-0.5[m/s]) (min 0.5[m/s] v)' 'f v = max (-0.5[m/s]) (min 0.5[m/s] v)'
+  error[E0301]: `return` is only for tasks
+    = hint: write `f v = max (-0.5[m/s]) (min 0.5[m/s] v)`
+  [1]
+
+  $ try 'SF Velocity Distance' 'f = proc v -> way where way = return (integral v)' 'f = proc v -> way where way = integral v'
+  error[E0301]: `return` is only for tasks
+    = hint: write `f = proc v -> way where way = integral v`
+  [1]

@@ -186,3 +186,62 @@ A sum or an extreme without the value that it begins with:
   1 error
   [1]
   $ sed 's/foldl max row/foldl max 0 row/' longest.frob > pasted.frob && frobc check pasted.frob
+
+An argument is missing before another one:
+
+  $ try () { # DEFINITIONS CORRECTED-DEFINITIONS
+  >   printf 'import Control\nimport Robot\n%s\n' "$1" > program.frob
+  >   frobc check program.frob 2>&1 | grep '^error\|hint'
+  >   printf 'import Control\nimport Robot\n%s\n' "$2" > corrected.frob
+  >   frobc check corrected.frob 2>&1 | grep '^error'
+  > }
+  $ speed='f :: SF RobotInput Velocity
+  > f = proc i -> '
+  $ generic='f :: (HasConsole i, HasSonar i) => SF i Velocity
+  > f = proc i -> '
+
+  $ try "$speed"'knob "speed" 0 0.4[m/s] i' "$speed"'knob "speed" 0 0.4[m/s] 0 i'
+  error[E0301]: `knob` lacks an argument before `i`
+    = hint: write `knob "speed" 0 0.4[m/s] 0 i`, with the value that you want in place of `0`
+  [1]
+
+  $ try "$generic"'knob "speed" 0 0.4[m/s] i' "$generic"'knob "speed" 0 0.4[m/s] 0 i'
+  error[E0301]: `knob` lacks an argument before `i`
+    = hint: write `knob "speed" 0 0.4[m/s] 0 i`, with the value that you want in place of `0`
+  [1]
+
+  $ try "$generic"'if buttonHeld i then 1[m/s] else 0' "$generic"'if buttonHeld "name" i then 1[m/s] else 0'
+  error[E0301]: `buttonHeld` lacks an argument before `i`
+    = hint: write `buttonHeld "name" i`, with the value that you want in place of `"name"`
+  [1]
+
+  $ try "$speed"'lowPass (derivative (frontSonar i))' "$speed"'lowPass 1[s] (derivative (frontSonar i))'
+  error[E0301]: `lowPass` lacks an argument before `(derivative (frontSonar i))`
+    = hint: write `lowPass 1[s] (derivative (frontSonar i))`, with the value that you want in place of `1[s]`
+  [1]
+
+  $ try 'f :: SF Distance Distance
+  > f = proc x -> delayBy x' 'f :: SF Distance Distance
+  > f = proc x -> delayBy 1[s] x'
+  error[E0301]: `delayBy` lacks an argument before `x`
+    = hint: write `delayBy 1[s] x`, with the value that you want in place of `1[s]`
+  [1]
+
+But a constant is more likely to have the wrong unit, and a signal function belongs to its place:
+
+  $ try 'f :: SF Distance Distance
+  > f = lowPass 0.5' 'f :: SF Distance Distance
+  > f = lowPass 0.5[s]'
+  error[E0320]: expected the unit `s`, found none
+    = hint: write `0.5[s]` if that is its unit
+  [1]
+
+A context can only constrain a variable, so no hint replaces a variable in it. The signature in a
+hint is complete:
+
+  $ try 'f :: (HasSonar i, DiffDrive o) => a -> SF i o
+  > f x = proc i -> roMake (setVelTR (if frontSonar i < 1[m] then x else 0) 0)' 'f :: (HasSonar i, DiffDrive o) => Float[m/s] -> SF i o
+  > f x = proc i -> roMake (setVelTR (if frontSonar i < 1[m] then x else 0) 0)'
+  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Float[m/s]`
+    = hint: if the definition is right, write the signature as `(HasSonar i, DiffDrive o) => Float[m/s] -> SF i o`
+  [1]

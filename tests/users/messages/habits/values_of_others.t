@@ -70,7 +70,7 @@ Types before the names of parameters:
   [1]
   $ try 'f :: SF Float Float\nf = proc x => x + 1' 'f :: SF Float Float\nf = proc x -> x + 1'
   error[E0110]: expected an operator, an argument, or the end of the expression, found `=>`
-    = hint: write `->` between the input of a `proc` and its output
+    = hint: write `->` after the input of a `proc`: `proc x ->`
   [1]
   $ try 'f :: Float m/s -> Time -> Distance\nf v t = v * t' 'f :: Float[m/s] -> Time -> Distance\nf v t = v * t'
   error[E0110]: expected `->` or the end of the type after a type variable, found `/`
@@ -203,4 +203,5 @@ Other values:
   error[E0320]: expected the unit `m`, found `m^2`
     = hint: for a field in `m`, write `d * 2`
   error[E0320]: expected the unit `m^2`, found `m`
+    = hint: the two fields have one unit: if `d` is right, write `x = d * 2`
   [1]

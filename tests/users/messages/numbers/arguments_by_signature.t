@@ -26,15 +26,15 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
   >     v = 0.5[1/s] * d)
   > FROB
   $ frobc check lowpass_no_time.frob
-  error[E0320]: expected the unit `s`, found `m`
+  error[E0301]: `lowPass` lacks an argument before `(frontSonar i)`
    --> lowpass_no_time.frob:4:18
     |
   4 |     d = lowPass (frontSonar i)
-    |         -------  ^^^^^^^^^^^^ this is `Distance` (m)
+    |         -------  ^^^^^^^^^^^^
     |         |
-    |         argument 1 of `lowPass` is `Time` (s)
+    |         `lowPass :: Time -> SF Float[u] Float[u]`
     |
-    = hint: `lowPass` takes two arguments, but is applied to 1: `lowPass :: Time -> SF Float[u] Float[u]`
+    = hint: write `lowPass 1[s] (frontSonar i)`, with the value that you want in place of `1[s]`
   
   1 error
   [1]
@@ -44,16 +44,15 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
   > main = proc a -> foldl (+) a
   > FROB
   $ frobc check foldl_two.frob
-  error[E0301]: expected a number, found `Array 3 Float`
+  error[E0301]: `foldl` lacks an argument before `a`
    --> foldl_two.frob:2:28
     |
   2 | main = proc a -> foldl (+) a
-    |                  ----- --- ^
-    |                  |     |
-    |                  |     because this is `n[u] -> n[u] -> n[u]`
-    |                  argument 2 of `foldl` is a number
+    |                  -----     ^
+    |                  |
+    |                  `foldl :: (b -> a -> b) -> b -> Array n a -> b`
     |
-    = hint: this is argument 2: `foldl :: (b -> a -> b) -> b -> Array n a -> b`
+    = hint: write `foldl (+) 0 a`, with the value that you want in place of `0`
   
   1 error
   [1]

@@ -113,15 +113,15 @@ syntax.
   > main = proc d -> lowPass d
   > FROB
   $ frobc check filter.frob
-  error[E0320]: expected the unit `s`, found `m`
+  error[E0301]: `lowPass` lacks an argument before `d`
    --> filter.frob:3:26
     |
   3 | main = proc d -> lowPass d
-    |                  ------- ^ this is `Distance` (m)
+    |                  ------- ^
     |                  |
-    |                  argument 1 of `lowPass` is `Time` (s)
+    |                  `lowPass :: Time -> SF Float[u] Float[u]`
     |
-    = hint: `lowPass` takes two arguments, but is applied to 1: `lowPass :: Time -> SF Float[u] Float[u]`
+    = hint: write `lowPass 1[s] d`, with the value that you want in place of `1[s]`
   
   1 error
   [1]
