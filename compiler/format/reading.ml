@@ -174,7 +174,7 @@ type reader = {
   commas_first : bool array;  (** brackets with a comma at the start of a line *)
 }
 
-(* Collects the layout tokens before a word. Words do not include semicolons. *)
+(* Collects the layout tokens before a word. A semicolon is not a word. *)
 let made_before r index (token : Lexer.token) =
   let at = token.start.pos_cnum in
   let made = { closes = 0; opens = false; item = index = 0 } in

@@ -75,11 +75,12 @@ let for_hosts =
       one Arg.float ~print:(Printf.sprintf "%.9g") ~absent:"50." "rate" ~docv:"HZ"
         ~doc:"Steps of the controller per second.";
       flag "exit-when-done"
-        ~doc:"Stop when the program's task ends, even if this is before the end of $(b,--for).";
+        ~doc:
+          "Stop when the program's task ends, even if this is before the time given by $(b,--for).";
       flag "console" ~doc:"Pass typed keys to the program, one at each instant.";
     ]
 
-let realtime = Host_option.flag "realtime" ~doc:"Run the simulator in real time, like a robot."
+let realtime = Host_option.flag "realtime" ~doc:"Run the simulator in real time, as on a robot."
 
 let for_simulator =
   Host_option.

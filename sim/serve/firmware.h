@@ -17,7 +17,7 @@ class Firmware {
   public:
     virtual ~Firmware() = default;
 
-    // Runs the robot up to this time, which must not go back.
+    // Runs the robot up to this time, which must not be earlier than that of the previous call.
     virtual void advance(std::int64_t time_ns) = 0;
 
     // Receives a byte. The caller must have called `advance` with the time of its arrival.

@@ -63,7 +63,7 @@ class TomlReader {
     // also be different.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);
 
-    // Returns the value at a key, whatever its type, or nullptr if there is none.
+    // Returns the value for a key, whatever its type, or nullptr if there is none.
     const toml::node *any(std::string_view key) { return find(key); }
 
     // Returns the table at a key, or nullptr if there is none.

@@ -48,14 +48,14 @@ let check c ~at ~in_ ty =
   match instance c "RosText" data.tycon with
   | None ->
       refuse c ~at
-        (Printf.sprintf "%s cannot be a text in messages: `%s` has no texts" in_ name)
-        (Printf.sprintf
-           "declare them with `instance RosText %s where`, and a text for each constructor" name)
+        (Printf.sprintf "%s cannot be a string in messages: `%s` has no instance of `RosText`" in_
+           name)
+        (Printf.sprintf "write `instance RosText %s where`, with a string for each constructor" name)
   | Some i -> (
       match texts c i data with
       | None ->
           refuse c ~at:i.span
-            (Printf.sprintf "the instance of `%s` does not list its texts" name)
+            (Printf.sprintf "the instance of `%s` does not list its strings" name)
             (Printf.sprintf
                "write `rosText x = case x of`, and below it a line for each constructor, as in `%s \
                 -> \"%s\"`"

@@ -50,8 +50,7 @@ let inline_machines =
 
 type step = Pass of Ir.program Pass.t | Tidy  (** skipped if nothing has changed *)
 
-(* Loop fusion and inlining occur twice, because inlining brings loops from several nodes
-   together. *)
+(* Loop fusion and inlining run twice, because inlining brings loops from several nodes together. *)
 let steps =
   [
     Tidy;

@@ -1,8 +1,9 @@
 (** Detects signal functions that grow each time they restart themselves.
 
     [go sf = switch sf (\\_ -> go (sf >>> g))] would need a separate mode for each number of [g]s. A
-    mode that differs only in its numbers has not grown. If modes with the same code but ever deeper
-    nested functions follow each other many times, the sequence is assumed to be infinite. *)
+    mode that differs only in its numbers has not grown. If many modes follow each other with the
+    same code but with functions that are nested more and more deeply, the sequence is assumed to be
+    infinite. *)
 
 open Basis
 

@@ -1,4 +1,5 @@
-(** Translates equations without memory to expressions, which are placed later. *)
+(** Translates equations that have no state to expressions; their place in the code is chosen later.
+*)
 
 open Fragment
 

@@ -15,8 +15,8 @@ val groups : group list
 
 val install : string list -> int
 (** [frobc extras install GROUP…]. Without a group, reinstalls the groups that are installed. The
-    new environment also contains the groups of the old one, and replaces it only when it is
-    complete. *)
+    new environment also contains the groups of the old one. It replaces the old one only after a
+    complete installation. *)
 
 val list : unit -> int
 (** [frobc extras list]. *)

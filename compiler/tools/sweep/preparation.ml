@@ -149,7 +149,7 @@ let digest_of_world path =
   Digest.string (String.concat "" (text :: List.filter_map contents quoted))
 
 type subject = {
-  file : string;  (** the file of the program *)
+  file : string;  (** the program's source file *)
   judging_file : string;  (** the file of the trial, which may be a test file *)
   check : Checks.t;
   measures : Measures.t list;

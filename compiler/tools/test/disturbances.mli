@@ -16,6 +16,6 @@ val name : t -> string
 (** For example [[sonar] noise]. *)
 
 val needed : still_fails:(t list -> bool) -> t list -> t list
-(** The disturbances that are needed for a failure. If the run still fails without all of them, the
-    list is empty. Otherwise, the function removes one disturbance at a time, and restores it if the
-    run no longer fails. The argument of [still_fails] is the list of removed disturbances. *)
+(** The disturbances that are needed for a failure. If the run still fails without any disturbance,
+    the list is empty. Otherwise, the function removes one disturbance at a time, and restores it if
+    the run no longer fails. The argument of [still_fails] is the list of removed disturbances. *)

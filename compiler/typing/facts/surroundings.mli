@@ -1,4 +1,4 @@
-(** The part of the program around a fact that messages may mention. *)
+(** What surrounds the place of a fact in the program; messages may mention it. *)
 
 open Basis
 

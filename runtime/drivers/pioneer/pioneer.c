@@ -123,8 +123,8 @@ static enum frob_status send_second(struct frob_pioneer *d)
 }
 
 /* Minimum interval between commands. VEL and RVEL have 18 bytes. If they were sent at every step
- * of a program, they would saturate a slow line and accumulate in a queue. A line of unknown rate
- * may be slow. */
+ * of a program, they would saturate a slow line and accumulate in a queue. A line whose rate is not
+ * known may be slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];

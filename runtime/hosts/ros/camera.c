@@ -31,7 +31,7 @@ static const char scheme[] = SOURCE_TOPIC, ros_option[] = "--ros-args", node_rul
 
 /* ---- The program's side */
 
-/* Returns the source in the argument of `--camera`, after the label of a camera and `=`. */
+/* Returns the source in an argument of `--camera`: the part after `LABEL=`. */
 static const char *source_in(const char *argument)
 {
     const char *found = strstr(argument, scheme);

@@ -49,7 +49,7 @@ late:
   $ python3 bag.py one gap /drive 0 3; python3 bag.py one gap /drive 6; frobc trace drive.frob --input gap | wc -l
   warning: the bag lacks instants of /drive from number 4 on; the replay ends before them
   5
-  $ rm sent.*; record drive.frob $patient --for 0.3s
+  $ rm sent.*; record drive.frob $patient --for 0.3s --rate 25
   $ python3 bag.py one both /drive; python3 bag.py sent both /drive; frobc trace drive.frob --input both
   error: cannot read the bag both: it has several runs of /drive: record each run into a bag of its own
   [2]

@@ -372,13 +372,13 @@ definition is known: here those of common packages.
      |
      = hint: declare a text as an enumeration with an instance of `RosText`, or omit the field
   
-  error[E0509]: the field `data_` of `Named` cannot be a text in messages: `Unnamed` has no texts
+  error[E0509]: the field `data_` of `Named` cannot be a string in messages: `Unnamed` has no instance of `RosText`
     --> unlike.frob:15:31
      |
   15 | data Named = Named { data_ :: Unnamed }
      |                               ^^^^^^^
      |
-     = hint: declare them with `instance RosText Unnamed where`, and a text for each constructor
+     = hint: write `instance RosText Unnamed where`, with a string for each constructor
   
   error[E0509]: two constructors of `Same` have the text "d"
     --> unlike.frob:19:10
@@ -388,7 +388,7 @@ definition is known: here those of common packages.
      |
      = hint: give each constructor a text of its own
   
-  error[E0509]: the instance of `Guarded` does not list its texts
+  error[E0509]: the instance of `Guarded` does not list its strings
     --> unlike.frob:24:10
      |
   24 | instance RosText Guarded where

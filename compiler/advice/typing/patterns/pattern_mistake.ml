@@ -22,7 +22,7 @@ let taken_for_a_constructor (case : Pattern_fact.case) =
       | _ -> None)
     case.branches
 
-(* Numbers cannot be listed completely, so a number in an example represents many others. *)
+(* Not all numbers can be listed, so a number in an example represents many others. *)
 let has_number text =
   let is_digit c = '0' <= c && c <= '9' in
   String.split_on_char ' ' (String.map (function '(' | '[' | ',' | '-' -> ' ' | c -> c) text)

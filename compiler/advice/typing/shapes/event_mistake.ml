@@ -89,8 +89,8 @@ let in_a_maybe fact =
       let start = Option.get (false_at_first fact) in
       Some
         (hinted fact
-           "use `fromMaybe %s %s`, where `%s` replaces a missing value, so the comparison is False \
-            then"
+           "use `fromMaybe %s %s`: if the value is missing, `%s` replaces it, and the comparison \
+            is False"
            start (grouped fact "m") start)
   | (Parameter _ | Operand _ | Output _ | Field _ | Signature _)
     when is_maybe fact.found && not (is_maybe fact.wanted) ->

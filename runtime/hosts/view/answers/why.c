@@ -6,7 +6,7 @@
 /* Maximum number of instants to search back for the start of a value. */
 #define FARTHEST 16384
 
-/* Maximum number of signals that the name of an array represents. */
+/* Maximum number of signals that the name of an array can represent. */
 #define MOST 64
 
 /* ---- Instants */

@@ -90,7 +90,7 @@ In a comparison with an upper limit, a value of 0 would make the condition True:
   [1]
   $ try Bool '    y = _near < 0.4[m]' '    y = fromMaybe 4[m] _near < 0.4[m]'
   error[E0301]: expected `Float[m]`, found `Maybe Distance`
-     = hint: use `fromMaybe 4[m] _near`, where `4[m]` replaces a missing value, so the comparison is False then
+     = hint: use `fromMaybe 4[m] _near`: if the value is missing, `4[m]` replaces it, and the comparison is False
   [1]
 
 A forgotten `integral` or `derivative`:

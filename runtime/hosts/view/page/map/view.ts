@@ -65,7 +65,7 @@ export class View {
     return [this.scale, ...this.centre, this.width, this.height].join();
   }
 
-  /** Shows everything or the robot, depending on the mode. */
+  /** Shows everything or only the robot, depending on the mode. */
   update({ left, right, low, high }: Extent, robot: Point): void {
     if (this.mode === "robot") this.centre = robot;
     if (this.mode !== "all" || left > right) return;
