@@ -22,7 +22,7 @@ let declare table what (g : Ir.Global.t) x =
 let find table what (g : Ir.Global.t) =
   match Hashtbl.find_opt table g with
   | Some x -> x
-  | None -> broken "%s %s.%s is used and not declared before" what g.module_ g.name
+  | None -> broken "%s %s.%s is used before it is declared" what g.module_ g.name
 
 (* Types and units *)
 

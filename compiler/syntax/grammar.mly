@@ -20,7 +20,7 @@ let expr = Term.to_expr
 
 %token <string> LOWER UPPER
 %token <string * string> QUALIFIED_LOWER QUALIFIED_UPPER
-%token <string> FIELD "a `.name`, tight on both sides"
+%token <string> FIELD "a `.name` without spaces around it"
 %token <string * bool> NUMBER
 %token <string> STRING
 %token <string> OPERATOR

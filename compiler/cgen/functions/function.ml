@@ -190,8 +190,8 @@ let reset (v : Program_names.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-(* A member of the input that has a name in the source is read where it is used. A member that is
-   only called [f1] is first copied to a variable with the programmer's name. *)
+(* Reads a member of the input where it is used, if the member has a name in the source. A member
+   with a generated name, such as [f1], is first copied to a variable whose name is in the source. *)
 let read_member (v : Program_names.t) names read (variable : M.variable) steps =
   let place = Access.path (Name "in") steps [] in
   if Interface.direct v.program.input || String.equal variable.name "" then (

@@ -325,7 +325,7 @@ let array_function t operation (array : M.ty) =
           let name = Name.fresh t.file_scope (struct_name ^ suffix) in
           Array_type.function_ operation name ~struct_name ~count ~element:(ty t element))
   | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "an array type that is not an array"
+      Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "expected an array type"
 
 let take_pending t =
   let all = List.rev t.pending in

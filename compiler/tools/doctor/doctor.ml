@@ -240,8 +240,8 @@ let boot_loaders () =
   match List.filter (fun folder -> Sys.file_exists (folder / "INFO_UF2.TXT")) mounted with
   | [] ->
       Missing
-        "no drive of a board's boot loader is mounted; hold the board's BOOT button while you \
-         connect it"
+        "no boot-loader drive is mounted: hold down the board's BOOT button while you connect the \
+         board"
   | drives -> Fine (String.concat ", " drives)
 
 let ros () =

@@ -55,14 +55,14 @@ struct frob_p2os_packet {
  * for the rest of it, because the data of a packet may itself look like a packet. Elsewhere, an
  * incomplete packet does not hide a valid one after it. Therefore the receiver finds a valid packet
  * after garbage as soon as its last byte arrives, regardless of the length in the garbage. There
- * are two exceptions: the garbage and the beginning of the good packet may have a valid checksum
- * together, and garbage that looks like a packet may directly follow a good packet. An all-zero
+ * are two exceptions: the garbage and the beginning of the valid packet may have a valid checksum
+ * together, and garbage that looks like a packet may directly follow a valid packet. An all-zero
  * receiver is empty. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
     size_t start, end; /* range of bytes that have not been examined yet, or that are an incomplete
                         * packet */
-    bool in_step;      /* `start` is directly after a good packet */
+    bool in_step;      /* `start` is directly after a valid packet */
 };
 
 /* Adds bytes and returns the number added. It is at least one if `count` is not 0 and

@@ -15,7 +15,7 @@
 struct line;
 struct params;
 
-/* The requests of other programs that arrive over the line. */
+/* The requests that other programs have sent over the line. */
 struct line_orders {
     bool pauses;     /* the program does not run, and its time stands still */
     bool ends;       /* the run ends */

@@ -8,7 +8,7 @@
 
 struct ros_device;
 
-/* Handles a parameter of the node that was set. */
+/* Handles a change of one of the node's parameters. */
 void ros_take_touch(struct ros_device *device, const struct ros_touch *touch);
 
 /* Sets the knobs and toggles that other nodes have set, and tells the node about those that the

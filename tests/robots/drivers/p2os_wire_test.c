@@ -97,7 +97,7 @@ static void data_like_a_packet(void)
     check(found == 10 && others == 0, "data that looks like a packet is none");
 }
 
-/* After any garbage, the next good packet must be found at its last byte, unless the two
+/* After any garbage, the next valid packet must be found at its last byte, unless the two
  * together happen to form a packet, which is very rare. */
 static void garbage_hides_nothing(void)
 {

@@ -71,8 +71,8 @@ struct CreateSoak : CreateKind {
 };
 
 struct PioneerSoak : PioneerKind {
-    // Garbage right behind a good packet can look like the start of a packet, or form one together
-    // with the start of a good packet: 252 bytes, at most six SIPs.
+    // Garbage right behind a valid packet can look like the start of a packet, or form one together
+    // with the start of a valid packet: 252 bytes, at most six SIPs.
     static constexpr unsigned overlapped = 6;
     static constexpr double most_m_s = 2.2, watchdog_s = 2;
     static constexpr int hearing_ms = 3500;

@@ -2,7 +2,7 @@
 // faults drawn from the seed, then no faults again.
 //
 // It checks all the time that
-//   - the driver finds each good packet at its last byte;
+//   - the driver finds each valid packet at its last byte;
 //   - the robot stops once the readings are stale and the line to the robot is clean;
 //   - the program sees only possible values, and so does the robot.
 // After each phase of faults the robot must drive again as commanded.
@@ -202,7 +202,7 @@ class Soak
                 Kind::driver().sensed_ns(&b_.device) < e.arrival_ns && !Kind::doubts(b_.device);
             missed_ = missed ? missed_ + 1 : 0;
             if (missed_ > Kind::overlapped)
-                fail("a good packet was not found");
+                fail("a valid packet was not found");
             expected_.pop_front();
         }
         counted_session_ = counts ? session_ : 0;

@@ -8,7 +8,7 @@ val declaration : name:string -> string -> string
 
 val of_arguments : string -> int -> (string * string) option
 (** The name and the declaration for [("speed", 0.3[m/s])] or [ "speed" 0.3[m/s]] at this offset. If
-    there is no default, or not a plain value, the declaration has the default 1. *)
+    the default is missing or is not a plain value, the declaration has the default 1. *)
 
 val is_its_definition : string -> int -> string -> bool
 (** Does the code at this offset define this name at the top level? *)

@@ -227,8 +227,8 @@ let of_a_field words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t
       Option.map
         (fun (other, (value : Resolve.Ir.expr), text) d ->
           label ~at:value.span "the field `%s` is in `%s`" other (Wording.measure words wanted) d
-          |> hint "the two fields have one unit: if `%s` is right, write `%s = %s`" (shown words e)
-               other text
+          |> hint "the two fields must have the same unit: if `%s` is right, write `%s = %s`"
+               (shown words e) other text
           |> write value.span text)
         (List.find_map of_other fields)
   | _ -> None

@@ -143,8 +143,8 @@ static void add_corner(void *context, size_t k, struct place place)
     corners->last = k;
 }
 
-/* Appends the times and positions of approximately `most` instants at most. Returns the last
- * corner, from which a later request can continue the path. */
+/* Appends the times and positions of about `most` instants or fewer. Returns the last corner, from
+ * which a later request can continue the path. */
 static size_t add_way(const struct way *way, size_t first, size_t most, struct buffer *answer)
 {
     struct corners corners = { answer, "", first, first };

@@ -347,7 +347,7 @@ export interface Other {
   readonly runs: boolean;
   /** The time in this recording that corresponds to time 0 of the shown recording, in seconds. */
   readonly shift: number;
-  /** Its parameters that have different values in the shown recording, as NAME=VALUE. */
+  /** Its parameters whose values differ from those of the displayed recording, as NAME=VALUE. */
   readonly set: readonly string[];
   /** The first instant at which the outputs differ, and the output; missing if they do not
    * differ. */

@@ -203,5 +203,5 @@ Other values:
   error[E0320]: expected the unit `m`, found `m^2`
     = hint: for a field in `m`, write `d * 2`
   error[E0320]: expected the unit `m^2`, found `m`
-    = hint: the two fields have one unit: if `d` is right, write `x = d * 2`
+    = hint: the two fields must have the same unit: if `d` is right, write `x = d * 2`
   [1]

@@ -61,7 +61,7 @@ A power too many:
   error[E0320]: expected the unit `m`, found `m^2`
     = hint: for a field in `m`, write `d * cos a`
   error[E0320]: expected the unit `m^2`, found `m`
-    = hint: the two fields have one unit: if `d * sin a` is right, write `x = d * cos a`
+    = hint: the two fields must have the same unit: if `d * sin a` is right, write `x = d * cos a`
   [1]
 
 The unit of a sum is known from its place, or from the gain of the other operand:
