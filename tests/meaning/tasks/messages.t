@@ -107,7 +107,7 @@ as signal functions.
      |      |
      |      argument 2 of `switch` is `SF a n[1]`
      |
-     = hint: use `runTask g`, a signal function that returns `Left` and the output while the task runs, then `Right` and the result
+     = hint: `switch` goes on with a signal function: to go on with a task, write a `do` with two lines, `mkTask (…)` around the first argument of `switch`, and `g`; `reactimateTask` turns it into a program
   
   error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
     --> mistakes.frob:22:17
@@ -271,15 +271,13 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |
     = hint: write `timeOut follow 3[s]`
   
-  error[E0301]: expected `Task a b c`, found a number of `s`
+  error[E0301]: `timeOut` lacks an argument before `3[s]`
    --> order.frob:7:46
     |
   7 | c = mapT (maybe False (const True)) (timeOut 3[s])
     |                                      ------- ^^^^
     |                                      |
-    |                                      argument 1 of `timeOut` is `Task a b c`
-    |
-    = hint: `timeOut` takes two arguments, but is applied to 1: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
+    |                                      `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: expected `Time` (s), found `Task Float Float ()`
    --> order.frob:8:53
