@@ -105,6 +105,14 @@ let without_constructor found =
         (String.concat " " (String.split_on_char '\n' inside))
   | Some _ | None -> "write the constructor before the braces, as in `Pose { heading = 0 }`"
 
+(* `Dark | Dim | Bright` for the names in `{ Dark, Dim, Bright }`. *)
+let alternatives inside =
+  let names = List.map String.trim (String.split_on_char ',' inside) in
+  let is_constructor name =
+    name <> "" && Basis.Character.is_upper name.[0] && String.for_all Basis.Character.is_name name
+  in
+  if List.for_all is_constructor names then Some (String.concat " | " names) else None
+
 let constructor_of_data found =
   match (found.token.token, found.before) with
   | LBRACE, Some { token = EQUAL; _ } when first_word found = "data" -> (
@@ -114,9 +122,15 @@ let constructor_of_data found =
           Other_definition.in_braces found.text found.token.start.pos_cnum )
       with
       | _ :: name :: _, Some (inside, _) when String.length inside < 100 ->
+          let inside = String.concat " " (String.split_on_char '\n' inside) in
           Some
-            (Printf.sprintf "put the constructor before the braces: `data %s = %s { %s }`" name name
-               (String.concat " " (String.split_on_char '\n' inside)))
+            (match alternatives inside with
+            | Some text ->
+                Printf.sprintf "write `|` between the constructors, without braces: `%s %s`"
+                  (String.trim head) text
+            | None ->
+                Printf.sprintf "put the constructor before the braces: `data %s = %s { %s }`" name
+                  name inside)
       | _ -> None)
   | _ -> None
 

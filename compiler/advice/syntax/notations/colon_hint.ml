@@ -208,7 +208,9 @@ let of_types = "put `::` before a type"
 let of_field text at =
   let start = definition_start text at in
   let first = String.sub text start (at - start) in
-  match (line_of_brace text at, ending text at Basis.Character.is_name) with
+  let rec before_blanks i = if char_at text (i - 1) = ' ' then before_blanks (i - 1) else i in
+  let stop = before_blanks at in
+  match (line_of_brace text at, ending text stop Basis.Character.is_name) with
   | Some _, _ when seeds text at <> None -> { hint = seeds text at; instead = None }
   | None, _ when range text at <> None ->
       { hint = Option.map Beginnings.no_ranges (range text at); instead = None }
@@ -227,7 +229,10 @@ let of_field text at =
         | Some value -> value
         | None -> name ^ " = …"
       in
-      { hint = Some (Printf.sprintf "set a field with `=`: `%s`" fields); instead = Some " =" }
+      {
+        hint = Some (Printf.sprintf "set a field with `=`: `%s`" fields);
+        instead = Some (if stop = at then " =" else "=");
+      }
   | _ -> { hint = Some of_types; instead = None }
 
 let of_class =

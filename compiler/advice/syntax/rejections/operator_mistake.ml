@@ -65,17 +65,46 @@ let compared_twice first (operand : term) second =
         name.text name.text (shown second)
   | _ -> "compare two at a time: `a < b && b < c`"
 
+(* In backticks, doubled around code that contains one *)
+let code text =
+  if String.contains text '`' then Printf.sprintf "``%s``" text else Printf.sprintf "`%s`" text
+
 (* `0.2[m] < d && d < 0.8[m]` for a chain of comparisons *)
 let both_compared ~text (left : term) first (middle : term) second (right : term) d =
   match (quote ~text left.span, quote ~text middle.span, quote ~text right.span) with
   | Some a, Some b, Some c ->
       let text = Printf.sprintf "%s %s %s && %s %s %s" a (shown first) b b (shown second) c in
-      Diagnostic.hint "compare two at a time: `%s`" text d
+      Diagnostic.hint "compare two at a time: %s" (code text) d
       |> Diagnostic.write (Span.merge left.span right.span) text
   | Some a, Some b, _ ->
       Diagnostic.hint "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
         (shown second) d
   | _ -> Diagnostic.hint "%s" (compared_twice first middle second) d
+
+(* The named operator between two comparisons, as in ``a == b `implies` c == d``, with its operands.
+*)
+let named_between (middle : term) =
+  match middle.desc with
+  | Expression (Binary { operator = { name; _ } as operator; left; right })
+    when Character.is_lower name.text.[0] ->
+      Some (operator, left, right)
+  | _ -> None
+
+(* A named operator in the middle of a chain may take the numbers, like `min`, or the results of the
+   comparisons, like `implies`. *)
+let compared ~text (left : term) first (middle : term) second (right : term) d =
+  match named_between middle with
+  | Some (({ name = { text = "implies"; _ }; _ } as operator), a, b) -> (
+      let between (start : Span.t) (stop : Span.t) = quote ~text (Span.merge start stop) in
+      match (between left.span a.span, between b.span right.span) with
+      | Some condition, Some claim ->
+          let text = Printf.sprintf "(%s) `%s` (%s)" condition (shown operator) claim in
+          Diagnostic.hint "put parentheses around both comparisons: %s" (code text) d
+          |> Diagnostic.write (Span.merge left.span right.span) text
+      | _ -> Diagnostic.hint "put parentheses around both comparisons" d)
+  | Some ({ name = { text = "min" | "max" | "mod" | "div"; _ }; _ }, _, _) | None ->
+      both_compared ~text left first middle second right d
+  | Some _ -> Diagnostic.hint "put parentheses around the part to compute first" d
 
 let two_operators ~text ~compare left (first : Ir.qualified) middle (second : Ir.qualified) right =
   match written_in_words middle with
@@ -88,7 +117,7 @@ let two_operators ~text ~compare left (first : Ir.qualified) middle (second : Ir
         "`%s` and `%s` cannot be combined without parentheses" (shown first) (shown second)
       |> Diagnostic.label ~at:first.span "after this one"
       |>
-      if compare then both_compared ~text left first middle second right
+      if compare then compared ~text left first middle second right
       else Diagnostic.hint "put parentheses around the part to compute first"
 
 (* {1 Minus signs and sections} *)

@@ -92,6 +92,7 @@ let of_values =
     Argument_mistake.composed;
     Argument_mistake.one_too_many;
     Tuple_mistake.separated_by_commas;
+    Tuple_mistake.of_a_decimal_comma;
   ]
 
 let pattern_of_another_type (fact : Shape_fact.t) =

@@ -327,6 +327,40 @@ let separated_by_commas fact =
       |> Option.some
   | _ -> None
 
+(* The text with a point in place of its only comma, if that is between two whole numbers. *)
+let with_decimal_point text =
+  let starts_with_a_whole_number text =
+    let rec after i =
+      if i < String.length text && Character.is_digit text.[i] then after (i + 1) else i
+    in
+    let stop = after 0 in
+    stop > 0 && (stop = String.length text || text.[stop] <> '.')
+  in
+  let rec ends_with_a_whole_number text stop =
+    stop > 0
+    &&
+    match text.[stop - 1] with
+    | c when Character.is_digit c -> ends_with_a_whole_number text (stop - 1)
+    | c -> stop < String.length text && not (Character.is_name c || c = '.')
+  in
+  match String.split_on_char ',' text with
+  | [ before; after ]
+    when starts_with_a_whole_number after && ends_with_a_whole_number before (String.length before)
+    ->
+      Some (before ^ "." ^ after)
+  | _ -> None
+
+(* `0,4[m]` *)
+let of_a_decimal_comma fact =
+  match (fact.wanted, fact.given, fact.subject) with
+  | Number _, Tuple [ _; _ ], Some { desc = Tuple [ _; { desc = Number _; _ } ]; span } ->
+      Option.map
+        (fun text ->
+          hinted fact "a decimal number has a point, and a comma makes a tuple: write `%s`" text
+          |> write span text)
+        (Option.bind (Wording.quote fact.words span) with_decimal_point)
+  | _ -> None
+
 let of_a_function_and_its_argument fact =
   match (fact.wanted, fact.given, fact.subject) with
   | Function _, Tuple (first :: others), Some { desc = Tuple (head :: arguments); span }

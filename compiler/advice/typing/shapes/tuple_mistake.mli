@@ -27,6 +27,9 @@ val without_winner : Shape_fact.rule
 val separated_by_commas : Shape_fact.rule
 (** The C-style call [f(x, y)]. *)
 
+val of_a_decimal_comma : Shape_fact.rule
+(** [0,4[m]] in place of [0.4[m]]. *)
+
 val of_an_input : Shape_fact.rule
 (** An input that is a tuple, used as a number. *)
 

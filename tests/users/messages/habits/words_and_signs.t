@@ -277,3 +277,46 @@ Keywords and symbols of other languages around a definition.
   
   1 error
   [1]
+
+`implies` between two comparisons takes their results, but `min` takes the numbers:
+
+  $ for e in 'v == 0 `implies` w == 0' 'v < 1 `min` w < 2'; do
+  >   printf 'import Past\nmain :: SF (Float, Float) Float\nmain = proc (v, w) -> v where\n    assert "stops" (%s)\n' "$e" > chain.frob
+  >   frobc check chain.frob 2>&1 | grep hint
+  > done
+    = hint: put parentheses around both comparisons: ``(v == 0) `implies` (w == 0)``
+    = hint: compare two at a time: ``v < 1 `min` w && 1 `min` w < 2``
+  $ sed 's/assert.*/assert "stops" ((v == 0) `implies` (w == 0))/' chain.frob > pasted.frob && frobc check pasted.frob
+  $ sed -e 1d -e 's/assert.*/assert "stops" (v < 1 `min` w \&\& 1 `min` w < 2)/' chain.frob > pasted.frob && frobc check pasted.frob
+
+Alternatives in braces, as in C:
+
+  $ printf 'data Lamp = { Dark, Dim, Bright }\nmain :: SF Bool Lamp\nmain = proc on -> if on then Bright else Dim\n' > lamp.frob
+  $ frobc check lamp.frob 2>&1 | grep hint
+    = hint: write `|` between the constructors, without braces: `data Lamp = Dark | Dim | Bright`
+  $ sed 's/^data.*/data Lamp = Dark | Dim | Bright/' lamp.frob > pasted.frob && frobc check pasted.frob
+
+A colon after a blank in a record:
+
+  $ printf 'import Geometry\nmain :: SF () Point2\nmain = proc () -> Vec2 { x : 2[m], y : 1[m] }\n' > colon.frob
+  $ frobc check colon.frob 2>&1 | grep hint
+    = hint: set a field with `=`: `Vec2 { x = 2[m], y = 1[m] }`
+  $ sed 's/Vec2 .*/Vec2 { x = 2[m], y = 1[m] }/' colon.frob > pasted.frob && frobc check pasted.frob
+
+A decimal comma, but not in a call in the notation of C, or between values that are not whole numbers:
+
+  $ for e in '2 * (d - 0,4[m])' '2 * (0,4[m])' 'abs(0,4[m])' '2 * (d - 1.5,4[m])' '2 * (d1,4[m])'; do
+  >   printf 'main :: SF Float[m] Float[m]\nmain = proc d -> e where\n    d1 = d\n    e = %s\n' "$e" > comma.frob
+  >   frobc check comma.frob 2>&1 | grep -e ^error -e hint
+  > done
+  error[E0301]: expected a number, found `(Float[m], n[m])`
+    = hint: a decimal number has a point, and a comma makes a tuple: write `(d - 0.4[m])`
+  error[E0301]: expected a number, found `(n[u], n1[m])`
+    = hint: a decimal number has a point, and a comma makes a tuple: write `(0.4[m])`
+  error[E0301]: expected a number, found a tuple of 2
+    = hint: `abs` takes one argument, not a tuple
+  error[E0301]: expected a number, found `(_, n[m])`
+  error[E0320]: the operands of `-` have different units: `m` and `1`
+    = hint: write `1.5[m]` if that is its unit
+  error[E0301]: expected a number, found `(Float[m], n[m])`
+  $ sed 's/ e = .*/ e = 2 * (d1 - 0.4[m])/' comma.frob > pasted.frob && frobc check pasted.frob
