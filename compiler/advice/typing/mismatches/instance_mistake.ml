@@ -279,6 +279,10 @@ let command_line fact =
 (* A task in an equation, or a command in place of a task. *)
 let task fact =
   match (fact.lack.lacking, command_line fact) with
+  | Declared _, _
+    when Environment.is_task fact.lack.culprit && Within_proc.is_certain fact.words fact.required.at
+    ->
+      Some (Diagnostic.hint "%s" (Within_proc.no_tasks None))
   | Declared _, Some (command, at)
     when Environment.is_task fact.lack.culprit && fact.required.by = Name "roMake" ->
       let text = Printf.sprintf "sleepT 1[s] (%s)" command in

@@ -277,12 +277,15 @@ let turn words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   | Some (e : Resolve.Ir.expr)
     when diagnostic.hints = []
          && Unit_conversion.is_per_second words wanted
-         && not (Unit_conversion.is_operand expected || Units.is_open given) ->
-      let text = Option.value (Wording.quote words e.span) ~default:"e" in
-      hint "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
-        (Wording.measure words given)
-        (Wording.measure words (Units.divide wanted given))
-        (Source.grouped text) diagnostic
+         && not (Unit_conversion.is_operand expected || Units.is_open given) -> (
+      match Distant_number.scaled words e (wanted, given) with
+      | Some complete -> complete diagnostic
+      | None ->
+          let text = Option.value (Wording.quote words e.span) ~default:"e" in
+          hint "to convert `%s` to `1/s`, multiply by a gain, as in `2[%s] * %s`"
+            (Wording.measure words given)
+            (Wording.measure words (Units.divide wanted given))
+            (Source.grouped text) diagnostic)
   | _ -> diagnostic
 
 (* `n > 50[px]`, where the other operand has no unit. *)

@@ -315,6 +315,21 @@ let in_place_of_a_program fact =
       Some (if text = None then d else write e.span fixed d)
   | _ -> None
 
+(* `out = turnBy 90[deg]` in a `proc` *)
+let in_a_proc fact (e : Resolve.Ir.expr) =
+  let task text = Some (hinted fact "%s" (Within_proc.no_tasks text)) in
+  match e.desc with
+  | Local x ->
+      Option.bind (Wording.definition fact.words x) (fun (value : Resolve.Ir.expr) ->
+          Option.map
+            (label ~at:value.span "this is a task")
+            (task
+               (match value.desc with
+               | Apply _ | Global _ -> Wording.quote fact.words value.span
+               | _ -> None)))
+  | Apply _ | Global _ -> task (Wording.quote fact.words e.span)
+  | _ -> None
+
 (* `let d = ask frontSonar`, or the task itself, where its result is meant *)
 let in_place_of_its_result fact =
   match (fact.wanted, fact.subject) with
@@ -325,6 +340,7 @@ let in_place_of_its_result fact =
          && not (is_only_returned fact.words fact.given) -> (
       let run name text = Printf.sprintf "%s <- %s" name text in
       match e.desc with
+      | _ when Within_proc.is_certain fact.words e.span -> in_a_proc fact e
       | Local x -> (
           match Wording.definition fact.words x with
           | Some value when Span.line value.span.start >= Span.line x.span.start ->

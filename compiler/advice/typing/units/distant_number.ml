@@ -108,6 +108,14 @@ let chosen words ~subject ~expected (wanted, given) =
   if Units.is_open wanted || Units.is_open given then None
   else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected (wanted, given))
 
+let scaled words (e : Resolve.Ir.expr) (wanted, given) =
+  match Bare_number.written_factor words e with
+  | [ (number, 1) ]
+    when number.unit_ <> None && has_unit words given number
+         && not (is_one given || is_one wanted || Units.is_open wanted || Units.is_open given) ->
+      Some (give words ~given ~wanted ~where:"" [ number ])
+  | _ -> None
+
 (* The numbers that the variable is compared with or added to in the expressions that [visit]
    visits. *)
 let beside words (x : Resolve.Ir.Local.t) visit =

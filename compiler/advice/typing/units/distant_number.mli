@@ -16,6 +16,11 @@ val chosen :
 (** The value is one of several numbers, such as [speed d] with
     [speed d = if d > 1[m] then 0.3 else 0.1]. *)
 
+val scaled :
+  Wording.t -> Resolve.Ir.expr -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
+(** The value is a product of one number, which has its unit, and plain numbers: [0.4[m/s] * side].
+*)
+
 val compared :
   Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
 (** The function compares its parameter with a number, or adds them: [near d = d < 0.4]. *)

@@ -197,3 +197,28 @@ The name of a type in lower case:
   1 error
   [1]
   $ sed 's/float/Float/g' float.frob > pasted.frob && frobc check pasted.frob
+
+A task in an equation of a `proc`, and in a `do`:
+
+  $ cat > turn.frob <<'FROB'
+  > import Robot
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot drive
+  > drive :: SF RobotInput RobotOutput
+  > drive = proc i -> roMake (setVelTR 0.3[m/s] omega) where
+  >     omega = if bumped i then 0 else turnBy 90[deg]
+  > FROB
+  $ frobc check turn.frob 2>&1 | grep -e ^error -e hint
+  error[E0301]: expected a number, found `Task a b Bool`
+    = hint: a `proc` cannot run a task, because a task takes time: compute a value here, or run `turnBy 90[deg]` in a `do`, as in `main = reactimateTask (do …)`
+  $ sed -e 's/= roMake.*/= out where/' -e 's/-> roMake.*/-> out where/' -e 's/omega = .*/out = if bumped i then turnBy 90[deg] else roMake (setVelTR 0.3[m\/s] 0)/' turn.frob > branch.frob
+  $ frobc check branch.frob 2>&1 | grep -e ^error -e hint
+  error[E0301]: expected `RobotOutput`, found `Task a b Bool`
+    = hint: a `proc` cannot run a task, because a task takes time: compute a value here, or run the task in a `do`, as in `main = reactimateTask (do …)`
+  error[E0371]: `roMake` does not return a task, but `Task a b Bool` is needed here
+    = hint: a `proc` cannot run a task, because a task takes time: compute a value here, or run the task in a `do`, as in `main = reactimateTask (do …)`
+  $ sed 's/turnBy 90.deg./0.5[rad\/s]/' turn.frob > pasted.frob && frobc check pasted.frob
+  $ printf 'import Robot\nmain :: Program RobotInput RobotOutput\nmain = reactimateTask (do\n    turnBy 90[deg]\n    sleepT (if True then turnBy 90[deg] else 2[s]) restingOutput)\n' > do.frob
+  $ frobc check do.frob 2>&1 | grep -e ^error -e hint
+  error[E0301]: expected `Time` (s), found `Task a b Bool`
+    = hint: in a `do`, run the task on the line before, `x <- turnBy 90[deg]`, and use `x` here

@@ -80,3 +80,17 @@ Units that require a gain, a power, or a declaration.
   
   1 error
   [1]
+
+A turn rate that is a plain signal times a speed:
+
+  $ cat > side.frob <<'FROB'
+  > import Robot
+  > main :: SF RobotInput RobotOutput
+  > main = proc i -> roMake (setVelTR 0.2[m/s] omega) where
+  >     side = if bumpedLeft i then -1 else 1
+  >     omega = 0.4[m/s] * side
+  > FROB
+  $ frobc check side.frob 2>&1 | grep -e ^error -e hint
+  error[E0320]: expected the unit `1/s`, found `m/s`
+    = hint: write `0.4[rad/s]` if you meant that unit
+  $ sed 's/0.4.m.s./0.4[rad\/s]/' side.frob > pasted.frob && frobc check pasted.frob
