@@ -159,6 +159,16 @@ let give words { number; unit_; _ } d =
             |> write number.at text
           else Fun.id)
 
+(* `min 0.3[m/s] (d - 0.4[m])` more likely lacks a gain than a unit of the number. *)
+let gain words ~(subject : Resolve.Ir.expr) { number; current; unit_; _ } =
+  match (number, Wording.quote words subject.span) with
+  | { unit_ = Some _; name = None; _ }, Some text
+    when String.equal (Wording.measure words (Units.divide current unit_)) "1/s"
+         && not (Units.equal unit_ Units.one) ->
+      hint "to convert `%s` to `%s`, multiply by a gain, as in `0.5[1/s] * %s`"
+        (Wording.measure words unit_) (Wording.measure words current) (Source.grouped text)
+  | _ -> Fun.id
+
 let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
   let text = Wording.measure words in
   let error format = error ~code:"E0320" ~at format in
@@ -180,7 +190,9 @@ let report words ~callee ~(subject : Resolve.Ir.expr) ~found ~at (first, rest) =
     Bare_number.give_literals
       (List.map (fun { number; unit_; _ } -> (number, Wording.measure words unit_)) all)
       d
-  else List.fold_left (fun d suspect -> give words suspect d) d all
+  else
+    let d = if rest = [] then gain words ~subject first d else d in
+    List.fold_left (fun d suspect -> give words suspect d) d all
 
 (* Does an input among the later arguments have this unit too? *)
 let agrees_with_a_later words ~given ~position unit_ =

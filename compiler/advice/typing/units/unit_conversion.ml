@@ -178,6 +178,26 @@ let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
       else None
   | _ -> None
 
+(* `min (d - 0.4[m]) 0.3[m/s]` more likely lacks a gain than a unit of the number. *)
+let gain_of_an_earlier_argument words ~(expected : Expected.t) (wanted, given) =
+  match expected.because with
+  | Parameter { given = arguments; position; decided_by; _ }
+    when String.equal (Wording.measure words (Units.divide given wanted)) "1/s" -> (
+      let decides i (e : Resolve.Ir.expr) =
+        i < position - 1
+        && Bare_number.literal words e = None
+        && List.exists (fun (d : Expected.decider) -> Span.compare d.place e.span = 0) decided_by
+      in
+      match List.filteri decides arguments with
+      | [ e ] ->
+          Option.map
+            (fun text ->
+              hint "to convert `%s` to `%s`, multiply by a gain, as in `0.5[1/s] * %s`"
+                (Wording.measure words wanted) (Wording.measure words given) (Source.grouped text))
+            (Wording.quote words e.span)
+      | _ -> None)
+  | _ -> None
+
 (* Suggests the product with a time, or the sum over time. *)
 let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) diagnostic =
   let with_e format = changed words subject (Printf.sprintf format) in
@@ -271,7 +291,9 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   else if written <> None then
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Wording.measure words wanted) in
-    hint "write `%s` if you meant that unit" text diagnostic
+    diagnostic
+    |> Option.value (gain_of_an_earlier_argument words ~expected (wanted, given)) ~default:Fun.id
+    |> hint "write `%s` if you meant that unit" text
     |> write at text
     |> Option.value (of_the_other_operand words ~expected (wanted, given)) ~default:Fun.id
   else

@@ -94,3 +94,24 @@ A turn rate that is a plain signal times a speed:
   error[E0320]: expected the unit `1/s`, found `m/s`
     = hint: write `0.4[rad/s]` if you meant that unit
   $ sed 's/0.4.m.s./0.4[rad\/s]/' side.frob > pasted.frob && frobc check pasted.frob
+
+A limit in m/s for a distance lacks a gain, unless its unit is wrong:
+
+  $ for e in 'min 0.3[m/s] (d - 0.4[m])' 'min (d - 0.4[m]) 0.3[m/s]' 'max 0 (min 0.3[m/s] d)' 'min 0.3[m] (0.5[1/s] * d)'; do
+  >   printf 'main :: SF Distance Velocity\nmain = proc d -> v where\n    v = %s\n' "$e" > limit.frob
+  >   frobc check limit.frob 2>&1 | grep -e ^error -e hint -e 'if you'
+  > done
+  error[E0320]: expected the unit `m`, found `m/s`
+    = hint: to convert `m` to `m/s`, multiply by a gain, as in `0.5[1/s] * (d - 0.4[m])`
+    = hint: write `0.3[m]` if you meant that unit
+  error[E0320]: expected the unit `m`, found `m/s`
+    = hint: to convert `m` to `m/s`, multiply by a gain, as in `0.5[1/s] * (d - 0.4[m])`
+    = hint: write `0.3[m]` if you meant that unit
+  error[E0320]: expected the unit `m`, found `m/s`
+    = hint: to convert `m` to `m/s`, multiply by a gain, as in `0.5[1/s] * d`
+    = hint: write `0.3[m]` if you meant that unit
+  error[E0320]: expected the unit `m/s`, found `m`
+    = hint: write `0.3[m/s]` if you meant that unit
+  $ for e in 'min 0.3[m/s] (0.5[1/s] * (d - 0.4[m]))' 'min (0.5[1/s] * (d - 0.4[m])) 0.3[m/s]' 'max 0 (min 0.3[m/s] (0.5[1/s] * d))'; do
+  >   sed "s| v = .*| v = $e|" limit.frob > pasted.frob && frobc check pasted.frob
+  > done
