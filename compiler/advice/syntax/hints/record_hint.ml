@@ -126,7 +126,10 @@ let constructor_of_data found =
           Some
             (match alternatives inside with
             | Some text ->
-                Printf.sprintf "write `|` between the constructors, without braces: `%s %s`"
+                Printf.sprintf "%s: `%s %s`"
+                  (if String.contains text '|' then
+                     "write `|` between the constructors, without braces"
+                   else "remove the braces")
                   (String.trim head) text
             | None ->
                 Printf.sprintf "put the constructor before the braces: `data %s = %s { %s }`" name

@@ -294,6 +294,8 @@ Alternatives in braces, as in C:
   $ printf 'data Lamp = { Dark, Dim, Bright }\nmain :: SF Bool Lamp\nmain = proc on -> if on then Bright else Dim\n' > lamp.frob
   $ frobc check lamp.frob 2>&1 | grep hint
     = hint: write `|` between the constructors, without braces: `data Lamp = Dark | Dim | Bright`
+  $ sed 's/^data.*/data Lamp = { Bright }/' lamp.frob > one.frob && frobc check one.frob 2>&1 | grep hint
+    = hint: remove the braces: `data Lamp = Bright`
   $ sed 's/^data.*/data Lamp = Dark | Dim | Bright/' lamp.frob > pasted.frob && frobc check pasted.frob
 
 A colon after a blank in a record:
