@@ -10,5 +10,5 @@ val method_ :
   name:string ->
   Core.Ir.ty ->
   (Core.Ir.Global.t * Core.Ir.ty list) option
-(** The definition of the method at a type without variables, and the types of the definition's
-    first type parameters. *)
+(** The definition of the method for a type without variables, and the types that replace the first
+    type parameters of that definition. *)

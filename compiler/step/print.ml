@@ -151,7 +151,7 @@ let node (program : Ir.program) ppf (n : Ir.node) =
         | State_of k -> sprintf "state of %s" program.nodes.(k).name
         | States_of { node; count } -> sprintf "%d states of %s" count program.nodes.(node).name
         | Running_mode -> "number of a mode"
-        | Component symbol -> sprintf "state of C's %s" symbol
+        | Component symbol -> sprintf "state of the component %s" symbol
         | Modes modes ->
             sprintf "one of %s" (String.concat ", " (List.map (fun (m : Ir.mode) -> m.name) modes))
       in

@@ -223,7 +223,7 @@ static bool read_record(struct reader *r, const struct frob_constructor *record)
                 break;
         if (i == record->count || (i < 64 && (seen >> i & 1u) != 0)) {
             r->at = name;
-            return fail(r, "a field of the record, each once");
+            return fail(r, "a field of the record that has no value yet");
         }
         if (i < 64)
             seen |= 1ull << i;

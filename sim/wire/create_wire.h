@@ -1,5 +1,5 @@
-// A simulated Create 2's end of its serial line: the Open Interface, for any body that uses the
-// structs of <frob/create.h>.
+// The robot's end of the serial line of a simulated Create 2: the Open Interface, for any body that
+// uses the structs of <frob/create.h>.
 //
 // This code was written from the protocol's description and independently of the driver, so that
 // each of them tests the other. It accepts every command in that description; lights, songs,

@@ -88,7 +88,7 @@ let data_nested ~at ty ~limit =
   Diagnostic.(
     error ~code:"E0316" ~at "a value of %s would contain data nested more than %d levels deep"
       (name_of ty) limit
-    |> hint "put the fields into fewer levels of records")
+    |> hint "nest the records less deeply")
 
 let functions_nested ~at (definition : Core.Ir.definition) =
   Diagnostic.(

@@ -71,7 +71,8 @@ val quoted : t -> Type.t -> string
 *)
 
 val is_any_number : Type.t -> bool
-(** Is the type known only to be a number? If so, its text does not contain variable names. *)
+(** Whether all that is known about the type is that it is a number. Then its text does not contain
+    names of variables. *)
 
 val described : t -> Type.t -> string
 (** A type as part of a sentence: quoted, or [a number]. *)

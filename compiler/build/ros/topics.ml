@@ -96,7 +96,8 @@ let topic c ~in_record tycon field (ty : Ir.ty) : Cgen.Node_table.topic option =
       of_message c ~at ~in_ field ty
   | Tuple [] ->
       refuse c ~at
-        (Printf.sprintf "%s is not a topic: `()` has no value that a message could change" in_)
+        (Printf.sprintf "%s cannot be a topic: `()` carries no data that a message could contain"
+           in_)
         "write `Event ()`, for messages of the type std_msgs/msg/Empty";
       None
   | ty -> of_message c ~at ~in_ field ty

@@ -35,7 +35,7 @@ let hop program passages (node : Dependency.node) (v, w) : Fact.hop =
   in
   match List.find_map reading node.definitions.(v) with
   | Some hop -> hop
-  | None -> Diagnostic.bug ~stage:"Flow.Causality" "an edge that no definition makes"
+  | None -> Diagnostic.bug ~stage:"Flow.Causality" "an edge that does not come from a definition"
 
 let rotate_to first hops =
   let rec go before = function

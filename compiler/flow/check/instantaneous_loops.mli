@@ -7,5 +7,5 @@
 val program : Fact.t Basis.Facts.t -> entry:Basis.Span.t -> Ir.program -> Ir.program
 (** Reports each cycle. Fills in [steps] of machines and [at_entry] of their modes' transitions. The
     program must be causal; a program without machines is returned unchanged. [entry] is the place
-    of the program's definition: for a cycle inside the library, the place of the fact is where the
-    program uses it. *)
+    of the program's definition. A cycle inside the library is reported where the program uses the
+    library. *)

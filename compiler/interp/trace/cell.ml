@@ -315,7 +315,7 @@ and read_record r fields =
         let name, shape =
           match List.find_opt (fun (name, _) -> accept_word r name) missing with
           | Some field -> field
-          | None -> fail "a field of the record, each once"
+          | None -> fail "a field of the record that has no value yet"
         in
         expect r '=' "`=` after the field's name";
         let value = Thunk.known (read_value r shape) in

@@ -78,7 +78,8 @@ let computed (eq : F.equation) rhs : computed =
       let ty =
         match eq.defines.ty with
         | Foreign ty -> ty
-        | Bool | Int | Float | Sum _ | Array _ -> broken "an absent value of the language's own"
+        | Bool | Int | Float | Sum _ | Array _ ->
+            broken "expected a foreign type for an absent value"
       in
       make [] 0 (fun _ -> Ir.Absent ty)
   | Elements elements ->

@@ -85,8 +85,8 @@ let check ~name (b : Resolve.Ir.binding) (inner, expected) =
         ~is_proc:(Infer_binding.is_proc b) b.parameters expected (fun expected ->
           Infer_binding.right Infer_expression.expressions inner b.body expected)
 
-(* Generalizes the definitions without a signature. Each of these definitions quantifies the
-   variables that they share. *)
+(* Generalizes the definitions that have no signature. They share their type variables, and each
+   definition quantifies over all of them. *)
 let generalize ctx declared bindings expectations =
   let unsigned =
     List.filter

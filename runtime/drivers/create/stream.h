@@ -19,7 +19,7 @@ extern "C" {
 
 enum {
     FROB_CREATE_HEADER = 19,
-    FROB_CREATE_MAX_IDS = 52, /* contains each single packet once */
+    FROB_CREATE_MAX_IDS = 52, /* a stream of every single packet */
     /* A frame of this size can be sent in 15 ms at 115200 baud, and fits in the ring below. */
     FROB_CREATE_MAX_FRAME = 172
 };

@@ -90,7 +90,7 @@ struct frob_pioneer {
     uint32_t rate;      /* current bit rate of the line */
     uint32_t good_rate; /* rate at which a robot has answered; 0 if unknown */
     uint32_t sync_rate; /* rate of the last successful handshake; 0 if unknown */
-    bool switch_failed; /* whether nothing was received at the switched rate */
+    bool switch_failed; /* whether nothing was received after the switch to another rate */
     bool rate_fixed;    /* whether the line could not change to the last rate */
 
     struct frob_p2os_identity identity;

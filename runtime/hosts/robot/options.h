@@ -43,9 +43,9 @@ struct options {
 
 enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };
 
-/* Reads the command line of a program for the driver's robot; the caller frees `params`. `opening`
- * says how to open its line; NULL for a serial line. OPTIONS_SHOWN: the help was requested and
- * printed. OPTIONS_WRONG: a line on standard error describes the mistake. */
+/* Reads the command line of a program for the driver's robot. The caller frees `params`. `opening`
+ * describes how to open the connection to the robot; NULL for a serial port. Returns OPTIONS_SHOWN
+ * after printing the help, and OPTIONS_WRONG after printing a mistake on standard error. */
 enum options_result read_options(int argc, char **argv, const struct frob_program *program,
                                  const struct frob_driver *driver,
                                  const struct line_opening *opening, struct options *options);

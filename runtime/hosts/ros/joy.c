@@ -11,7 +11,7 @@
 
 static const char setting[] = "joy.";
 
-/* The number of the button or axis plus 1 for each control; 0: none. */
+/* For each control, 1 more than the number of its button or axis; 0 if it has none. */
 static uint32_t uses[ROS_CONTROLS_MOST];
 static bool is_used;
 

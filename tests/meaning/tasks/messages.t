@@ -197,7 +197,7 @@ instance.
     --> patterns.frob:14:17
      |
   14 |         constT (derivative x / 1[1/s])
-     |                 ^^^^^^^^^^^^ a function cannot run a signal function: its state needs a `proc`
+     |                 ^^^^^^^^^^^^ a function cannot run a signal function, because a signal function has state: run it in a `proc`
      |
      = hint: to run it at every instant, add the equation `derivativeNow = derivative x`, and write `derivativeNow` here
   

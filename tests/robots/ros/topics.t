@@ -192,7 +192,7 @@ Fields that are not topics are named.
     |
     = hint: rename one of them
   
-  error[E0509]: the field `e` of `In` is not a topic: `()` has no value that a message could change
+  error[E0509]: the field `e` of `In` cannot be a topic: `()` carries no data that a message could contain
    --> wrong.frob:4:101
     |
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }

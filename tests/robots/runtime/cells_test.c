@@ -138,7 +138,7 @@ int main(void)
     refused(&side, "Atlantis", 0, "a constructor of the column's type");
     refused(&side, "At", 2, "a number");
     refused(&side, "Both (1", 7, "`,` and the tuple's next component");
-    refused(&side, "Box Pose {x = 1, x = 2}", 17, "a field of the record, each once");
+    refused(&side, "Box Pose {x = 1, x = 2}", 17, "a field of the record that has no value yet");
     refused(&side, "(At 2", 5, "`)`");
     memset(&v, 0x55, sizeof v);
     check("slots that a constructor does not use are zero",

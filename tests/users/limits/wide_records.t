@@ -64,7 +64,7 @@ Nested records, 1,500 levels deep:
   1503 | main = proc r -> r.a1500
        | ^^^^^^^^^^^^^^^^^^^^^^^^
        |
-       = hint: put the fields into fewer levels of records
+       = hint: nest the records less deeply
   
   1 error
 

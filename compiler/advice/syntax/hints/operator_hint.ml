@@ -104,8 +104,8 @@ let seeds found (point : Layout.token) =
   let last = String.sub found.text start (digits start - start) in
   let is_number text = text <> "" && String.for_all Basis.Character.is_digit text in
   if is_number first && is_number last then
-    Printf.sprintf "use ``%s `to` %s``, without brackets, which includes both numbers" first last
-  else "use ``1 `to` 20``, without brackets, which includes both numbers"
+    Printf.sprintf "use ``%s `to` %s`` without brackets; it includes both numbers" first last
+  else "use ``1 `to` 20`` without brackets; it includes both numbers"
 
 (* An operator of another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =

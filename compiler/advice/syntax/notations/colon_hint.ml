@@ -197,8 +197,8 @@ let seeds text at =
       match String.split_on_char '.' numbers with
       | [ first; _; last ] ->
           Some
-            (Printf.sprintf "write ``%s `to` %s``, without brackets, which includes both numbers"
-               first last)
+            (Printf.sprintf "write ``%s `to` %s`` without brackets; it includes both numbers" first
+               last)
       | _ -> None)
   | _ -> None
 

@@ -187,7 +187,7 @@ let field_of_the_result { words; call; mistake } =
       | Some path, Some f, Some x ->
           let text = Printf.sprintf "(%s %s).%s" f x path in
           Some
-            (Diagnostic.hint "a field binds tighter than application: write `%s`" text
+            (Diagnostic.hint "field access binds tighter than function application: write `%s`" text
                { mistake with hints = []; notes = []; fixes = [] })
       | _ -> None)
   | _ -> None

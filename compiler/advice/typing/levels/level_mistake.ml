@@ -26,9 +26,9 @@ let for_arguments sources ~value head input =
       "static values are known when it starts: pass a signal in its input, or use `initially` to \
        start it with the first value of a signal"
   | None ->
-      "static values are known when it starts: run one for each of a few constant settings and \
-       choose between their outputs, pass the signal in the input, or use `initially` to keep its \
-       first value"
+      "a static value must be known when the signal function starts: run one signal function for \
+       each of a few constant settings and choose between their outputs, pass the signal in the \
+       input, or use `initially` to keep its first value"
 
 (* `delay x 0`, with the arguments in the wrong order *)
 let exchanged_delay sources (start : expr) (input : expr) =

@@ -191,7 +191,10 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
       let d = run where "E0343" in
       match obstacle with
       | Depends_on_start | Own_definition | Lifted ->
-          Diagnostic.here "a function cannot run a signal function: its state needs a `proc`" d
+          Diagnostic.here
+            "a function cannot run a signal function, because a signal function has state: run it \
+             in a `proc`"
+            d
           |> own_equation sources head e
       | Bound_here x ->
           bound x d

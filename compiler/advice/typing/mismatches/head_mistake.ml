@@ -132,8 +132,7 @@ let without_closing text =
 let element fact =
   match Type.expand fact.left with
   | Data { tycon; _ } when tycon = Environment.array ->
-      (* the array with the arguments applied before this one, and the index, possibly in brackets
-         *)
+      (* the array with any arguments before this one, and the index, which may be in brackets *)
       let applied = { fact.head.span with stop = fact.at.start } in
       let array =
         Wording.quote fact.words applied |> Option.map String.trim |> Option.map without_paren

@@ -297,7 +297,7 @@ let task fact =
       Some
         (Diagnostic.hint "%s"
            (if fact.required.by = Name "roMake" then
-              "a command of the robot is not a task: in a `do`, give it for a time with `sleepT \
+              "a robot command is not a task: in a `do`, give it for a fixed time with `sleepT \
                1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
             else
               "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \

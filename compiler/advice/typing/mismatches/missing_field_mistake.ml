@@ -384,7 +384,7 @@ let of_several_types (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candida
 let of_argument words ~at (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) function_ =
   let record = Option.value (Wording.quote words record.span) ~default:"r" in
   Diagnostic.error ~code:"E0310" ~at
-    "a field binds tighter than application: this is a field of `%s`" record
+    "field access binds tighter than function application: this is a field of `%s`" record
   |> Diagnostic.hint "for a field of the result of `%s`, write `(%s %s).%s`" function_ function_
        record name.text
 

@@ -70,7 +70,8 @@ let bound_too_tightly words (subject : Resolve.Ir.expr option) fields =
         match (Wording.quote words head.span, Wording.quote words record.span) with
         | Some f, Some x ->
             Some
-              (Printf.sprintf "a field binds tighter than application: write `(%s %s).%s`" f x
+              (Printf.sprintf
+                 "field access binds tighter than function application: write `(%s %s).%s`" f x
                  field.text)
         | _ -> None)
     | _ -> None

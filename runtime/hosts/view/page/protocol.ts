@@ -302,7 +302,7 @@ export interface WhatIf {
   readonly is: "what-if";
   /** Whether there is an edited program to compare with. */
   readonly there: boolean;
-  /** Whether it ran in the simulator, from the start. */
+  /** Whether the edited program drove the simulated robot, from the first instant. */
   readonly drives?: boolean;
   /** The reason why there is no edited program, in the compiler's words; missing if none was
    * requested. */

@@ -8,7 +8,7 @@
    --> main.frob:3:15
     |
   3 |     f y = y + delay 0.0 x
-    |               ^^^^^^^^^^^ a function cannot run a signal function: its state needs a `proc`
+    |               ^^^^^^^^^^^ a function cannot run a signal function, because a signal function has state: run it in a `proc`
     |
     = hint: to run it at every instant, add the equation `delayNow = delay 0.0 x`, and write `delayNow` here
   

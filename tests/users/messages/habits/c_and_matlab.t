@@ -181,7 +181,7 @@ Syntax that is only valid at the left edge, and ranges:
   5 | trial "no touching" = Trial { world = "room.toml", lasts = 60, seeds = [1..20], judge = neverTouches }
     |                                                                          ^^
     |
-    = hint: use ``1 `to` 20``, without brackets, which includes both numbers
+    = hint: use ``1 `to` 20`` without brackets; it includes both numbers
   
   1 error
   [1]

@@ -99,7 +99,7 @@ The seeds of a trial:
   > trial "ok" = Trial { world = "room.toml", lasts = 30[s], seeds = [1..10], judge = neverTouches }
   > FROB
   $ frobc check seeds.frob 2>&1 | grep hint
-    = hint: use ``1 `to` 10``, without brackets, which includes both numbers
+    = hint: use ``1 `to` 10`` without brackets; it includes both numbers
   $ sed 's/\[1\.\.10\]/1 `to` 10/' seeds.frob > pasted.frob && frobc check pasted.frob
 
 Functions of Arduino, and a comment of MATLAB:

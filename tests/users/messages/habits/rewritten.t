@@ -174,11 +174,11 @@ Arrays and numbers that other languages generate:
   [1]
   $ try "$T" '    seeds = 1:20 }' '    seeds = 1 `to` 20 }'
   error[E0103]: unexpected character `:`
-    = hint: write ``1 `to` 20``, without brackets, which includes both numbers
+    = hint: write ``1 `to` 20`` without brackets; it includes both numbers
   [1]
   $ try "$T" '    seeds = [1:20] }' '    seeds = 1 `to` 20 }'
   error[E0103]: unexpected character `:`
-    = hint: write ``1 `to` 20``, without brackets, which includes both numbers
+    = hint: write ``1 `to` 20`` without brackets; it includes both numbers
   [1]
 
 Choices:

@@ -599,7 +599,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
     |                                                           ^^^^^^
     |
-    = hint: a command of the robot is not a task: in a `do`, give it for a time with `sleepT 1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`
+    = hint: a robot command is not a task: in a `do`, give it for a fixed time with `sleepT 1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`
   
   1 error
   # 052_hold_without_start.frob

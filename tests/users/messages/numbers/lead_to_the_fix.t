@@ -798,7 +798,7 @@ A vector as two numbers, and a field of a result:
     |                         |
     |                         this is `PioneerInput`
     |
-    = hint: a field binds tighter than application: write `(robotPose i).position.x`
+    = hint: field access binds tighter than function application: write `(robotPose i).position.x`
   
   1 error
   [1]

@@ -15,7 +15,7 @@ Records instead of their components, components instead of records, and numbers 
     |          |
     |          this is `Float[1/s]`
     |
-    = hint: a field binds tighter than application: write `(robotPose i).heading`
+    = hint: field access binds tighter than function application: write `(robotPose i).heading`
   
   1 error
   [1]
@@ -28,7 +28,7 @@ Records instead of their components, components instead of records, and numbers 
   >     v = if norm p.position > 1[m] then 0 else 0.2[m/s])
   > FROB
   $ frobc check position.frob
-  error[E0310]: a field binds tighter than application: this is a field of `i`
+  error[E0310]: field access binds tighter than function application: this is a field of `i`
    --> position.frob:4:19
     |
   4 |     p = robotPose i.heading

@@ -15,7 +15,7 @@ A changing distance instead of a stored one:
   4 | main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
     |                                                ^^^^^^^^^^^^
     |
-    = hint: static values are known when it starts: run one for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
+    = hint: a static value must be known when the signal function starts: run one signal function for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   
   1 error
   [1]

@@ -31,7 +31,7 @@ A setting that changes: one instance runs for each value.
     = hint: run one for each setting, and choose between their outputs: add the equations `one = delayBy 0.1[s] x`, `two = delayBy 0.2[s] x` and `three = delayBy 2[s] x`, and write `if fast then one else if x > 1 then two else three` here
     = hint: run one for each setting, and choose between their outputs: add the equations `one = lowPass 0.1[s] x` and `two = lowPass 1[s] x`, and write `if fast then one else two` here
     = hint: run one for each setting, and choose between their outputs: add the equations `one = pid low x` and `two = pid (low { kp = 2 }) x`, and write `if fast then one else two` here
-    = hint: static values are known when it starts: run one for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
+    = hint: a static value must be known when the signal function starts: run one signal function for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   $ cat > pasted.frob <<'FROB'
   > import Control
   > main :: SF (Float, Bool) Float

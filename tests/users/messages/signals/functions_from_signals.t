@@ -88,7 +88,7 @@ parameter.
     |                 |
     |                 `tau` is a signal: it comes from the `proc`'s input here
     |
-    = hint: static values are known when it starts: run one for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
+    = hint: a static value must be known when the signal function starts: run one signal function for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   
   1 error
   [1]
@@ -160,7 +160,7 @@ or the output of the program.
     |             |
     |             `xs` is a signal: it comes from the `proc`'s input here
     |
-    = hint: static values are known when it starts: run one for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
+    = hint: a static value must be known when the signal function starts: run one signal function for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   
   1 error
   [1]

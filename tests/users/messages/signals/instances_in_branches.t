@@ -73,7 +73,7 @@ For stateful code, the program must state which of two meanings it has.
    --> remembers.frob:8:15
     |
   8 |     f k = k * delay 0 (v / 1[m/s])
-    |               ^^^^^^^^^^^^^^^^^^^^ a function cannot run a signal function: its state needs a `proc`
+    |               ^^^^^^^^^^^^^^^^^^^^ a function cannot run a signal function, because a signal function has state: run it in a `proc`
     |
     = hint: to run it at every instant, add the equation `delayNow = delay 0 (v / 1[m/s])`, and write `delayNow` here
   

@@ -16,7 +16,7 @@ interface Request {
 }
 
 interface Slot extends Request {
-  /** The request to send when this one has ended. */
+  /** The next request, which is sent when this one has ended. */
   next: Request | null;
 }
 

@@ -54,7 +54,7 @@ export class Lines {
     return this.files.has(file);
   }
 
-  /** Returns the first line with signals in a file; 1 if there is none. */
+  /** Returns the number of the first line in a file that has signals, or 1 if there is none. */
   first(file: string): number {
     const lines = [...(this.files.get(file)?.keys() ?? [])];
     return lines.length === 0 ? 1 : Math.min(...lines);
