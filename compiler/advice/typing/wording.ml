@@ -218,3 +218,9 @@ let described words t =
       | Flexible_representation _, [] -> Printf.sprintf "a number of `%s`" (measure words u)
       | _ -> quoted words t)
   | _ -> quoted words t
+
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []

@@ -82,3 +82,6 @@ val constraint_ : t -> Ir.class_ -> Type.t -> string
 
 val measure : t -> Units.t -> string
 val representation : t -> Type.representation -> string
+
+val parameters : Type.t -> Type.t list
+(** The types of the parameters of a function, or the type of the input of a signal function. *)

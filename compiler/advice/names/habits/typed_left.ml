@@ -60,7 +60,7 @@ let lambda (t : Unknown.t) =
   match String.rindex_from_opt line (min at (String.length line - 1)) '\\' with
   | Some first when is_a_type t -> (
       let rest = String.sub line (first + 1) (String.length line - first - 1) in
-      match Other_type.find "->" rest with
+      match Text_place.find "->" rest with
       | Some arrow when first + 1 + arrow > at -> (
           let inside = String.sub rest 0 arrow in
           let blank = function '(' | ')' | ',' -> ' ' | c -> c in

@@ -147,7 +147,7 @@ let double_arrow found =
   | DOUBLE_ARROW, Some _ -> (
       (* `proc v => do` *)
       let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
-      match Other_type.find "proc " line with
+      match Text_place.find "proc " line with
       | Some i when not (Other_type.mentions "->" line || String.contains line ':') ->
           Some
             (Printf.sprintf "write `->` after the input of a `proc`: `%s ->`"
@@ -203,12 +203,12 @@ let separated_guards found =
       (fun i ->
         let n = String.length sign in
         (String.sub text 0 i, String.sub text (i + n) (String.length text - i - n)))
-      (Other_type.find sign text)
+      (Text_place.find sign text)
   in
   let line = String.sub found.text bol (at - bol) in
   match (found.token.token, String.rindex_opt line '|') with
   | COMMA, Some bar
-    when (not (in_brackets found.context)) && Option.is_none (Other_type.find "||" line) -> (
+    when (not (in_brackets found.context)) && Option.is_none (Text_place.find "||" line) -> (
       let first = between found (bol + bar + 1) at in
       let rest = between found (at + 1) (end_of_line found at) in
       let is_alone name = name <> "" && String.for_all Basis.Character.is_name name in

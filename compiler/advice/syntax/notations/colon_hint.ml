@@ -308,7 +308,7 @@ let typed_parameter text start at =
 (* `f : distance -> bool`, with one colon *)
 let typed_as_in_elm text start at =
   let name = String.sub text start (at - start) in
-  let is_alone = Other_type.is_a_name (String.trim name) in
+  let is_alone = is_a_name (String.trim name) in
   let is_top = is_alone && char_at text start <> ' ' in
   match Other_type.of_signature text at with
   | Some signature
@@ -329,18 +329,9 @@ let chosen_inline text at =
   let open Basis.Let_syntax.Option in
   let start = line_start text at in
   let line = String.sub text start (end_of_line text at - start) in
-  let find part from =
-    let n = String.length part in
-    let rec go i =
-      if i + n > String.length line then None
-      else if String.equal (String.sub line i n) part then Some i
-      else go (i + 1)
-    in
-    go from
-  in
   let colon = at - start in
-  let* first = find "if " 0 in
-  let* last = find " else" colon in
+  let* first = find "if " line in
+  let* last = find ~from:colon " else" line in
   let rest = without_closing (String.sub line (last + 5) (String.length line - last - 5)) in
   let rest =
     if rest <> "" && rest.[0] = ':' then String.sub rest 1 (String.length rest - 1) else rest

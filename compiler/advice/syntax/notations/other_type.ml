@@ -188,20 +188,8 @@ let of_text text =
 
 (* {1 Signatures} *)
 
-let is_a_name word =
-  word <> "" && Character.is_lower word.[0] && String.for_all Character.is_name word
-
-let find part text =
-  let n = String.length part in
-  let rec go i =
-    if i + n > String.length text then None
-    else if String.equal (String.sub text i n) part then Some i
-    else go (i + 1)
-  in
-  go 0
-
 let without_comment line =
-  Option.fold (find " --" line) ~none:line ~some:(String.sub line 0) |> String.trim
+  Option.fold (Text_place.find " --" line) ~none:line ~some:(String.sub line 0) |> String.trim
 
 (* The name and the type in the signature on the line around this offset. *)
 let declared text at =
@@ -223,21 +211,21 @@ let declared text at =
       let name = String.trim (String.sub line 0 colon) in
       let after = if char_at line (colon + 1) = ':' then colon + 2 else colon + 1 in
       let type_ = String.trim (String.sub line after (String.length line - after)) in
-      if is_a_name name && type_ <> "" then Some (name, type_) else None
+      if Text_place.is_a_name name && type_ <> "" then Some (name, type_) else None
   | _ -> None
 
 let signature text at =
   Option.bind (declared text at) (fun (name, type_) ->
       Option.map (Printf.sprintf "%s :: %s" name) (of_text type_))
 
-let mentions part text = find part text <> None
+let mentions part text = Text_place.find part text <> None
 
 let of_signature text at =
   Option.map
     (fun written ->
       let any = "Array n " in
       let result = match String.rindex_opt written '>' with Some i -> i | None -> 0 in
-      match find any written with
+      match Text_place.find any written with
       | Some i when i > result ->
           let rest = i + String.length any in
           Printf.sprintf "`%sArray 4 %s`, if 4 is the number of elements" (String.sub written 0 i)

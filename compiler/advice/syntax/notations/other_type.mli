@@ -15,9 +15,6 @@ val of_text : string -> string option
 (** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. A type of Frob keeps
     its meaning. [None] if the text contains anything unknown. *)
 
-val is_a_name : string -> bool
-(** Is this the name of a value? *)
-
 val signature : string -> int -> string option
 (** The signature on the line around this offset, in Frob: [f :: Array n Float -> Bool] for
     [f : List[float] -> bool]. [None] if the line is not a whole signature. *)
@@ -27,9 +24,6 @@ val of_signature : string -> int -> string option
 
 val changed : string -> int -> string option
 (** {!of_signature}, unless the signature is already in Frob. *)
-
-val find : string -> string -> int option
-(** The offset of the first text in the second. *)
 
 val mentions : string -> string -> bool
 (** Does the second text contain the first? *)

@@ -36,3 +36,15 @@ let without_closing text =
       | _ -> last (i + 1) depth
   in
   String.trim (String.sub text 0 (last 0 0))
+
+let find ?(from = 0) part text =
+  let n = String.length part in
+  let rec go i =
+    if i + n > String.length text then None
+    else if String.equal (String.sub text i n) part then Some i
+    else go (i + 1)
+  in
+  go from
+
+let is_a_name word =
+  word <> "" && Basis.Character.is_lower word.[0] && String.for_all Basis.Character.is_name word

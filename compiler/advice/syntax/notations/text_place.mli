@@ -20,3 +20,9 @@ val end_of_line : string -> int -> int
 
 val without_closing : string -> string
 (** The text up to the first closing bracket that has no partner, without spaces at the ends. *)
+
+val find : ?from:int -> string -> string -> int option
+(** [find part text] is the offset of the first occurrence of [part], at [from] or later. *)
+
+val is_a_name : string -> bool
+(** Whether a word has the form of a variable's name. *)

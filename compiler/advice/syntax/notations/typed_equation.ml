@@ -11,18 +11,6 @@ type t = {
   in_a_let : bool;
 }
 
-let find part text =
-  let n = String.length part in
-  let rec go i =
-    if i + n > String.length text then None
-    else if String.equal (String.sub text i n) part then Some i
-    else go (i + 1)
-  in
-  go 0
-
-let is_a_name word =
-  word <> "" && Character.is_lower word.[0] && String.for_all Character.is_name word
-
 let is_a_type text =
   text <> ""
   && Character.is_upper text.[0]
@@ -34,8 +22,10 @@ let blanks line =
 
 (* The right-hand side, without the `;` at its end and without the `in` of a `let`. *)
 let value_of rest =
-  let rest = String.trim (Option.fold (find " -- " rest) ~none:rest ~some:(String.sub rest 0)) in
-  let rest = Option.fold (find " in " rest) ~none:rest ~some:(String.sub rest 0) in
+  let rest =
+    String.trim (Option.fold (Text_place.find " -- " rest) ~none:rest ~some:(String.sub rest 0))
+  in
+  let rest = Option.fold (Text_place.find " in " rest) ~none:rest ~some:(String.sub rest 0) in
   let rest = Text_place.without_closing rest in
   let n = String.length rest in
   String.trim (if n > 0 && rest.[n - 1] = ';' then String.sub rest 0 (n - 1) else rest)
@@ -53,7 +43,7 @@ let split line sign =
     (fun at ->
       let rest = at + String.length sign in
       (String.trim sign, String.sub line 0 at, String.sub line rest (String.length line - rest)))
-    (find sign line)
+    (Text_place.find sign line)
 
 let typed is_a_type line =
   let open Basis.Let_syntax.Option in
@@ -69,7 +59,7 @@ let typed is_a_type line =
   let start = without_needless left first in
   let type_ = if start < last then String.trim (String.sub left start (last - start)) else "" in
   let in_a_let = String.starts_with ~prefix:"let " (String.trim left) in
-  if is_a_name name && is_a_type type_ then
+  if Text_place.is_a_name name && is_a_type type_ then
     Some { first; start; stop = last + 1; type_; name; sign; value = value_of rest; in_a_let }
   else None
 
@@ -87,7 +77,7 @@ let of_colon line =
     split (String.sub line (colon + 1) (String.length line - colon - 1) ^ " ") " = "
   in
   let type_ = String.trim type_ in
-  if is_a_name name && is_a_type type_ then
+  if Text_place.is_a_name name && is_a_type type_ then
     Some
       {
         first = blanks line;
@@ -134,11 +124,12 @@ let alone line =
   Option.bind (String.rindex_opt line ' ') (fun last ->
       let type_ = String.trim (String.sub line 0 last) in
       let name = value_of (String.sub line (last + 1) (String.length line - last - 1)) in
-      if is_a_name name && is_a_type type_ then Some (Printf.sprintf "%s :: %s" name type_)
+      if Text_place.is_a_name name && is_a_type type_ then
+        Some (Printf.sprintf "%s :: %s" name type_)
       else None)
 
 let rec pairs = function
-  | type_ :: name :: rest when is_a_type type_ && is_a_name name ->
+  | type_ :: name :: rest when is_a_type type_ && Text_place.is_a_name name ->
       Option.map (List.cons (type_, name)) (pairs rest)
   | [] -> Some []
   | _ -> None
@@ -158,8 +149,9 @@ let of_words line =
   let value = if is_whole value && String.length value <= longest then value else "…" in
   let* name, result, parameters =
     match words with
-    | name :: rest when is_a_name name -> Option.map (fun all -> (name, None, all)) (pairs rest)
-    | result :: name :: rest when is_a_type result && is_a_name name ->
+    | name :: rest when Text_place.is_a_name name ->
+        Option.map (fun all -> (name, None, all)) (pairs rest)
+    | result :: name :: rest when is_a_type result && Text_place.is_a_name name ->
         Option.map (fun all -> (name, Some result, all)) (pairs rest)
     | _ -> None
   in
@@ -179,12 +171,14 @@ let of_parameters line =
         let text = String.trim text in
         let type_ = String.trim (String.sub text 0 last) in
         let name = String.sub text (last + 1) (String.length text - last - 1) in
-        if is_a_name name && is_a_type type_ then Some (type_, name) else None
+        if Text_place.is_a_name name && is_a_type type_ then Some (type_, name) else None
     | None -> None
   in
   let all = String.split_on_char ',' (String.sub line (opening + 1) (closing - opening - 1)) in
   let parameters = List.filter_map parameter all in
-  if is_a_name name && String.trim between = "" && List.compare_lengths parameters all = 0 then
+  if
+    Text_place.is_a_name name && String.trim between = "" && List.compare_lengths parameters all = 0
+  then
     let value = value_of rest in
     let value = if is_whole value then value else "…" in
     let words = name :: List.map snd parameters in

@@ -105,12 +105,6 @@ let example words t =
   | String -> Some "\"name\""
   | _ -> None
 
-let rec parameters t =
-  match Type.expand t with
-  | Type.Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | _ -> []
-
 (* `knob "speed" 0 1[m/s] i`, without the initial value *)
 let lacking ({ words; call; mistake } as fact) =
   let argument = fst (failing fact) in
@@ -130,7 +124,7 @@ let lacking ({ words; call; mistake } as fact) =
         ( List.filteri (fun i _ -> i < call.failed - 1) arguments,
           List.filteri (fun i _ -> i >= call.failed - 1) arguments )
       in
-      let types = Option.fold (Wording.declared_type words g) ~none:[] ~some:parameters in
+      let types = Option.fold (Wording.declared_type words g) ~none:[] ~some:Wording.parameters in
       let of_the_missing i _ = i >= call.failed - 1 && i < call.failed - 1 + missing in
       let of_numbers = String.starts_with ~prefix:"expected a number" mistake.message in
       let example t =

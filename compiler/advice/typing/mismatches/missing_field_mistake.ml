@@ -20,16 +20,10 @@ let one_of_several environment ty name =
 (* The function or signal function of this name: its kind, the types of its parameters, and the type
    of its input. *)
 let of_that_name words (name : Syntax.Ir.name) =
-  let rec parameters t =
-    match Type.expand t with
-    | Type.Function (p, r) -> p :: parameters r
-    | Signal_function (input, _) -> [ input ]
-    | _ -> []
-  in
   let found earlier ty =
     match Type.expand ty with
-    | Type.Function _ -> Some ("function", parameters ty)
-    | Signal_function _ -> Some ("signal function", parameters ty)
+    | Type.Function _ -> Some ("function", Wording.parameters ty)
+    | Signal_function _ -> Some ("signal function", Wording.parameters ty)
     | _ -> earlier
   in
   List.fold_left found None (Wording.named words name.text)

@@ -129,18 +129,12 @@ let rec with_names words (e : Resolve.Ir.expr option) =
           Option.map (fun names -> (g.name, names)) (all (List.map name b.parameters)))
   | _ -> None
 
-let rec parameters t =
-  match Type.expand t with
-  | Type.Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | _ -> []
-
 (* The declared types of the parameters of the function that is applied. *)
 let rec parameters_of words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> parameters_of words (Some head)
   | Some { desc = Global g; _ } ->
-      Option.fold (Wording.declared_type words g) ~none:[] ~some:parameters
+      Option.fold (Wording.declared_type words g) ~none:[] ~some:Wording.parameters
   | _ -> []
 
 (* Says which parameters lack an argument, by their names in the definition. If the last argument is

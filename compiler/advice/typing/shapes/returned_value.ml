@@ -34,10 +34,10 @@ let on_line words (at : Span.t) =
   let number = Span.line at.start in
   let* line = Source.line sources at.file number in
   let* text = Source.text sources at.file in
-  let* sign = Other_type.find (word ^ " ") line in
+  let* sign = Text_place.find (word ^ " ") line in
   let left = String.trim (String.sub line 0 sign) in
   let name = List.hd (String.split_on_char ' ' left) in
-  if (not (Other_type.is_a_name name)) || is_a_task text name || not (balanced left) then None
+  if (not (Text_place.is_a_name name)) || is_a_task text name || not (balanced left) then None
   else
     let first = sign + String.length "= " in
     let behind = first + String.length "return " in

@@ -31,12 +31,6 @@ let rec result t =
   | Signal_function (_, t) -> number t
   | _ -> number t
 
-let rec parameters t =
-  match Type.expand t with
-  | Type.Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | _ -> []
-
 let is_zero (e : Resolve.Ir.expr) =
   match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
 
@@ -91,8 +85,8 @@ and applied words (e : Resolve.Ir.expr) =
   in
   match (ty, Option.bind ty result) with
   | Some ty, Some u ->
-      let pairs = List.filteri (fun i _ -> i < List.length arguments) (parameters ty) in
-      if List.compare_lengths pairs (parameters ty) <> 0 then None
+      let pairs = List.filteri (fun i _ -> i < List.length arguments) (Wording.parameters ty) in
+      if List.compare_lengths pairs (Wording.parameters ty) <> 0 then None
       else
         let given = List.filteri (fun i _ -> i < List.length pairs) arguments in
         let solve parameter argument =
