@@ -5,8 +5,8 @@
 
 type 'a t = {
   out : Format.formatter;
-  names : Unique_names.t;  (** of the variables of the current definition *)
-  own : 'a;  (** what else the printer of a language needs *)
+  names : Unique_names.t;  (** unique names for the variables of the current definition *)
+  own : 'a;  (** data of the printer of one language *)
 }
 
 val create : Format.formatter -> 'a -> 'a t

@@ -5,7 +5,7 @@
     occupies one byte, because C does not allow empty structs. *)
 
 type types
-(** The record types of one header, collected as they are used. *)
+(** The record types of one header. A type is added when it is first used. *)
 
 val types :
   Name.scope ->
