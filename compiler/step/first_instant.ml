@@ -34,7 +34,7 @@ let shows_in shows (node : node) =
   Walk.statements statement node.step.body;
   !found
 
-(* A delay in the program that is False in the first instant and True afterwards. *)
+(* A delay of the node that is False in the first instant and True afterwards. *)
 let delayed (node : node) =
   let becomes value body (field : field) =
     List.exists

@@ -19,7 +19,7 @@ type ty =
   | Float
   | Sum of int  (** index into [program.sums] *)
   | Array of int * ty  (** size and element *)
-  | Nanoseconds  (** 64-bit integer, not negative *)
+  | Nanoseconds  (** non-negative 64-bit integer *)
   | Foreign of Flow.Ir.foreign_type
 
 type variable = {
@@ -46,7 +46,7 @@ type field = {
 and origin = { signal : string; written : Span.t; role : role }
 (** A signal of Flow: its name, or [""], and its place in the source. *)
 
-(** How the value of the field is related to this signal. *)
+(** How the value of the field relates to this signal. *)
 and role =
   | Its_value
   | Its_integrand  (** the signal is an integral *)
@@ -64,7 +64,7 @@ and mode = {
   node : int;
   name : string;  (** unique in the program *)
   parameters : (variable * field) list;
-      (** the mode's parameters that its step reads, with their fields *)
+      (** the parameters that the mode's step reads, with their fields *)
   state : field option;  (** present if the mode's node has state *)
 }
 (** The state of a machine while this mode runs. *)
@@ -89,19 +89,19 @@ type expr =
   | Elements of { element : ty; elements : expr list }
       (** an array; only allowed as the whole value of a [Declare] *)
   | Fill of { count : int; element : ty; value : expr }
-  | Index of { array : expr; index : int }  (** the index is inside the array *)
+  | Index of { array : expr; index : int }  (** the index is within bounds *)
   | At of { count : int; element : ty; array : expr; index : expr; default : expr }
   | Replace of { count : int; element : ty; array : expr; index : expr; value : expr }
   | Call of { node : int; arguments : expr list }  (** calls a stateless node with one output *)
   | Seconds of expr  (** converts [Nanoseconds] to seconds *)
   | In_nanoseconds of expr  (** converts [Nanoseconds] to a Float; see {!Flow.Clock} *)
-  | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
-  | Soon of expr * expr  (** the sum of two [Nanoseconds] that certainly does not overflow *)
+  | Later of expr * expr  (** the saturating sum of two [Nanoseconds] *)
+  | Soon of expr * expr  (** the sum of two [Nanoseconds], which cannot overflow *)
   | Reached of { time : expr; period : expr }
       (** whether the [Nanoseconds] are at least this Float, truncated to an integer *)
   | Rest of { time : expr; period : expr }
-      (** the [Nanoseconds], which have [Reached] the period, modulo the period; 0 if the period is
-          less than 1 *)
+      (** the [Nanoseconds] modulo the period, which they have [Reached]; 0 if the period is less
+          than 1 *)
 
 type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 
@@ -121,7 +121,8 @@ type statement =
       state : field option;  (** [None] if the node has no state *)
       arguments : expr list;
       results : variable list;  (** declared here *)
-      on_trial : bool;  (** whether it runs on a copy of the state that is discarded afterwards *)
+      on_trial : bool;
+          (** whether the step runs on a copy of the state, which is discarded afterwards *)
       span : Span.t;
     }
   | Loop of loop
@@ -138,7 +139,7 @@ and loop = {
   count : int;
   initial : expr list;  (** initial values of the accumulators *)
   arguments : argument list;  (** arguments of the node's step *)
-  results : variable list;  (** declared here: the accumulators, then arrays *)
+  results : variable list;  (** declared here: first the accumulators, then the arrays *)
   span : Span.t;
 }
 (** Repeats the step of a node. *)
@@ -214,10 +215,11 @@ type node = {
           state, if there is any, is one [Component] *)
   reset : code;  (** empty if there is no state, or the reset is never called *)
   step : code;
-  outputs : (string * ty) list;  (** the outputs, then those that only transitions read *)
+  outputs : (string * ty) list;
+      (** first the node's outputs, then the values that only transitions read *)
   ends_early : int option;
       (** present for a mode whose step can end early. If one of its transitions occurs, the step
-          returns only the outputs with this number or a higher one (see {!Early_end}) *)
+          returns only the outputs with this index or a higher one (see {!Early_end}) *)
   seconds : bool;  (** whether the step, or a callee, reads [Dt] *)
   nanoseconds : bool;  (** whether the step, or a callee, reads [Dt_nanoseconds] *)
   operations : int;  (** approximate number of operations in the step, without callees *)
@@ -226,8 +228,8 @@ type node = {
 type mark = {
   field : field;
   own : bool;
-      (** whether the step sets it at its start. If false, the step sets it at its end, like any
-          delay *)
+      (** whether the field is set at the start of the step. Otherwise, it is set at the end, like
+          any delay *)
 }
 (** A Bool of the root that is False until the first step. *)
 

@@ -54,8 +54,9 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
   match result with
   | Some result -> Layout.ty result
   | None ->
-      bug "`%s` in `%s` is on %d of %s" (Flow.Print.operator operator) c.node.name
-        (List.length arguments) (show c ty)
+      bug "`%s` in `%s` is applied to %d operands of type %s"
+        (Flow.Print.operator operator)
+        c.node.name (List.length arguments) (show c ty)
 
 let variable c known (v : Ir.variable) =
   match Known.find_opt v.id known.readable with
@@ -74,7 +75,8 @@ let dt c : Ir.ty =
   Float
 
 let dt_nanoseconds c : Ir.ty =
-  if not c.node.nanoseconds then bug "`%s` reads nanoseconds but does not declare it" c.node.name;
+  if not c.node.nanoseconds then
+    bug "`%s` reads dt in nanoseconds but does not declare it" c.node.name;
   Nanoseconds
 
 let payload_leaf c sum k leaf =
@@ -105,7 +107,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       ty
   | Construct { sum; constructor = k; payload } ->
       let leaves = List.map Layout.ty (Flow.Shape.payload (constructor c sum k)) in
-      if List.compare_lengths leaves payload <> 0 then bug "a payload of a wrong size";
+      if List.compare_lengths leaves payload <> 0 then bug "a payload of the wrong size";
       List.iter2 (check "a payload") leaves payload;
       Sum sum
   | Is_constructor { sum; value; constructor = k } ->
@@ -113,7 +115,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       check "a value tested" (Sum sum) value;
       Bool
   | Payload { sum; value; constructor = k; leaf } ->
-      check "a value taken apart" (Sum sum) value;
+      check "a deconstructed value" (Sum sum) value;
       payload_leaf c sum k leaf
   | Elements { element; elements } ->
       List.iter (check "an element" element) elements;
@@ -124,7 +126,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Index { array; index } -> (
       match expr c known array with
       | Array (n, element) when index >= 0 && index < n -> element
-      | ty -> bug "element %d of %s in `%s`" index (show c ty) c.node.name)
+      | ty -> bug "no element %d in a value of type %s in `%s`" index (show c ty) c.node.name)
   | At { count; element; array; index; default } ->
       check "an array" (Array (count, element)) array;
       check "an index" Int index;
@@ -164,7 +166,7 @@ and callee c k : Ir.node =
 
 and call c known (parameters : Ir.variable list) arguments =
   if List.compare_lengths parameters arguments <> 0 then
-    bug "`%s` calls with the wrong number of arguments" c.node.name;
+    bug "`%s` makes a call with the wrong number of arguments" c.node.name;
   List.iter2
     (fun (p : Ir.variable) e -> expect c "an argument" p.ty (expr c known e))
     parameters arguments
@@ -182,7 +184,7 @@ let assign c known (place : Ir.place) ty =
       | Some wanted ->
           expect c "an assigned value" wanted ty;
           readable { known with pending = Known.remove v.id known.pending } v
-      | None -> bug "variable %d of `%s` is assigned where it has a value" v.id c.node.name)
+      | None -> bug "variable %d of `%s` is assigned but already has a value" v.id c.node.name)
   | Own f ->
       expect c "the value of a field" (field_type c f) ty;
       { known with fields = Known.add f.id () known.fields }
@@ -221,7 +223,7 @@ let entered c known =
 (* Checks that the variables have the types of the values assigned to them. *)
 let results c variables types =
   if List.compare_lengths variables types <> 0 then
-    bug "`%s` takes the wrong number of results" c.node.name;
+    bug "`%s` expects the wrong number of results" c.node.name;
   List.iter2 (fun (v : Ir.variable) ty -> expect c "a result" v.ty ty) variables types
 
 let declare_all c known variables =
@@ -248,7 +250,7 @@ let run c known (run : Ir.run) =
       expect c "a clock" Nanoseconds (field_type c clock.since);
       expect c "a clock" Bool (field_type c clock.running))
     run.clock;
-  if run.steps < 1 then bug "`%s` may not run any mode" c.node.name;
+  if run.steps < 1 then bug "`%s` must be allowed to run at least one mode" c.node.name;
   List.iter
     (fun (e, entry) ->
       condition known e;
@@ -283,7 +285,7 @@ let loop c known (l : Ir.loop) =
       | Each e -> (
           match expr c known e with
           | Array (n, element) when n = l.count -> element
-          | ty -> bug "a loop over %s in `%s`" (show c ty) c.node.name)
+          | ty -> bug "a loop over a value of type %s in `%s`" (show c ty) c.node.name)
     in
     expect c "an argument" p.ty found
   in
@@ -344,7 +346,7 @@ let rec statement c depth known (s : Ir.statement) =
       | [ (_, ty) ] ->
           expect c "the result" ty (expr c known value);
           { known with results = Known.add 0 () known.results }
-      | _ -> bug "`%s` returns without having one output" c.node.name)
+      | _ -> bug "`%s` returns a value but does not have exactly one output" c.node.name)
 
 and block c depth known body = List.fold_left (statement c depth) known body
 
@@ -363,7 +365,7 @@ let code c (code : Ir.code) =
 let rec lasting c (f : Ir.field) =
   match f.content with
   | Value (Foreign { copyable = false; foreign_name; _ }) ->
-      bug "`%s` keeps a `%s`" c.node.name foreign_name
+      bug "`%s` stores a `%s`, which is only valid within an instant" c.node.name foreign_name
   | Modes modes ->
       List.iter (fun (mode : Ir.mode) -> List.iter (lasting c) (State.fields_of_mode mode)) modes
   | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> ()
@@ -371,7 +373,7 @@ let rec lasting c (f : Ir.field) =
 let without_body (node : Ir.node) =
   match (node.step.body, node.reset.body) with
   | [], [] -> ()
-  | _, _ -> bug "`%s` is foreign and has a body" node.name
+  | _, _ -> bug "`%s` is foreign but has a body" node.name
 
 let wrote_all c what known =
   List.iter

@@ -4,8 +4,8 @@ open Basis
 
 type t = {
   variables : unit Int_table.t;  (** variables that are read, by id *)
-  mutable seconds : bool;  (** dt is read in seconds *)
-  mutable nanoseconds : bool;  (** dt is read in nanoseconds *)
+  mutable seconds : bool;  (** whether dt is read in seconds *)
+  mutable nanoseconds : bool;  (** whether dt is read in nanoseconds *)
   mutable operations : int;  (** number of expressions that have subexpressions *)
 }
 

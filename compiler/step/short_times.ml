@@ -1,12 +1,12 @@
 open Basis
 
-(* The largest number of 32 bits, less one, so that C compilers do not warn about comparisons that
-   are always true. *)
+(* One less than the largest unsigned 32-bit number, so that C compilers do not warn about
+   comparisons that are always true. *)
 let most = 0xFFFFFFFEL
 
 (* How a step uses a time. *)
 type uses = {
-  mutable bound : int64;  (** the largest constant with which it is compared *)
+  mutable bound : int64;  (** the largest constant that the time is compared with *)
   mutable compared : int;  (** number of reads that compare it with constants *)
   mutable advanced : int;  (** number of reads that advance the time *)
   mutable all : int;  (** total number of reads *)

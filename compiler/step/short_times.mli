@@ -1,7 +1,7 @@
 (** Stores local times in 32 bits if the step only compares them with constants.
 
     For example, [after 2[s]] only needs to know whether its local time has reached 2 s. Such a time
-    stays at the largest of the constants, its [bound], so that it fits into 32 bits. Times that are
+    stops at its [bound], the largest of the constants, so that it fits into 32 bits. Times that are
     shown as numbers, that are divided, or that are compared with numbers known only at run time
     keep 64 bits. *)
 

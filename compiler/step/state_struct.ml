@@ -81,7 +81,8 @@ let fitting most members =
   let _, within, others = List.fold_left fit (0, [], []) members in
   (List.rev within, List.rev others)
 
-(* The unions that the modes' members share. [union] builds a union from its members. *)
+(* The unions in which the members of the modes share memory. [union] builds a union from its
+   members. *)
 let rec unions ~union (modes : (int * member list) list) =
   match List.filter (fun (_, members) -> members <> []) modes with
   | [] -> []

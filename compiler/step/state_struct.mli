@@ -23,8 +23,8 @@ type member = {
   field : Ir.field;
   block : Block.t;
   modes : (int * member list) list;
-      (** for a field of [Modes]: the modes that have members in this union, by number. Otherwise
-          empty *)
+      (** for a field of [Modes]: the modes that have members in this union, each with its number;
+          empty for other fields *)
 }
 
 type t

@@ -10,7 +10,7 @@ let rec gives_task : Ir.ty -> bool = function
 
 let is_function : Ir.ty -> bool = function Function _ | Signal_function _ -> true | _ -> false
 
-(* Is it a function with a number among its parameters, rather than a signal function? *)
+(* Whether the definition has an [Int] parameter and does not return a signal function. *)
 let takes_a_number (d : Ir.definition) =
   let rec result : Ir.ty -> Ir.ty = function Function (_, r) -> result r | t -> t in
   let rec parameters : Ir.ty -> Ir.ty list = function
@@ -24,7 +24,8 @@ let takes_a_number (d : Ir.definition) =
 let vertex (d : Ir.definition) =
   { name = d.name.name; span = d.span; task = gives_task d.ty; function_ = is_function d.ty }
 
-(* Shows only the beginning and the last step of a very long cycle. *)
+(* Maximum number of steps in a message. If the cycle is longer, the message shows the first ones
+   and the last one. *)
 let longest_shown = 12
 
 let shorten steps =
@@ -79,14 +80,14 @@ let cycle cycle (cause : Fact.cause) =
         diagnostic
   | Itself ->
       Diagnostic.hint
-        "for a value that depends on its own past, write an equation in a `proc`, with `delay`, as \
+        "for a value that depends on its own past, write an equation with `delay` in a `proc`, as \
          in `n = delay 0 n + 1`"
         diagnostic
   | Methods { default = None } -> diagnostic
   | Methods { default = Some (class_, ty) } ->
       diagnostic
       |> Diagnostic.note
-           "this happens for the type `%s`, because its instance of `%s` uses the default"
+           "this happens for the type `%s`, because its instance of `%s` relies on default methods"
            (Print.type_name ty) class_.name
       |> Diagnostic.hint "define one of the methods in the instance"
 
@@ -96,11 +97,11 @@ let growing_types (d : Ir.definition) at =
 
 let too_many_types (d : Ir.definition) combinations =
   Diagnostic.error ~code:"E0413" ~at:d.span "`%s` is used at too many types" d.name.name
-  |> Diagnostic.note "definitions that use methods are already needed at %d combinations of types"
+  |> Diagnostic.note "definitions that use methods are already needed for %d combinations of types"
        combinations
   |> Diagnostic.hint
-       "use fewer levels of definitions: if each level calls the next one at two new types, every \
-        level doubles the number of types"
+       "shorten the chain of definitions: if each one uses the next at two new types, every step \
+        doubles the number of types"
 
 let larger_type (d : Ir.definition) (use : Fact.use) ty way =
   let label diagnostic ((by : Ir.definition), (use : Fact.use)) =

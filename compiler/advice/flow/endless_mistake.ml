@@ -3,12 +3,13 @@ open Flow
 
 let map = Long_list.map
 
-(* A hint for the event's source. For time-outs of the library, the source is the prelude's [after]
-   or [elapsed]. The user cannot change an event that occurs inside the library. *)
+(* The hint depends on the source of the event. A time-out of the library has the prelude's [after]
+   or [elapsed] as its source. For other events inside the library, which the user cannot change,
+   the hint is about the loop. *)
 let hint ~entry ~(by : Ir.follower) sources =
   match (List.map fst sources, by) with
-  | "after" :: _, _ -> "wait for at least 1 ns: `after (max 1[ms] q)`"
-  | "elapsed" :: _, _ -> "wait for at least 1 ns: `max 1[ms] q`"
+  | "after" :: _, _ -> "make the wait at least 1 ns long, for example with `after (max 1[ms] q)`"
+  | "elapsed" :: _, _ -> "make the wait at least 1 ns long, for example with `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
       "add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where \
        `restingOutput` is the output of a robot at rest"
@@ -19,7 +20,8 @@ let hint ~entry ~(by : Ir.follower) sources =
       "apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if \
        the condition were true from the start"
 
-(* The modes of the cycle, and the definitions that determine the next mode. *)
+(* Lists the modes of the cycle. Each mode is followed by the definition that determines the next
+   mode, unless that definition is one of these two modes. *)
 let circle hops =
   let names (from, target, (by : Ir.follower)) =
     match by with
@@ -28,11 +30,9 @@ let circle hops =
   in
   Enumeration.circle (List.concat_map names hops)
 
-(* A note about the instant in which the modes follow each other immediately. *)
+(* A note that says in which instants the modes follow each other immediately. *)
 let note modes =
-  let at_which what =
-    Printf.sprintf "no time passes between these steps at an instant at which %s" what
-  in
+  let at_which what = Printf.sprintf "no time passes between these steps when %s" what in
   match List.sort_uniq compare modes with
   | [ (mode, Some event) ] when mode <> event ->
       at_which (Printf.sprintf "`%s` occurs as soon as `%s` starts" event mode)
@@ -46,16 +46,15 @@ type cycle = { entry : Span.t; program : Ir.program }
 let mode_node cycle mode = cycle.program.nodes.(mode)
 let is_own cycle = Own_code.is_own ~entry:cycle.entry
 
-(* Whether a place is in the prelude. The place in the program that uses it is more helpful in a
-   message. *)
+(* Whether a place is in the prelude. Messages show where the program uses the prelude instead. *)
 let in_prelude cycle (at : Span.t) =
   String.equal (Filename.basename at.file) "Prelude.frob" && not (is_own cycle at)
 
 let is_task cycle origin (node : Ir.node) =
   String.equal node.origin origin && Option.is_some node.machine && is_own cycle node.span
 
-(* The name of a mode in messages. If a definition of the program runs inside a combinator, that
-   definition may end, so the message uses its name. *)
+(* The name of a mode in messages. If a combinator runs a definition of the program, messages name
+   that definition, because it is the part that may end. *)
 let mode_name cycle (step : Fact.step) =
   let here = mode_node cycle step.mode in
   let is_elsewhere origin (node : Ir.node) =
@@ -71,7 +70,8 @@ let mode_name cycle (step : Fact.step) =
   match (step.by.by, step.source) with
   | Statement _, Some (origin, _) when Array.exists (is_elsewhere origin) cycle.program.nodes ->
       origin
-  (* Names a task that ends inside a combinator after the statement that follows it. *)
+  (* A task that ends inside a combinator gets the name of the definition that determines the next
+     mode. *)
   | Statement definition, _ when is_combinator's && is_own cycle step.by.span -> definition
   | (Statement _ | Continuation _), _ -> here.origin
 

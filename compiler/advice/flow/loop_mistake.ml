@@ -7,14 +7,14 @@ let through = function
   | [] -> ""
   | via ->
       let name passage =
-        (* Names the node of a switch after the definition that contains the switch. *)
+        (* The node of a switch has the name of the definition that contains the switch. *)
         if by_a_switch passage then "a switch" else Printf.sprintf "`%s`" passage.through.origin
       in
       ", through " ^ String.concat " and " (List.map name via)
 
-(* A loop may be closed in the library, for example by [loop], around a signal function of the
-   program. The user can only change the place where that signal function passes its input
-   through. *)
+(* The outputs in other files that pass an input through. If the loop is closed in the library, for
+   example by [loop], around a signal function of the program, such an output is the only place that
+   the user can change. *)
 let elsewhere (hop : Fact.hop) =
   List.filter_map
     (fun (passage : Fact.passage) ->
@@ -27,7 +27,7 @@ let elsewhere (hop : Fact.hop) =
 let label_elsewhere hop d =
   let label d ((passage : Fact.passage), at) =
     let text =
-      Printf.sprintf "`%s` passes `%s` to this in the same instant" passage.through.origin
+      Printf.sprintf "`%s` passes `%s` to this output in the same instant" passage.through.origin
         passage.input
     in
     Diagnostic.label ~at "%s" text d
@@ -46,10 +46,10 @@ let hint_elsewhere (passage : Fact.passage) =
   Printf.sprintf "let `%s` read the previous value of `%s`, with `delay`" passage.through.origin
     passage.input
 
-(* The hint for a loop that is closed in the library, whose signals have no names. *)
+(* The hint for a loop that is closed in the library. The signals of such a loop have no names. *)
 let hint_within = "put a `delay` or an `integral` into the signal function inside the loop"
 
-(* A likely initial value of the signal, of this type. *)
+(* A likely initial value of the signal, chosen by its type. *)
 let initial sums (signal : Ir.signal) =
   match signal.ty with
   | Bool -> "False"
@@ -60,8 +60,8 @@ let initial sums (signal : Ir.signal) =
       | _ -> "x0")
   | Array _ | Foreign _ -> "x0"
 
-(* The hint for a loop that an equation on one line closes: the equation with the previous value, or
-   an integral. *)
+(* The hint for a loop that is closed by an equation on one line: it suggests the equation with the
+   previous value, or an integral. *)
 let of_equation sources sums (first : Fact.hop) (last : Fact.hop) =
   let read = last.read in
   let start = initial sums read in

@@ -3,5 +3,5 @@
 open Basis
 
 val diagnostic : Source.t -> Flow.Fact.loop -> Diagnostic.t
-(** The hints quote the sources. For a loop inside the library, the message shows the place in the
-    program that uses it. *)
+(** The hints quote the sources. A loop inside the library is reported where the program uses the
+    library. *)

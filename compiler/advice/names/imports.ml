@@ -30,7 +30,7 @@ type absent = {
   unknown : Unknown.t;
 }
 
-(* An import whose list of names does not contain this one, although the module exports it. *)
+(* An import of a module that exports the name, but whose list of names does not contain it. *)
 let incomplete_import (t : Unknown.t) =
   let visible = t.module_.visible in
   let lacks (import : Syntax.Ir.import) =

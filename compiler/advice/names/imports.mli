@@ -12,7 +12,7 @@ type absent
 (** A library name that is not imported. *)
 
 val absent : Unknown.t -> absent option
-(** Does a library module define the name? *)
+(** [Some] if a library module defines the name. *)
 
 val missing : Syntax.Ir.program -> absent list -> Diagnostic.t list
 (** One diagnostic for each missing import, with all the names that need it. *)

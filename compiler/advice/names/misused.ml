@@ -6,13 +6,13 @@ let size (size : Resolve.Fact.size) (name : name) =
   match size.array with
   | Some array ->
       let text = "length " ^ array in
-      Diagnostic.hint "`%s` is a size in the type of `%s`; as a number, write `%s`" name.text
-        size.of_ text d
+      Diagnostic.hint "`%s` is a size in the type of `%s`: to use it as a number, write `%s`"
+        name.text size.of_ text d
       |> Diagnostic.write name.span (Source.grouped text)
   | None ->
       Diagnostic.hint
-        "`%s` is a size in the type of `%s`; as a number, write `length xs`, where `xs` is an \
-         array of this size"
+        "`%s` is a size in the type of `%s`: to use it as a number, write `length xs`, where `xs` \
+         is an array of this size"
         name.text size.of_ d
 
 (* The unit as it would be written in brackets. *)
@@ -56,5 +56,5 @@ let unit_apart ~(head : expr) ~unit_ ~at =
 let field ~whole ~(field : name) ~(record : name) =
   let text = Printf.sprintf "%s.%s" record.text field.text in
   Diagnostic.error ~code:"E0205" ~at:field.span "`%s` is a field, not a function" field.text
-  |> Diagnostic.hint "write `%s`; as a function, write `\\r -> r.%s`" text field.text
+  |> Diagnostic.hint "write `%s`, or `\\r -> r.%s` if you need a function" text field.text
   |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (whole, "(" ^ text ^ ")") ]

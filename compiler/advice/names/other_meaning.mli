@@ -3,8 +3,8 @@
 open Basis
 
 val diagnostic : Unknown.t -> Diagnostic.t
-(** {!Unknown.diagnostic}, with a note about a name that exists in another namespace: [Velocity 3]
-    uses a type as a constructor. *)
+(** {!Unknown.diagnostic}, with a note if the name exists in another namespace: [Velocity 3] uses a
+    type as a constructor. *)
 
 val spelling : Unknown.t -> string option
 (** A known name that differs from the unknown one only in spelling. For values and constructors,

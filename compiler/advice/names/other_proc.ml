@@ -25,7 +25,7 @@ let with_hint ({ text; edits } : Ended_proc.hint) diagnostic =
 
 let of_an_input t = Option.map (fun hint -> with_hint hint (Other_meaning.diagnostic t)) (ended t)
 
-(* Is it in an equation of the `where` of the definition? *)
+(* Whether the name is used in an equation in the `where` of its definition. *)
 let is_in_a_where (t : Unknown.t) =
   let text = Unknown.text t in
   match (Name_in_text.assigned ~text t.name.span, Name_in_text.definition ~text t.name.span) with
@@ -43,8 +43,8 @@ let hint_of_this (t : Unknown.t) (signal : Proc_signals.t) =
     "the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: \
      move that bracket to the end of the last equation"
   else
-    "a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, \
-     nor in a `where` after that"
+    "the `proc` ends at the bracket or comma that follows it: use its signals only before that, \
+     not in a later `where`"
 
 let of_this (t : Unknown.t) =
   Option.map
@@ -71,7 +71,7 @@ let hint_of_another (t : Unknown.t) (signal : Proc_signals.t) =
          `proc`'s input"
         (if has_where then Printf.sprintf "add `%s` to the `where` of `%s`" equation definition
          else
-           Printf.sprintf "add a `where` to the `proc` in `%s`, and `%s` below it" definition
+           Printf.sprintf "add a `where` to the `proc` in `%s`, and write `%s` below it" definition
              equation)
   | _ ->
       Printf.sprintf

@@ -1,4 +1,4 @@
-(** Names that are signals of a [proc], used where that [proc] has ended. *)
+(** Errors about signals of a [proc] that are used outside that [proc]. *)
 
 open Basis
 

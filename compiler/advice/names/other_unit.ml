@@ -103,7 +103,7 @@ let temperature name literal d =
         else Printf.sprintf "%s[K]" (decimal (Float.round (x /. 1.8 *. 100.) /. 100.))
       in
       Diagnostic.hint
-        "use kelvin: write `%s` for this temperature, or `%s` for a difference of temperatures" text
+        "use kelvin: write `%s` for this temperature, or `%s` for a temperature difference" text
         difference d
       |> Diagnostic.fix "convert the temperature to kelvin" [ (whole, text) ]
   | None ->

@@ -10,7 +10,7 @@ type t = private {
 
 val find : is_unit:(string -> bool) -> string -> t option
 (** The definition of the unit with this name, in units of the prelude. Recognizes common names, and
-    prefixes of the units that [is_unit] accepts. *)
+    SI prefixes before units that [is_unit] accepts. *)
 
 val explain :
   is_unit:(string -> bool) ->

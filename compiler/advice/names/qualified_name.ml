@@ -12,7 +12,8 @@ let of_the_library : rule =
     let import = Printf.sprintf "import qualified %s" qualifier.text in
     Some
       (fun d ->
-        Diagnostic.hint "it is in the library: `%s`" import d |> Imports.add visible.syntax import)
+        Diagnostic.hint "the library has this module: add `%s`" import d
+        |> Imports.add visible.syntax import)
   else None
 
 (* `Mode.Drive`, where `Mode` is a type and not a module. *)
@@ -25,8 +26,8 @@ let of_a_type : rule =
     let title = Printf.sprintf "remove `%s.`" qualifier.text in
     Some
       (fun d ->
-        Diagnostic.hint "`%s` is a type; write its constructors without it: %s" qualifier.text title
-          d
+        Diagnostic.hint "`%s` is a type, which does not qualify its constructors: %s" qualifier.text
+          title d
         |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ])
   else None
 

@@ -5,7 +5,7 @@ open Basis
 
 val unknown_qualifier :
   Suggestion.t -> Resolve.Visible.t -> Syntax.Ir.name -> Syntax.Ir.name -> Diagnostic.t
-(** The qualifier and the name after it. *)
+(** Takes the qualifier and the name after it. *)
 
 val unknown_in_module :
   Suggestion.t ->
@@ -22,5 +22,5 @@ val absent :
   to_:string ->
   Syntax.Ir.name ->
   Diagnostic.t
-(** A list of names contains one that the module does not define. [to_]: the purpose of the list,
-    [export] or [import]. *)
+(** Reports a name in an export or import list that the module does not define. [to_]: the purpose
+    of the list, [export] or [import]. *)

@@ -9,8 +9,7 @@ type t = {
   names : string list Lazy.t;  (** the names in scope at the unknown name, including local ones *)
   locals : string list Lazy.t;
   signals : Proc_signals.t list Lazy.t;
-      (** the signals of all [proc]s in the definition; the ones in scope are also in the list of
-          local names *)
+      (** the signals of all [proc]s in the definition; those in scope are also in [locals] *)
   is_in : Resolve.Interface.names -> bool;  (** Is the unknown name one of these? *)
 }
 
@@ -31,5 +30,5 @@ val diagnostic : t -> Diagnostic.t
 (** The diagnostic without hints. *)
 
 val c_declaration : t -> Proc_signals.c_declaration option
-(** The declaration of the name in the notation of C: [int m = n + 1], which parses as the
-    definition of a function [int]. *)
+(** The C declaration of the name, such as [int m = n + 1], which parses as the definition of a
+    function [int]. *)

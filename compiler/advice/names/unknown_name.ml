@@ -16,7 +16,7 @@ let unit_without_brackets (t : Unknown.t) =
           |> Diagnostic.fix ~safe:true (Printf.sprintf "write `%s`" text) [ (whole, text) ]))
     (Rewritten.unit_after_number t)
 
-(* The definition has already been reported. *)
+(* A name whose definition has already been reported. *)
 let of_a_reported_definition (t : Unknown.t) =
   let reported =
     match t.namespace with
@@ -26,7 +26,7 @@ let of_a_reported_definition (t : Unknown.t) =
   in
   if List.mem t.name.text reported then Some Silent else None
 
-(* The module of the name is imported with `qualified`. *)
+(* A name from a module that is imported with `qualified`. *)
 let of_a_qualified_import (t : Unknown.t) =
   let has (i : Visible.import) =
     (not i.unqualified) && (not (Visible.is_implied i)) && t.is_in i.names
@@ -36,7 +36,7 @@ let of_a_qualified_import (t : Unknown.t) =
       let text = q ^ "." ^ t.name.text in
       Some
         (Other_meaning.diagnostic t
-        |> Diagnostic.hint "it is imported under its module's name: write `%s`" text
+        |> Diagnostic.hint "its module is imported with `qualified`: write `%s`" text
         |> Diagnostic.write t.name.span text)
   | Some _ | None -> None
 
@@ -72,7 +72,7 @@ let class_ (t : Unknown.t) =
     Some Class_as_type
   else None
 
-(* `Twist { linear = v, angular = 0 }`, the command of a robot in ROS *)
+(* `Twist { linear = v, angular = 0 }`, a robot command in ROS *)
 let twist (t : Unknown.t) =
   let commands_a_robot = Visible.is_known t.module_.visible Interface.values "setVelTR" in
   if t.namespace = Constructors && String.equal t.name.text "Twist" && commands_a_robot then

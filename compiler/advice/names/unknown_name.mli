@@ -1,6 +1,5 @@
 (** Messages about undefined unqualified names, with advice: a similar name, the module to import,
-    Frob's equivalent for a word of another language, or the place where the name would have a
-    meaning. *)
+    Frob's equivalent for a word of another language, or the place where the name would be valid. *)
 
 open Basis
 
@@ -13,4 +12,4 @@ type outcome =
 val outcome : Suggestion.t -> Unknown.t -> outcome
 
 val class_as_type : Syntax.Ir.name -> Diagnostic.t
-(** [SF HasSonar DiffDrive] uses classes as types. *)
+(** Reports a class that is used as a type, as in [SF HasSonar DiffDrive]. *)

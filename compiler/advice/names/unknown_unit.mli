@@ -3,8 +3,8 @@
 open Basis
 
 val diagnostic : Unknown.t -> Diagnostic.t option
-(** The error with a hint that applies only to units. If there is no such hint, [None], and the
+(** The error with a hint that applies only to units. [None] if there is no such hint; then the
     rules for all names apply. *)
 
 val of_variable : Resolve.Visible.t -> Syntax.Ir.name -> Diagnostic.t
-(** A unit variable where only a unit is allowed. *)
+(** Reports a unit variable where only a unit is allowed. *)

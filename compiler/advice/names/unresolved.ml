@@ -22,7 +22,8 @@ let add_class found (name : Syntax.Ir.name) =
     found.class_lines <- line :: found.class_lines;
     add found (Unknown_name.class_as_type name))
 
-(* Finding advice takes time, and no user reads that much of it. *)
+(* Number of errors after which the rest are reported without advice. Finding advice takes time, and
+   no user reads that much of it. *)
 let most_advice = 1_000
 
 let add_unknown found unknown =

@@ -51,7 +51,7 @@ let place_of line = function
   | "unit" -> Unit
   | _ -> bug line
 
-(* The parts of a row between " | ". *)
+(* Splits the rest of a row, which starts at index [from], at each " | ". *)
 let rec parts line from =
   let rec separator i =
     if i + 3 > String.length line then None
@@ -114,7 +114,7 @@ let name row =
 
 (* {1 Arguments} *)
 
-(* Replaces the words of the text that name arguments. *)
+(* Replaces each argument name in the text by the argument. *)
 let with_arguments named text =
   let n = String.length text in
   let rec stop i = if i < n && Character.is_name text.[i] then stop (i + 1) else i in

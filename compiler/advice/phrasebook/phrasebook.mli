@@ -1,4 +1,5 @@
-(** Words of other languages, from the table [words.txt], which explains its rows. *)
+(** Words of other languages, from the table [words.txt]. The head of that file explains the
+    rows. *)
 
 type place =
   | Value
@@ -32,13 +33,13 @@ val rows : row list Lazy.t
 (** All rows, in the order of the table. *)
 
 val find : place -> string -> row option
-(** The first row of the word at this place. *)
+(** The first row for the word at this place. *)
 
 val hint : row -> string
 (** The hint in the row or, if there is none, a hint that suggests the replacement. *)
 
 val name : row -> string option
-(** The replacement, if the row has no other hint and it is one word. *)
+(** The replacement, if it is one word and the row has no hint. *)
 
 val applied : place -> string -> string list -> (string * row) option
 (** The replacement in the first row for the word at this place that has the given number of

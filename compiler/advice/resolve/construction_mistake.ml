@@ -15,7 +15,7 @@ let unknown_field suggestions constructor ~known (field : Syntax.Ir.name) =
   |> Suggestion.add suggestions field.text (lazy known)
   |> fun d -> if d.hints = [] then all_fields known d else d
 
-(* Several unknown fields are reported once: the user probably meant another record. *)
+(* Reports several unknown fields in one message: the user probably meant another record. *)
 let unknown_fields constructor ~known (first : Syntax.Ir.name) others =
   let texts = List.map (fun (field : Syntax.Ir.name) -> field.text) (first :: others) in
   Diagnostic.error ~code:"E0209" ~at:first.span "constructor `%s` has no fields %s"
@@ -42,7 +42,7 @@ let wrong_number_of_arguments (constructor : Interface.constructor) ~found at =
       (name constructor)
       (String.concat " " (List.init constructor.arity letter))
 
-(* The field and a value for it, in quotes. *)
+(* The field and a value for it, in backticks. *)
 let with_value constructor field =
   match (name constructor, field) with
   | "Trial", "seeds" -> "``seeds = 1 `to` 10``"
@@ -51,7 +51,7 @@ let with_value constructor field =
 (* The fix inserts the missing fields after the last one. Their values are `_`, which does not
    compile, so the user must fill them in. *)
 let fields_missing constructor ~absent ~(last : Span.t option) at =
-  Diagnostic.error ~code:"E0228" ~at "this `%s` lacks its field%s %s" (name constructor)
+  Diagnostic.error ~code:"E0228" ~at "this `%s` is missing the field%s %s" (name constructor)
     (if List.length absent = 1 then "" else "s")
     (Enumeration.all (quoted absent))
   |> declared_here constructor
@@ -62,7 +62,7 @@ let fields_missing constructor ~absent ~(last : Span.t option) at =
   | Some last ->
       let at = { last with start = last.stop } in
       let text = String.concat "" (List.map (Printf.sprintf ", %s = _") absent) in
-      Diagnostic.fix "name the missing fields" [ (at, text) ]
+      Diagnostic.fix "add the missing fields" [ (at, text) ]
   | None -> Fun.id
 
 let diagnostic suggestions : Fact.in_records -> Diagnostic.t = function

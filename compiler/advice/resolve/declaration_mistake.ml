@@ -38,7 +38,7 @@ let hint_of_builtin name ~found ~text at =
   | "Array" when found > 2 -> Some "write a matrix as an array of arrays: `Array 2 (Array 3 Float)`"
   | "Array" ->
       Some
-        (Printf.sprintf "write the size and the type of the elements, as in `%s`"
+        (Printf.sprintf "write the number of elements and their type, as in `%s`"
            (of_elements ~text at))
   | "SF" when found > 2 -> Some "combine several inputs in a tuple, as in `SF (a, b) c`"
   | "SF" ->
@@ -52,7 +52,7 @@ let hint_of_builtin name ~found ~text at =
       Some "write the types of the robot's input and output, as in `Program RobotInput RobotOutput`"
   | _ -> None
 
-(* `SF a b` for `SF a -> b`, where the place is that of `SF a` *)
+(* `SF a b` for `SF a -> b`; [at] is the place of `SF a` *)
 let without_arrow ~text (at : Span.t) =
   let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
   let rest = String.sub text stop (Text_place.end_of_line text stop - stop) in
@@ -77,7 +77,7 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
     match Other_type.changed text (Text_place.offset text at.start) with
     | _ when String.equal name "SF" && found = 1 && without_arrow ~text at <> None ->
         Option.map
-          (Printf.sprintf "there is no arrow between the input and the output: write `%s`")
+          (Printf.sprintf "write `%s`, without an arrow between the input and the output")
           (without_arrow ~text at)
     | Some signature -> Some ("write " ^ signature)
     | None when is_builtin -> hint_of_builtin name ~found ~text at
@@ -87,7 +87,8 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   | Some hint -> Diagnostic.hint "%s" hint diagnostic
   | None when of_units && expected = 1 && found = 0 ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
-      |> Diagnostic.hint "use `%s[1]` for plain numbers, or with their unit, as in `%s[m]`" name
+      |> Diagnostic.hint
+           "write `%s[1]` for plain numbers, or add the unit of the numbers, as in `%s[m]`" name
            name
   | None when is_builtin -> diagnostic
   | None ->
@@ -103,7 +104,7 @@ let size_not_a_number ~at alias =
   | Some alias ->
       Diagnostic.error ~code:"E0330" ~at "`%s` is part of a size, but it is not a number" alias
   | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but it is not a number")
-  |> Diagnostic.hint "define a size as `type N = 25`"
+  |> Diagnostic.hint "define the size as a number, as in `type N = 25`"
 
 (* {1 Circles} *)
 
@@ -126,8 +127,8 @@ let type_circle (main : Ir.type_declaration) circle =
              "use an array of a fixed size, such as `Array 8 Distance`; if the number of valid \
               elements varies, keep their count in a second field"
     | Alias _ | Builtin | Foreign _ ->
-        Diagnostic.error ~code:"E0217" ~at:main.span "the type alias `%s` is defined by itself"
-          main.tycon.name
+        Diagnostic.error ~code:"E0217" ~at:main.span
+          "the type alias `%s` is defined in terms of itself" main.tycon.name
   in
   let label diagnostic (d : Ir.type_declaration) =
     if d == main then diagnostic else through d.tycon.name ~at:d.span diagnostic
@@ -139,7 +140,7 @@ let type_circle (main : Ir.type_declaration) circle =
 let unit_circle (main : Ir.unit_declaration) others =
   let label diagnostic (d : Ir.unit_declaration) = through d.unit_name.name ~at:d.span diagnostic in
   List.fold_left label
-    (Diagnostic.error ~code:"E0219" ~at:main.span "the unit `%s` is defined by itself"
+    (Diagnostic.error ~code:"E0219" ~at:main.span "the unit `%s` is defined in terms of itself"
        main.unit_name.name)
     others
 
@@ -176,7 +177,7 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
       wrong_arity tycon ~of_units ~expected ~found ~text at
   | Representation_without_parameter { name; owner } ->
       Diagnostic.error ~code:"E0222" ~at:name.span
-        "`%s` can be a Float or an Int, and `%s` has no parameter to choose between them" name.text
+        "`%s` can be a Float or an Int, but `%s` has no parameter that decides which" name.text
         owner
       |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
   | Size_not_a_number { at; alias } -> size_not_a_number ~at alias
@@ -208,5 +209,5 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
   | Not_a_method { class_; name } -> not_a_method suggestions class_ name
   | Signature_in_instance { class_; name } ->
       Diagnostic.error ~code:"E0231" ~at:name.span "an instance cannot contain a signature"
-      |> Diagnostic.label ~at:class_.span "the class gives the type of `%s`" name.text
+      |> Diagnostic.label ~at:class_.span "the class declares the type of `%s`" name.text
       |> Diagnostic.hint "remove the signature"

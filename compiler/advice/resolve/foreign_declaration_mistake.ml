@@ -1,7 +1,7 @@
 open Basis
 
 let is_not (text : Syntax.Ir.name) ~wanted ~hint =
-  let what = if text.text = "" then "an empty text" else Printf.sprintf "`%s`" text.text in
+  let what = if text.text = "" then "an empty string" else Printf.sprintf "`%s`" text.text in
   Diagnostic.error ~code:"E0232" ~at:text.span "%s is not %s in C" what wanted
   |> Diagnostic.hint "%s" hint
 
@@ -12,9 +12,9 @@ let needs_header (name : Syntax.Ir.name) what =
 
 let meaning : Resolve.Fact.c_meaning -> string = function
   | Reserved_by_c -> "reserved by the C standard"
-  | In_c_headers -> "a macro or a type in C's headers"
-  | Of_generated_c -> "used by generated C and its runtime"
-  | Main_function -> "the function that a C program starts with"
+  | In_c_headers -> "a keyword, or a macro or type in a C header"
+  | Of_generated_c -> "used by the generated C code and its runtime"
+  | Main_function -> "reserved for the entry point of a C program"
 
 let diagnostic : Resolve.Fact.in_foreign_code -> Diagnostic.t = function
   | Not_a_name text ->
@@ -24,13 +24,13 @@ let diagnostic : Resolve.Fact.in_foreign_code -> Diagnostic.t = function
         ~hint:"write a struct, as in `\"struct frame\"`, or the name of a `typedef`"
   | Not_a_header text ->
       is_not text ~wanted:"the name of a header"
-        ~hint:"write the path from this file's folder, as in `\"blob.h\"`"
+        ~hint:"write the path relative to this file's folder, as in `\"blob.h\"`"
   | Reserved_name { name; meaning = of_c } ->
       Diagnostic.error ~code:"E0232" ~at:name.span
         "your function cannot be called `%s` in C: that name is %s" name.text (meaning of_c)
       |> Diagnostic.hint "give the function another name in C"
   | Header_elsewhere text ->
-      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside of this module's folder"
+      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside this module's folder"
         text.text
       |> Diagnostic.hint "move the header to the folder of this module, or to a folder inside it"
   | State_without_header { name; symbol } ->

@@ -18,7 +18,7 @@ let lower_case : rule =
   Option.map
     (fun file ->
       Diagnostic.hint
-        "the file name of a module must also start with a capital: rename `%s` to `%s`"
+        "the file name of a module must start with a capital letter, too: rename `%s` to `%s`"
         (file_of file) (file_of target.text))
     (List.find_opt same known)
 
@@ -105,7 +105,7 @@ let diagnostic : Fact.in_modules -> Diagnostic.t = function
   | No_program { tests; program; reason } -> no_program ~tests ~program reason
   | Header_in_tests at ->
       in_tests ~at "`module` header"
-        "remove the header: the tests belong to the module of the program"
+        "remove the header: the tests belong to the program's module"
   | Main_in_tests at ->
       in_tests ~at "`main`"
         "a program is compiled without its test file: define `main` in the program, or give this \

@@ -3,12 +3,12 @@ open Resolve
 
 (* {1 Unused names} *)
 
-(* `setVelTR v 0` beside an unused `omega` *)
+(* Suggests an unused variable in place of a 0: `omega` in `setVelTR v 0`. *)
 let instead_of_zero name zero d =
   match zero with
   | Some zero ->
       Diagnostic.label ~at:zero "this is 0" d
-      |> Diagnostic.hint "write `%s` in place of this 0" name
+      |> Diagnostic.hint "replace this 0 with `%s`" name
       |> Diagnostic.write zero name
   | None -> d
 
@@ -24,14 +24,15 @@ let unused_equation ~at ~circle ~zero name =
      | [ _ ] -> Diagnostic.note "only its own equation uses it"
      | names ->
          let names = List.map (Printf.sprintf "`%s`") names in
-         Diagnostic.note "%s" (Enumeration.all names ^ " use only each other"))
+         Diagnostic.note "%s" (Enumeration.all names ^ " are used only by each other"))
   |> instead_of_zero (Option.value name ~default:"") zero
   |> Diagnostic.hint "%s"
        (match name with
        | None -> "use one of them in an output, or remove the equation"
        | Some name ->
            Printf.sprintf
-             "use it in an output, or remove it; if it is unused on purpose, call it `_%s`" name)
+             "use it in an output, or remove it; if it is unused on purpose, rename it to `_%s`"
+             name)
   |>
   match name with
   | Some name when name.[0] >= 'a' ->
@@ -60,14 +61,14 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
         (Enumeration.some quoted ~more:(List.length all - List.length told))
       |> Diagnostic.hint "replace them by `_` or by names such as `_%s`" first.name
       |> Diagnostic.fix ~safe:true
-           (Printf.sprintf "write `_%s`, and `_` before the other names" first.name)
+           (Printf.sprintf "write `_%s`, and prefix the other names with `_`" first.name)
            (List.map (fun (v : Fact.variable) -> (v.at, "_" ^ v.name)) all)
 
 let unused_import (idle : Ir.idle) =
   (match idle.listed with
   | Some name -> Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but not used" name
   | None ->
-      Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported but nothing from it is used"
+      Diagnostic.warning ~code:"W0306" ~at:idle.at "`%s` is imported, but nothing from it is used"
         idle.of_module)
   |> Diagnostic.hint "remove it"
   |> Diagnostic.fix ~safe:true "remove it" [ (idle.whole, "") ]
@@ -84,7 +85,8 @@ let advice text =
       let n = String.length text in
       Other (if String.ends_with ~suffix:"." text then String.sub text 0 (n - 1) else text)
 
-(* A qualified name is longer, and the new name might need another qualifier. *)
+(* Is the name written without a qualifier, so that its span has the length of the name? With a
+   qualifier, the new name might need a different one. *)
 let is_plain (name : Ir.Global.t) (span : Span.t) =
   Span.line span.start = Span.line span.stop
   && Span.column span.stop - Span.column span.start = String.length name.name

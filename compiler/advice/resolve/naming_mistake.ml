@@ -5,7 +5,7 @@ let quote text = Printf.sprintf "`%s`" text
 
 let ambiguous namespace (name : Syntax.Ir.name) candidates =
   let place diagnostic (c : Fact.candidate) =
-    Diagnostic.label ~at:c.place "the one in `%s`" c.module_ diagnostic
+    Diagnostic.label ~at:c.place "defined in `%s`" c.module_ diagnostic
   in
   let qualified =
     List.map (fun (c : Fact.candidate) -> Printf.sprintf "%s.%s" c.qualifier name.text) candidates
@@ -23,14 +23,15 @@ let declared_twice namespace (name : Syntax.Ir.name) ~(first : Span.t) ~is_funct
   |> Diagnostic.label ~at:first "first defined here"
   |> Diagnostic.hint "%s"
        (if not (String.equal first.file name.span.file) then
-          "a test file shares the names of its program: rename this one"
+          "rename this definition: a test file shares the namespace of its program"
         else if is_function then
           "write one equation for the function, and distinguish its arguments with `case`"
         else "remove one of them, or rename it")
 
 (* {1 Two equations for one name} *)
 
-(* The right-hand side of an equation on one line. *)
+(* The right-hand side of the variable's equation, if it is on one line and has no guards or
+   `where`. *)
 let value_of ~text (x : Ir.Local.t) =
   Option.bind (Name_in_text.equation ~text x.span) (fun equation ->
       let start = String.length x.name + String.length " = " in
@@ -45,7 +46,8 @@ let is_constant value =
       let first = if value.[0] = '-' && String.length value > 1 then value.[1] else value.[0] in
       Character.is_digit first && not (String.contains value ' ')
 
-(* `v = if stop then 0 else v` overrides a number; with a truth value, it is a latch *)
+(* Does the second equation, such as `v = if stop then 0 else v`, override the value of the first?
+   (If that value is a Bool, the second equation is a latch instead.) *)
 let overrides ~name ~before ~after =
   before <> "True" && before <> "False"
   && String.starts_with ~prefix:"if " after
@@ -67,20 +69,21 @@ let one_equation name ~before ~after =
   match Name_in_text.replaced ~name ~by after with
   | _ when is_constant before && List.mem "delay" words && List.mem name words ->
       Printf.sprintf
-        "remove `%s = %s`: in the other equation, `delay` has the initial value already" name before
+        "remove `%s = %s`: the `delay` in the other equation already has the initial value" name
+        before
   | Some (1, value) when starts ->
       Printf.sprintf "write one equation, in which `delay` returns the previous value: `%s = %s`"
         name value
-  | Some (1, value) -> Printf.sprintf "write one equation, `%s = %s`: %s" name value because
+  | Some (1, value) -> Printf.sprintf "write one equation, `%s = %s`, because %s" name value because
   | None when is_constant before && not (is_constant after) ->
-      Printf.sprintf "remove `%s = %s`: the other equation gives `%s` its value at every instant"
+      Printf.sprintf "remove `%s = %s`: the other equation defines `%s` at every instant"
         name before name
   | None when String.length before + String.length after < 60 ->
       Printf.sprintf
         "write one equation, because %s; to choose between the two values, write `%s = if c then \
-         %s else %s`, with your condition for `c`"
+         %s else %s`, with your condition in place of `c`"
         because name after before
-  | Some _ | None -> Printf.sprintf "write one equation for `%s`: %s" name because
+  | Some _ | None -> Printf.sprintf "write one equation for `%s`, because %s" name because
 
 let hint_for_one_equation ({ first; second; text; is_equation = _ } : Fact.defined) =
   match (value_of ~text first, value_of ~text second) with
@@ -116,7 +119,7 @@ let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
        (match pattern.desc with
        | Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]) ->
            Printf.sprintf
-             "write `%s = …`; to give its type, write `%s :: %s` on a line of its own above it"
+             "write `%s = …`; to declare its type, write `%s :: %s` on the line above"
              x.text x.text name.text
        | Constructed ({ qualifier = None; name; _ }, { desc = Bound f; _ } :: parameters)
          when typed_parameters parameters <> [] ->
@@ -133,7 +136,7 @@ let misplaced_claim ~at kind =
   let word = Labels.word kind in
   Diagnostic.error ~code:"E0234" ~at "an `%s` is only allowed among the equations of a `proc`" word
   |> Diagnostic.hint
-       "move it into a `proc`, as in `proc x -> y where` with `%s \"label\" (y > 0)` in the lines \
+       "move it into a `proc`, as in `proc x -> y where` with `%s \"label\" (y > 0)` on a line \
         below"
        word
 
@@ -155,7 +158,7 @@ let diagnostic suggestions : Fact.in_definitions -> Diagnostic.t = function
       Diagnostic.error ~code:"E0211" ~at:second.span "`%s` has two signatures" second.text
       |> Diagnostic.label ~at:first.span "the first one is here"
   | Signature_alone { name; bound } ->
-      Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition"
+      Diagnostic.error ~code:"E0214" ~at:name.span "`%s` has a signature but no definition"
         name.text
       |> Suggestion.add suggestions name.text bound
   | Top_level_pattern { at; pattern } -> top_level_pattern ~at pattern
@@ -172,4 +175,4 @@ let diagnostic suggestions : Fact.in_definitions -> Diagnostic.t = function
   | Label_without_quotes { label; kind } -> label_without_quotes label kind
   | Too_deep at ->
       Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep" Context.deepest
-      |> Diagnostic.hint "define the inner parts under their own names"
+      |> Diagnostic.hint "move the inner parts into definitions of their own"

@@ -8,8 +8,10 @@ let diagnostic ~name ~at : Resolve.Fact.setting -> Diagnostic.t = function
       let d = error at "the program has no parameter `%s`" name in
       Diagnostic.note "%s"
         (if known = [] then
-           "the program has no parameters; declare one by `param NAME :: TYPE = VALUE`"
-         else "the program has " ^ Enumeration.all (quoted (List.sort_uniq String.compare known)))
+           "the program has no parameters; declare one with `param NAME :: TYPE = VALUE`"
+         else
+           "the program's parameters: "
+           ^ Enumeration.all (quoted (List.sort_uniq String.compare known)))
         d
       |> Option.fold (Suggest.closest name known) ~none:Fun.id ~some:(fun near ->
              Diagnostic.hint "did you mean `%s`?" near)

@@ -38,8 +38,8 @@ let needs_itself (local : Core.Ir.Local.t) =
 let rate ~at ~slowest ~fastest rate =
   (match rate with
   | Some rate ->
-      Diagnostic.error ~code:"E0508" ~at "the rate of a node is between %g and %g Hz, not %g Hz"
-        slowest fastest rate
+      Diagnostic.error ~code:"E0508" ~at
+        "the rate of a node must be between %g and %g Hz, not %g Hz" slowest fastest rate
   | None -> Diagnostic.error ~code:"E0508" ~at "the rate of a node must be known at compile time")
   |> Diagnostic.hint "write a rate such as `50[Hz]`"
 

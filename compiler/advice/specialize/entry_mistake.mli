@@ -1,6 +1,6 @@
-(** Messages about programs that cannot run: the choice between programs ([E0411]), the types of
-    their input and output ([E0412]), functions that depend on themselves ([E0414]), and the rate of
-    a node ([E0508]). *)
+(** Messages about programs that cannot run, because of a choice between programs ([E0411]), the
+    type of an input, output or result ([E0412]), a function that depends on itself ([E0414]), or
+    the rate of a node ([E0508]). *)
 
 open Basis
 

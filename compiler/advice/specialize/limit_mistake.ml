@@ -2,8 +2,8 @@ open Basis
 open Specialize
 
 let each_combination =
-  "frobc makes a copy for each combination of types, functions and signal functions among the \
-   arguments; numbers do not count"
+  "frobc makes a separate copy for each combination of types, functions and signal functions in \
+   the arguments, but not for different numbers"
 
 let repeat_a_task =
   "repeat a task with `repeatT n`, `whileT` or `forever`, which use one mode for all repetitions"
@@ -27,7 +27,7 @@ let elements ~at ~numbers ~by =
   Diagnostic.(
     error ~code:"E0413" ~at "an array of %s functions or signal functions is too large to compile"
       (String.concat " times " (List.map string_of_int numbers))
-    |> here "`%s` compiles each of them separately here" by
+    |> here "`%s` needs a separate copy of each of them here" by
     |> note
          "an array of numbers is computed in a loop, but each function or signal function in an \
           array gets its own code"
@@ -38,8 +38,8 @@ let modes ~at ({ of_; modes } : Limit_fact.machine) =
   Diagnostic.(
     error ~code:"E0413" ~at "the state machine of `%s` has too many modes: more than %d" of_ modes
     |> note
-         "there is one mode for each combination of a task or signal function that can run and \
-          everything that can follow it"
+         "each combination of a task or signal function and everything that can follow it needs \
+          its own mode"
     |> hint "%s" repeat_a_task)
 
 let wide ~at (ty : Core.Ir.ty) ~leaves ~uses =
@@ -60,7 +60,7 @@ let copies ~at ~name ~copies =
   Diagnostic.(
     error ~code:"E0413" ~at "frobc makes too many copies of `%s`: more than %d" name copies
     |> note "%s" each_combination
-    |> hint "pass the same functions each time; numbers may change")
+    |> hint "pass the same functions each time; only numbers may change")
 
 let work ~at (definition : Core.Ir.definition) most_called =
   (match most_called with
@@ -71,9 +71,10 @@ let work ~at (definition : Core.Ir.definition) most_called =
   | Some _ | None ->
       Diagnostic.error ~code:"E0413" ~at "compiling `%s` takes too much work" definition.name.name)
   |> Diagnostic.note
-       "frobc evaluates a call with a function or signal function as argument or result at compile \
-        time; if each level calls the next one twice, every level doubles the work"
-  |> Diagnostic.hint "use fewer levels of functions, or give a result a name and use the name twice"
+       "frobc evaluates a call at compile time if its result or an argument is a function or \
+        signal function; if each function calls the next one twice, every level of calls doubles \
+        the work"
+  |> Diagnostic.hint "use fewer levels of calls, or name a result and use the name twice"
 
 let name_of : Core.Ir.ty -> string = function
   | Data (tycon, _) -> Printf.sprintf "the type `%s`" tycon.name
@@ -93,7 +94,9 @@ let data_nested ~at ty ~limit =
 let functions_nested ~at (definition : Core.Ir.definition) =
   Diagnostic.(
     error ~code:"E0413" ~at "`%s` needs functions that are nested too deeply" definition.name.name
-    |> note "each function or signal function contains the previous one, thousands of times"
+    |> note
+         "the functions or signal functions form a chain of thousands, and each contains the \
+          previous one"
     |> hint "compose fewer of them, or write one signal function that does the same")
 
 let diagnostic ({ at; calls; excess } : Limit_fact.t) =

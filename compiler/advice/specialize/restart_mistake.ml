@@ -7,7 +7,7 @@ let most_shown = 10
 
 let in_one_instant ~at (hops : Restart_fact.hop list) own =
   let others = List.filteri (fun i _ -> i < most_shown) (List.sort_uniq Span.compare own) in
-  (* the text depends on the task that ended before *)
+  (* names the task that ends before this place, if it is known *)
   let this_starts place =
     let newest_first = List.rev hops in
     let is_here (hop : Restart_fact.hop) = Span.compare hop.place place = 0 in
@@ -30,7 +30,7 @@ let in_one_instant ~at (hops : Restart_fact.hop list) own =
         next instant"
   |> Diagnostic.hint
        "add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least \
-        one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`"
+        one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output"
 
 (* {1 Growth} *)
 
@@ -54,7 +54,7 @@ let growing ~at ~name ~is_task ~added ~is_choice way =
   let on_the_way (diagnostic, shown) (name, place) =
     if List.mem place shown then (diagnostic, shown)
     else
-      let text = Printf.sprintf "on the way, `%s` starts here" name in
+      let text = Printf.sprintf "between the restarts, `%s` starts here" name in
       (Diagnostic.label ~at:place "%s" text diagnostic, place :: shown)
   in
   let what = if is_task then "tasks" else "signal functions" in
@@ -63,7 +63,7 @@ let growing ~at ~name ~is_task ~added ~is_choice way =
     |> here "it restarts here, with one more `%s`" added
     |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) way))
     |> note "frobc must know all %s that can run, so their number must be finite" what
-    |> hint "restart it with the same %s each time; numbers may change" what
+    |> hint "restart it with the same %s each time; only numbers may change" what
     |>
     if is_choice then
       hint "pass the condition of the `if` as an argument, and choose inside `%s`" name
@@ -111,7 +111,7 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
           "to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, followed by \
            the statements to run after all repetitions"
         else if by_itself && goes_on then
-          "use `switch`, whose continuation replaces it; `rSwitch` never ends"
+          "use `switch`, which ends when its continuation starts; `rSwitch` never ends"
         else if by_itself then
           Printf.sprintf
             "end `%s` in a `switch` whose continuation starts the other signal function, or choose \

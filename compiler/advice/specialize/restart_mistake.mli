@@ -1,6 +1,6 @@
 (** Messages about signal functions and tasks that restart themselves: endlessly in one instant
-    ([E0402]), inside themselves ([E0415]), ever larger ([E0416]), or before the statements that
-    wait for the task ([E0420]). *)
+    ([E0402]), inside themselves ([E0415]), with ever larger arguments ([E0416]), or while later
+    statements wait for the task to end ([E0420]). *)
 
 open Basis
 

@@ -64,7 +64,7 @@ let separated_by_semicolons found by =
       let commas = String.map (function ';' -> ',' | c -> c) inside in
       Diagnostic.hint "write `{ %s }`" commas d
       |> Diagnostic.fix "write commas" (List.map separator offsets)
-  | Some _ | None -> Diagnostic.hint "write a `,` between two fields" d |> Diagnostic.write d.at ","
+  | Some _ | None -> Diagnostic.hint "write a `,` between fields" d |> Diagnostic.write d.at ","
 
 (* {1 The likely place of a missing bracket} *)
 
@@ -81,8 +81,8 @@ let has_operator text first last =
   in
   go first 0
 
-(* The offset after the `)` of a formula that is followed by an argument, as in `(a - b) 0`, and the
-   bracket that is open there. *)
+(* Finds a formula in brackets that is followed by an argument, as in `(a - b) 0`. Returns the
+   offset after its `)`, and the offset of the bracket that is still open there. *)
 let applied_formula text first last =
   let starts_argument i =
     i + 1 < last
@@ -171,19 +171,19 @@ let unclosed_bracket found ((opener, closer), by) =
   |> Diagnostic.label ~at:(span found.token) "a `%s` is missing before this" closer
   |> (if holds_others found by.Layout.by && char_at found found.token.start.pos_cnum <> ';' then
         Diagnostic.hint
-          "each `%s` closes the last open bracket, so perhaps a bracket inside this one is not \
-           closed"
+          "check that each bracket inside this one is closed: a `%s` closes the innermost open \
+           bracket"
           closer
       else Fun.id)
   |>
   let at = found.token.start.pos_cnum in
   if at < String.length found.text && found.text.[at] = ';' then
     match opener with
-    | "(" -> Diagnostic.hint "a `;` ends a definition: write tasks below each other in a `do`"
+    | "(" -> Diagnostic.hint "a `;` ends a definition: write each task on its own line of a `do`"
     | "[" ->
         Diagnostic.hint
-          "a `;` ends a definition: write a `,` between two elements, and rows as arrays, `[[1, \
-           2], [3, 4]]`"
+          "a `;` ends a definition: write a `,` between elements, and each row of a matrix as an \
+           array, as in `[[1, 2], [3, 4]]`"
     | _ -> Fun.id
   else Fun.id
 
@@ -192,7 +192,7 @@ let is_a_record found (by : Layout.origin) =
   let word = word_before found by.by.start.pos_cnum in
   word <> "" && Basis.Character.is_upper word.[0]
 
-(* `[1, 2; 3, 4]` *)
+(* A matrix in MATLAB's notation, such as `[1, 2; 3, 4]`. *)
 let matrix found (by : Layout.origin) =
   if char_at found found.token.start.pos_cnum <> ';' then None
   else
@@ -224,7 +224,7 @@ let closes_nothing found closer =
   let opener = match closer with ")" -> "(" | "]" -> "[" | _ -> "{" in
   Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` has no opening bracket" closer
   |> Diagnostic.hint
-       "remove it, or add a `%s` before it: the other brackets of this definition are all closed"
+       "remove it, or add a `%s` before it: all other brackets in this definition are closed"
        opener
   |> Diagnostic.fix "remove it" [ (span found.token, "") ]
 
@@ -237,7 +237,7 @@ let report found =
           Some
             (Diagnostic.error ~code:"E0111" ~at:(span found.token) "`%s` cannot close `%s`" closer
                opener
-            |> Diagnostic.label ~at:(opener_span by) "expected `%s` for this" right)
+            |> Diagnostic.label ~at:(opener_span by) "expected `%s` to close this" right)
       | Some _ -> None
       | None ->
           if

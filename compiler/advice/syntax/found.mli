@@ -11,7 +11,7 @@ type t = {
 }
 
 type rule = t -> string option
-(** A hint, if it applies. *)
+(** Returns a hint if the rule applies. *)
 
 (** {1 Blocks and brackets} *)
 
@@ -26,7 +26,7 @@ val compares : Layout.context -> bool
 (** {1 Characters} *)
 
 val char_at : t -> int -> char
-(** The character at this offset; a newline outside the text. *)
+(** The character at this offset, or a newline if the offset is outside the text. *)
 
 val after : t -> char
 (** The character after the token. *)
@@ -39,7 +39,7 @@ val is_symbol : char -> bool
 val written : t -> Layout.token -> string
 
 val is_adjacent : t -> Layout.token -> bool
-(** Are the given token and the found one adjacent, without whitespace between them? *)
+(** Does the given token end where the erroneous token starts, without whitespace between them? *)
 
 val word_from : t -> int -> int * int
 
@@ -49,7 +49,8 @@ val first_word_from : t -> int -> int * int
 val part : t -> int * int -> string
 
 val first_word : t -> string
-(** The word at the left margin of the line, which is often a keyword of another language. *)
+(** The word at the left margin of the token's line, which is often a keyword of another language.
+*)
 
 val first_word_of_line : t -> string
 (** The first word of the token's line, after the indentation. *)
@@ -60,7 +61,7 @@ val word_before : t -> int -> string
 val stands_after : t -> string -> Layout.token -> bool
 
 val names_before : t -> string -> bool
-(** Does the line contain this word before the token? *)
+(** Does the token's line contain this word before the token? *)
 
 (** {1 Lines} *)
 

@@ -90,7 +90,7 @@ let claim found =
       | None when text = "" -> None
       | None ->
           Some
-            (error found ~at "an `%s` needs a label that says what must hold" word
+            (error found ~at "an `%s` needs a label that describes its condition" word
             |> with_fix found (written text "\"keeps off the wall\"")))
   | _ -> None
 
@@ -105,7 +105,7 @@ let param found =
         Some
           (error found
              ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
-             "a parameter needs its type before its value"
+             "a parameter needs a type before its value"
           |> instead found ~at:(fst (line found), stop) text)
   | _ -> None
 
@@ -132,7 +132,7 @@ let param_name found =
             let is_name = name <> "" && String.for_all Basis.Character.is_name name in
             if is_name then
               Option.map
-                (fun it -> ("the name of a parameter has no quotes", it))
+                (fun it -> ("the name of a parameter must be written without quotes", it))
                 (typed (String.uncapitalize_ascii name) rest)
             else None
         | Some _ | None -> None)
@@ -140,11 +140,11 @@ let param_name found =
         match Typed_equation.of_line text with
         | Some { name; type_; value; _ } ->
             Some
-              ( "the name of a parameter comes before its type",
+              ( "the name of a parameter must come before its type",
                 Printf.sprintf "%s :: %s = %s" name type_ value )
         | None ->
             Option.map
-              (fun it -> ("the name of a parameter starts with a lower-case letter", it))
+              (fun it -> ("the name of a parameter must start with a lower-case letter", it))
               (typed (String.uncapitalize_ascii name) (rest (String.length name))))
     | _ -> None
   in
@@ -164,7 +164,7 @@ let param_call found =
           let d =
             error found
               ~at:(found.token.start.pos_cnum, stop)
-              "a parameter is declared at the top level"
+              "a parameter must be declared at the top level"
           in
           let at = found.token.start.pos_cnum in
           if Other_parameter.is_its_definition found.text at name then
@@ -236,7 +236,7 @@ let foreign_import found =
           Some
             (error found
                ~at:(found.token.start.pos_cnum, found.token.stop.pos_cnum)
-               "`foreign` must not be followed by `import`, and the name in C must come last"
+               "`foreign` must not be followed by `import`, and the C name must come last"
             |> instead found ~at:(bol, stop) (Printf.sprintf "foreign %s = \"%s\"" behind symbol))
       | _ -> None)
   | _ -> None
@@ -249,9 +249,9 @@ let module_head found =
       Some
         (error found
            ~at:(found.token.start.pos_cnum, found.token.start.pos_cnum + 1)
-           "the head of a module must end with `where`"
-        |> Diagnostic.hint "write `module %s where`; a module that exports everything needs no head"
-             name
+           "a module header must end with `where`"
+        |> Diagnostic.hint
+             "write `module %s where`; a module that exports everything needs no header" name
         |> Diagnostic.fix "write `where`"
              [ (span_of found (before.stop.pos_cnum, before.stop.pos_cnum), " where") ])
   | _ -> None
@@ -315,8 +315,8 @@ let path found =
     else
       Some
         (Printf.sprintf
-           "name the module without its folder: `import %s`; its file must be in the folder of \
-            this one, or in the library"
+           "name the module without its folder: `import %s`; its file must be in the same folder \
+            as this one, or in the library"
            (String.capitalize_ascii base))
 
 let choices found =

@@ -33,7 +33,8 @@ let number_followed ~at ~base ~number ~rest ~has_unit =
   else Fun.id
 
 let with_digit ~at ~where text d =
-  Diagnostic.hint "write a digit %s the point: `%s`" where text d |> Diagnostic.write at text
+  Diagnostic.hint "write a digit %s the decimal point: `%s`" where text d
+  |> Diagnostic.write at text
 
 let too_long ~at what ~most ~length =
   error ~code:"E0105" ~at "a %s has at most %d characters, but this one has %d" what most length
@@ -44,8 +45,8 @@ type colons = string option list
 
 let no_colons = []
 
-(* Only the first one of a line is reported, because the rest of the line probably causes the same
-   error. *)
+(* Reports only the first unexpected character of a line, because the others probably have the same
+   cause. *)
 let unexpected_character ~text colons ~at ~character ~offset ~is_first =
   let is_colon = character = ":" in
   if not (is_first || is_colon) then (None, colons)
@@ -85,11 +86,11 @@ let of_problem ~at : Lexical_fact.problem -> Diagnostic.t option = function
       Some (number_followed ~at ~base ~number ~rest ~has_unit)
   | No_fraction { number } ->
       Some
-        (error ~code:"E0105" ~at "the number `%s.` has no digit after its point" number
+        (error ~code:"E0105" ~at "the number `%s.` has no digit after its decimal point" number
         |> with_digit ~at ~where:"after" (number ^ ".0"))
   | No_whole_part { fraction } ->
       Some
-        (error ~code:"E0105" ~at "the number `%s` has no digit before its point" fraction
+        (error ~code:"E0105" ~at "the number `%s` has no digit before its decimal point" fraction
         |> with_digit ~at ~where:"before" ("0" ^ fraction))
 
 let diagnostic ~text colons ({ at; problem } : Lexical_fact.t) =

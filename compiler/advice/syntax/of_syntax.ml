@@ -14,9 +14,9 @@ let start t text =
   t.colons <- Lexical_mistake.no_colons
 
 let tabs ~at count =
-  let more = if count = 1 then "" else Printf.sprintf " (%d in this file)" count in
+  let more = if count = 1 then "" else Printf.sprintf " (%d tabs in this file)" count in
   Diagnostic.error ~code:"E0102" ~at
-    "this is a tab, but only spaces are allowed, because indentation has a meaning%s" more
+    "tabs are not allowed, because indentation is significant%s" more
   |> Diagnostic.hint "set up your editor to insert spaces instead of tabs"
 
 let lexical t fact =
@@ -37,7 +37,7 @@ let diagnostic t (problem : Syntax.Fact.problem) =
       Some
         (Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep"
            Syntax.Layout.deepest
-        |> Diagnostic.hint "define the inner parts under their own names")
+        |> Diagnostic.hint "move inner parts into definitions of their own")
   | Lexical fact -> lexical t fact
   | Unexpected { state; before; token } ->
       Syntax_error.unexpected ~told:t.told ~text ~state ~before token

@@ -3,7 +3,8 @@
 open Basis
 
 type t
-(** The diagnostics of the file that is being parsed: a hint about the whole file is given once. *)
+(** The diagnostics so far of the file that is being parsed, so that a hint about the whole file is
+    given only once. *)
 
 val create : unit -> t
 val diagnostics : t -> Syntax.Fact.t -> Diagnostic.t list

@@ -10,7 +10,7 @@ let is_a_name : Layout.token option -> bool = function
   | Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } -> true
   | Some _ | None -> false
 
-(* The place of a part of a line before the token, between two offsets. *)
+(* The span between two offsets on one line, which is the token's line or above it. *)
 let span_before found first last =
   let bol = Option.fold (String.rindex_from_opt found.text first '\n') ~none:0 ~some:succ in
   let lines = lines_between found first found.token.start.pos_cnum in
@@ -60,7 +60,7 @@ let word_in_backticks found =
       Some (error found "%s" (Declaration_hint.reserved_word (written found found.token)))
   | _ -> None
 
-(* Does the line, up to here, contain only a name and its type? *)
+(* Does the line, up to the token, contain only a name and its type? *)
 let ends_a_signature found =
   let start = found.token.start.pos_bol in
   let line = String.sub found.text start (found.token.start.pos_cnum - start) in
@@ -83,7 +83,7 @@ let value_after_type found =
       let bol = found.token.start.pos_bol in
       let name = part_name (between found bol found.token.start.pos_cnum) in
       let value = between found found.token.stop.pos_cnum (end_of_line found bol) in
-      error found "expected `->`, or the end of the type, found `=`"
+      error found "expected `->` or the end of the type, found `=`"
       |> Diagnostic.hint "%s"
            (match name with
            | Some name when value <> "" && String.length value < 60 ->
@@ -108,7 +108,7 @@ let type_before_equation found =
 
 let words_of_a_choice = [ "switch"; "match"; "when"; "select"; "if"; "cond" ]
 
-(* The offsets of the last occurrence of one of these words in the text, and the text after it. *)
+(* The offsets of the last of these words between two offsets, and the text after it. *)
 let choice_in found first last =
   let rec back i =
     if i < first then None
@@ -162,7 +162,7 @@ let switch_of found =
       let word = part found word in
       Diagnostic.error ~code:"E0110"
         ~at:(Build.span (place first, place last))
-        "a choice by values is a `case`, not `%s`" word
+        "to choose by value, Frob has `case`, not `%s`" word
       |> Diagnostic.hint "write `case %s of`%s" value
            (if String.equal word "switch" then
               "; `switch` changes from one signal function to another"
@@ -187,7 +187,7 @@ let loop_as_value found =
 
 (* {1 Guards} *)
 
-(* The offsets of each [=] in this part of the text that is not part of a longer operator. *)
+(* The offset of each [=] in this part of the text that does not belong to a longer operator. *)
 let signs_in found first last =
   let is_one i =
     found.text.[i] = '='
@@ -301,7 +301,7 @@ let reserved found =
       |> Option.some
   | RESERVED "newtype" ->
       absent found "`newtype` is not part"
-      |> Diagnostic.hint "use `data`, which costs nothing for a single field"
+      |> Diagnostic.hint "use `data`: it has no overhead for a single field"
       |> Diagnostic.write (span found.token) "data"
       |> Option.some
   | RESERVED word -> Some (absent found "`%s` is not part" word)
@@ -309,7 +309,7 @@ let reserved found =
 
 (* {1 Brackets} *)
 
-(* The text before the first closing bracket that has no partner in the text. *)
+(* The text before the first unmatched closing square bracket. *)
 let before_closing text =
   let rec go i depth =
     if i >= String.length text then None
@@ -372,8 +372,8 @@ let index_in_brackets found =
       let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
       no_index found
       |> Diagnostic.hint
-           "write `(%s ! %s)` for an element of an array; for a tuple, write an equation, `(a, b) \
-            = %s`; before an argument, write a space"
+           "write `(%s ! %s)` for an element of an array; to take a tuple apart, write an \
+            equation, `(a, b) = %s`; to pass an array as an argument, put a space before the `[`"
            name digits name
       |> Diagnostic.write whole (" ! " ^ digits)
       |> Option.some
@@ -437,8 +437,9 @@ let bracket_after_name found =
          else
            no_index found
            |> Diagnostic.hint
-                "use `xs ! 0` for an element of an array; for a tuple, write an equation, `(a, b) \
-                 = p`; before an argument, write a space")
+                "use `xs ! 0` for an element of an array; to take a tuple apart, write an \
+                 equation, `(a, b) = p`; to pass an array as an argument, put a space before the \
+                 `[`")
   | _ -> None
 
 let is_a_type text =
@@ -455,8 +456,8 @@ let type_in_brackets found =
            (match Other_type.of_signature found.text found.token.start.pos_cnum with
            | Some signature -> "write " ^ signature
            | None ->
-               "write the type of the elements, and a size or, for any size, a variable: `Array 4 \
-                Float`, `Array n Float`")
+               "write the size and the type of the elements, as in `Array 4 Float`, or a variable \
+                for any size, as in `Array n Float`")
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | QUALIFIED_UPPER _; _ }
     when names_before found "::" && Option.fold (in_brackets found) ~none:false ~some:is_a_type ->
@@ -467,7 +468,8 @@ let type_in_brackets found =
            | Some signature -> "write " ^ signature
            | None ->
                Printf.sprintf
-                 "write it with a size or, for any size, a variable: `(Array 4 %s)`, `(Array n %s)`"
+                 "write it with a size, as in `(Array 4 %s)`, or with a variable for any size, as \
+                  in `(Array n %s)`"
                  element element)
       |> Option.some
   | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->

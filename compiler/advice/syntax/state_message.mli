@@ -6,7 +6,7 @@ type expects =
   | Other
 
 type t = {
-  expected : string;  (** the first words of the message *)
+  expected : string;  (** the start of the message, up to ", found …" *)
   hints : string list;
   expects : expects;
 }

@@ -11,7 +11,7 @@ let item_of : Layout.block -> string = function
   | Do | Rec -> "statement"
   | Of -> "branch"
 
-(* Long strings and names are truncated, to keep the message readable. *)
+(* Truncates long strings and names to keep the message readable. *)
 let shortened text = if String.length text <= 30 then text else String.sub text 0 27 ^ "…"
 
 let describe found =
@@ -32,16 +32,17 @@ let describe found =
   | PARAM | CLASS | INSTANCE | SEMICOLON | END | BAD | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found found.token))
 
-(* {1 The state's message} *)
+(* {1 The message of the parser state} *)
 
 let message found = State_message.of_state found.state
 
-(* `speed == 0.3[m/s]` on a separate line. *)
+(* `==` in place of `=` in a definition, as in `speed == 0.3[m/s]`. *)
 let compares_instead found =
   let of_line line =
     match String.split_on_char ' ' (String.trim line) with
     | name :: "==" :: _ :: _ ->
-        Some (Printf.sprintf "write one `=` to define a name: `%s = …`; `==` compares" name)
+        Some (Printf.sprintf "write a single `=` to define a name, as in `%s = …`; `==` compares \
+                              two values" name)
     | _ -> None
   in
   let bol = found.token.start.pos_bol in
@@ -54,13 +55,13 @@ let starts_with_a_text found =
   let line = between found bol (end_of_line found bol) in
   line <> "" && line.[0] = '"'
 
-(* `"drives ahead"` at the left margin. *)
+(* A string at the left margin that was meant as a comment, such as `"drives ahead"`. *)
 let text_alone found =
   if starts_with_a_text found then
     Some "write a comment as `-- …`, or as `-- | …` to document the definition below"
   else None
 
-(* `Velocity v` without a value *)
+(* A declaration as in C, without a value, such as `Velocity v`. *)
 let type_before_name found =
   let bol = found.token.start.pos_bol in
   Option.map
@@ -103,7 +104,7 @@ let lacks_else found =
   | (END | SEMICOLON | CLOSE | RPAREN), (Layout.Then, _) :: _ -> true
   | _ -> false
 
-(* `whenT ok (t)` for the statement `if ok then t`, if it is on one line. *)
+(* Rewrites the statement `if ok then t` as `whenT ok (t)`, if it is on one line. *)
 let task_without_else found =
   let stop = trimmed found found.token.start.pos_cnum in
   let bol =
@@ -126,7 +127,7 @@ let task_without_else found =
       | _ -> None)
   | _ -> None
 
-(* `whenT condition $ do` for a line `if condition then` above several statements. *)
+(* Replaces a line `if condition then` above several statements with `whenT condition $ do`. *)
 let block_without_else found =
   match found.context with
   | (Layout.Then, { by; _ }) :: _ when innermost_block found.context = Do -> (
@@ -172,9 +173,9 @@ let plain found =
     match foreign found with
     | Some (text, at) -> Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" text
     | None when found.token.token = OPERATOR "!" && Operator_hint.negation found <> None ->
-        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no `!` before a condition"
+        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no prefix `!`"
     | None when Operator_hint.disjunction found <> None ->
-        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no `|` between conditions"
+        Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no `|` operator"
     | None ->
         Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected
           (describe found)
@@ -200,14 +201,15 @@ let plain found =
     | _ when lacks_else found && task_without_else found <> None ->
         [
           Printf.sprintf
-            "to run a task only if a condition holds, write `%s`; for a choice, add an `else`"
+            "to run a task only if a condition holds, write `%s`; to choose between two tasks, add \
+             an `else`"
             (Option.get (task_without_else found));
         ]
     | _ when lacks_else found && block_without_else found <> None ->
         [
           Printf.sprintf
-            "to run these tasks only if the condition holds, write `%s` in place of the line of \
-             the `if`; for a choice, add an `else`"
+            "to run these tasks only if the condition holds, replace the line of the `if` with \
+             `%s`; to choose between two blocks of tasks, add an `else`"
             (Option.get (block_without_else found));
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
@@ -237,10 +239,10 @@ let choice_of_commands found =
         (fun by ->
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
             "`if` and `case` cannot choose between commands"
-          |> Diagnostic.label ~at:(opener_span by) "this is the choice"
+          |> Diagnostic.label ~at:(opener_span by) "this chooses between commands"
           |> Diagnostic.hint
-               "choose the value, as in `%s -< if c then a else b`, or run both and choose between \
-                their outputs"
+               "choose the input, as in `%s -< if c then a else b`, or run both commands and \
+                choose between their outputs"
                (match found.before with
                | Some { token = LOWER sf; _ } when found.token.token = TAIL -> sf
                | _ -> "y <- sf"))
@@ -265,7 +267,7 @@ let condition_before found last =
       | _ -> None)
   | _ -> None
 
-(* `x <- integral -< v` in a branch of a `proc`. *)
+(* A command in a branch of a `proc`, such as `x <- integral -< v`. *)
 let command_in_a_branch found ~command ~(block : Lexing.position) =
   let before, after = around_command found command in
   let name =
@@ -287,7 +289,8 @@ let command_in_a_branch found ~command ~(block : Lexing.position) =
         "choose the input, and run the command at every instant: `%s <- %s -< if %s then %s else 0`"
         name sf condition input d
       |> Diagnostic.hint
-           "to restart it whenever the condition becomes True: `%s <- resetOn %s -< (%s, edge %s)`"
+           "to restart the signal function whenever the condition becomes \
+            True: `%s <- resetOn %s -< (%s, edge %s)`"
            name (Source.grouped sf) input (Source.grouped condition)
   | _, sf :: _ :: _ when String.equal (String.trim sf) "returnA" ->
       Diagnostic.hint "choose the value: `returnA -< if c then a else b`" d
@@ -313,7 +316,7 @@ let command ~text ~command ~(block : Lexing.position) token =
          "for a signal function, write all statements in one `do` after `proc x ->`; a task needs \
           no `-<`"
 
-(* {1 Functions of other languages} *)
+(* {1 Function definitions in the style of other languages} *)
 
 let first_position found bol =
   {
@@ -323,14 +326,15 @@ let first_position found bol =
     pos_lnum = found.token.start.pos_lnum - lines_between found bol found.token.start.pos_cnum;
   }
 
-(* `float f(float x) { return x; }` *)
+(* A function definition in the style of C or JavaScript, such as `float f(float x) { return x;
+   }`. *)
 let function_of_c found =
   let bol = start_of_definition found in
   Option.map
     (fun (d : Other_definition.t) ->
       let start = first_position found bol in
       let at = Build.span (start, { start with pos_cnum = snd d.head }) in
-      Diagnostic.error ~code:"E0110" ~at "this defines a function as in C"
+      Diagnostic.error ~code:"E0110" ~at "this function definition is not in Frob's syntax"
       |> Diagnostic.hint "%s" (Other_definition.advice d))
     (match Other_definition.of_c found.text bol with
     | Some d -> Some d
@@ -359,7 +363,7 @@ let is_body_of_c found =
 
 (* {1 Waiting} *)
 
-(* `delay(1000)` on a separate line. *)
+(* A call that is meant to wait, such as `delay(1000)`, on a separate line. *)
 let waiting found =
   match found.before with
   | Some { start; _ }
@@ -425,14 +429,14 @@ let explained ~told:earlier found =
     let is_function (other : Diagnostic.t) = other.message = "Frob has no `function`" in
     d.hints = [ Beginnings.no_end ] && List.exists is_function earlier
   in
-  (* the rest of `{ p with x = 1; y = 2 }` *)
+  (* the closing brace of a record copy that was already reported, `{ p with x = 1; y = 2 }` *)
   let ends_copy =
     found.token.token = RBRACE && d.code = "E0111"
     && List.exists
          (fun (other : Diagnostic.t) -> List.exists Record_hint.is_of_a_copy other.hints)
          earlier
   in
-  (* every `;` in the head of a loop in C ends a definition *)
+  (* every `;` in the head of a `for` loop in C ends a definition *)
   let of_loop =
     Other_loop.as_value found.text found.token.start.pos_cnum <> None
     && List.exists

@@ -1,6 +1,6 @@
 open Basis
 
-(* The text of the definition in which the code starts, up to the code *)
+(* The text from the start of the enclosing definition up to the code. *)
 let text_before words (at : Span.t) =
   let sources = Wording.sources words in
   Option.map

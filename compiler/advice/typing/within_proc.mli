@@ -4,7 +4,7 @@ open Basis
 
 val is_certain : Wording.t -> Span.t -> bool
 (** Is the code part of a definition of the form [f = proc x -> …], with no task around the code?
-    Reads the definition up to the code. False if in doubt. *)
+    Reads the definition up to the code. Returns false if in doubt. *)
 
 val no_tasks : string option -> string
 (** The hint for a task with this source text. *)

@@ -207,15 +207,15 @@ let is_any_number t =
       | _ -> false)
   | _ -> false
 
-(* A type as part of a sentence. If the representation of a number is undetermined, the text does
-   not need a generated name for it. *)
+(* A type as part of a sentence. The text of a number with an undetermined representation needs no
+   generated name for the representation. *)
 let described words t =
   match Type.expand t with
   | _ when is_any_number t -> "a number"
   | Number (r, u) -> (
       let u = Units.resolve u in
       match (Type.representation r, Units.flexible_powers u) with
-      | Flexible_representation _, [] -> Printf.sprintf "a number of `%s`" (measure words u)
+      | Flexible_representation _, [] -> Printf.sprintf "a number in `%s`" (measure words u)
       | _ -> quoted words t)
   | _ -> quoted words t
 

@@ -1,4 +1,5 @@
-(** The words of one message: texts of types and units, and what the message may mention.
+(** The words of one message: the texts of types and units, and the parts of the program that the
+    message may mention.
 
     Unsolved variables get names in the usual style: [a], [b] for types, [u], [v] for units, [n] for
     representations. A name is the same in all texts of one message and differs from all names that
@@ -22,7 +23,7 @@ val argument : t -> Resolve.Ir.expr -> string option
     argument. *)
 
 val argument_or : string -> t -> Resolve.Ir.expr -> string
-(** Like {!argument}, or this text in place of a long one. *)
+(** Like {!argument}, with this text as the fallback if the source text is long. *)
 
 val needs_class : t -> Type.t -> bool
 val definition : t -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
@@ -48,7 +49,7 @@ val owner : t -> Ir.variable -> Surroundings.owned option
 val makers : t -> Type.t -> of_:Type.t -> string list
 
 val declared : t -> Resolve.Ir.Global.t -> string option
-(** The type that the signature contains. *)
+(** The text of the type in the signature. *)
 
 val is_input : t -> string -> bool
 (** Is this the name of an input of the enclosing proc? *)
@@ -57,8 +58,8 @@ val signal : t -> Type.t -> string option
 (** An input of the enclosing proc that may have this type. *)
 
 val tell_apart : t -> Type.t list -> unit
-(** From now on, shows the module name for data types whose name occurs in several modules among
-    these types. *)
+(** From now on, qualifies the name of a data type with its module if these types include data types
+    of that name from several modules. *)
 
 val namesakes : t -> string list
 (** The names that are shown with their module. *)

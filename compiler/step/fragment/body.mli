@@ -10,8 +10,8 @@ val step :
   is_root:bool ->
   Statics.t ->
   Fragment.t * (Flow.Ir.atom -> Flow.Ir.atom)
-(** Also returns a function that resolves copies. For [limited], see {!Memory.advance}. A node with
-    one output returns it; the root always writes its outputs to a struct. *)
+(** Also returns a function that resolves copies. For [limited], see {!Memory.advance}. The step of
+    a node with one output returns that output; the root always writes its outputs to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Fragment.t
-(** Computes the static values, and then everything that they initialize. *)
+(** Computes the static values, and then initializes the state. *)

@@ -52,7 +52,7 @@ let computed (eq : F.equation) rhs : computed =
   | Copy a -> make [ a ] 0 one
   | Op (operator, operands) ->
       let ty =
-        match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing"
+        match operands with a :: _ -> atom_type a | [] -> broken "an operation without operands"
       in
       make operands (operator_weight operator) (operation ~span:eq.span operator ty)
   | If { condition; then_; else_ } ->
@@ -93,13 +93,13 @@ let computed (eq : F.equation) rhs : computed =
       let count, element = array_type (Flow.Operands.ty array) in
       make [ array; index; default ] 3 (function
         | [ array; index; default ] -> At { count; element; array; index; default }
-        | _ -> broken "an element with the wrong number of operands")
+        | _ -> broken "an array access with the wrong number of operands")
   | Replace { array; index; value } ->
       let count, element = array_type eq.defines.ty in
       make [ array; index; value ] (2 + count) (function
         | [ array; index; value ] -> Replace { count; element; array; index; value }
-        | _ -> broken "an element with the wrong number of operands")
+        | _ -> broken "an array update with the wrong number of operands")
   | Step_time -> make [] 0 (fun _ -> Ir.Dt)
   | Param k -> make [] 0 (fun _ -> Ir.Param k)
   | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ ->
-      broken "memory in a place that cannot have any"
+      broken "a stateful operation where none is allowed"

@@ -7,7 +7,7 @@ type t = {
   copies : F.atom Int_table.t;
   leaves : Ir.expr Int_table.t;
   nanoseconds : unit Int_table.t;
-  mutable items : item list;  (** last one first *)
+  mutable items : item list;  (** newest first *)
   mutable states : (Ir.field * F.atom * F.signal option * Span.t) list;
 }
 

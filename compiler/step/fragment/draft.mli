@@ -21,7 +21,8 @@ val count_nanoseconds : t -> Flow.Ir.signal -> unit
 (** Records that the signal is a whole number of nanoseconds, regardless of its type in Flow. *)
 
 val keep_at_end : t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
-(** Assigns this value to the field at the end of the step; for [leaf], see {!Fragment.t}. *)
+(** Assigns this value to the field at the end of the step. [leaf]: the signal that the step reads
+    from the field, if any. *)
 
 val work :
   ?defines:Flow.Ir.signal list ->

@@ -26,7 +26,7 @@ type action = {
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
   always : bool;  (** whether the action writes state; if so, it is part of every step *)
-  advances : Ir.field option;  (** a field that it writes and that later items read *)
+  advances : Ir.field option;  (** a field that the action writes and later items read *)
   weight : int;
   span : Span.t;
 }
@@ -34,7 +34,7 @@ type action = {
 
 type item = Computed of computed | Action of action
 
-(** A change of a place at the end of the step. *)
+(** An update of a place at the end of the step. *)
 type update = Keep | Set of atom | Branch of { condition : atom; then_ : update; else_ : update }
 
 type write = { place : Ir.place; update : update; span : Span.t }
@@ -49,8 +49,8 @@ type t = {
   results : (Ir.place * atom * Span.t) list;
       (** written before any state, except for results that {!Late} moves after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
-      (** a field, its next value, and the signal that the step reads from it. If the next value is
-          this signal, the field does not change *)
+      (** a field, its next value, and the signal that the step reads from the field, if any. If the
+          next value is that signal, the field does not change *)
   returned : (atom * Span.t) option;
   advances : Ir.statement list;
       (** statements that advance times and integrals, executed before everything else *)

@@ -26,7 +26,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
             };
           Assign { place = Own input; value = kept; span };
         ]
-    | _ -> broken "a derivative of other than one signal"
+    | _ -> broken "a derivative with the wrong number of operands"
   in
   Draft.add draft (Draft.work ~operands:[ atom; atom ] ~advances:value span statements)
 
@@ -44,8 +44,8 @@ let advance ~limited state (eq : F.equation) =
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
   | Some (Ticked { time; period }) ->
-      (* The sum cannot overflow, because the time was less than the period, and dt is at most
-         10^18. *)
+      (* If the period is at most 8 * 10^18, the sum cannot overflow: the time was less than the
+         period, and dt is at most 10^18. *)
       let limited = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
       Some (Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
@@ -78,7 +78,7 @@ let tick fresh draft (s : F.signal) time period span =
   in
   let on_period build = function
     | [ time; period ] -> build time period
-    | _ -> broken "a period without a time"
+    | _ -> broken "ticks with the wrong number of operands"
   in
   Draft.leaf draft before (Field time);
   computed s [ Signal before; period ] (on_period (fun time period -> Ir.Reached { time; period }));
@@ -124,7 +124,7 @@ let step ~fresh draft state (eq : F.equation) =
       let argument =
         match eq.rhs with
         | Derivative atom -> Draft.resolve draft atom
-        | _ -> broken "a derivative without argument"
+        | _ -> broken "a derivative without an operand"
       in
       differentiate draft ~value ~input argument eq.span
 

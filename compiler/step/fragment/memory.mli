@@ -1,8 +1,8 @@
 (** Translates stateful equations: delays, integrals, derivatives, times and ticks, which use the
     fields that {!State} allocates.
 
-    Times and integrals advance at the start of a step, a derivative at its own place, and a delay
-    at the end. *)
+    Times and integrals advance at the start of a step, a derivative where its equation is computed,
+    and a delay at the end. *)
 
 open Basis
 
@@ -11,8 +11,8 @@ val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
     time cannot overflow, so a time that is never reset needs no check (see {!Flow.Time_limit}). *)
 
 val step : fresh:(unit -> int) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
-(** Adds the value of an equation, and the state changes at its own place. An equation without
-    memory is simply computed. [fresh] returns ids for signals. *)
+(** Adds the value of an equation, and any state changes that happen where the equation is computed.
+    An equation without memory is simply computed. [fresh] returns ids for signals. *)
 
 val next :
   Draft.t ->
@@ -26,4 +26,4 @@ val reset : Draft.t -> State.t -> Flow.Ir.equation -> Fragment.item list
 (** Initializes the memory. *)
 
 val keep : Draft.t -> State.t -> Span.t -> Flow.Ir.signal -> Fragment.item list
-(** The reset stores a static value in its field, if it has one, for use in the step. *)
+(** Makes the reset store a static value in its field, if it has one, for use in the step. *)

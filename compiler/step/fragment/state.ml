@@ -12,7 +12,7 @@ type memory =
 type t = {
   memories : memory Int_table.t;
   instances : (string, Ir.field) Hashtbl.t;
-  mutable fields : Ir.field list;  (** last one first *)
+  mutable fields : Ir.field list;  (** newest first *)
   mutable machine : machine option;
   mutable count : int;
 }

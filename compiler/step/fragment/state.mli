@@ -29,10 +29,10 @@ type machine = { clock : Ir.clock option; modes : Ir.mode list }
 val machine : t -> machine option
 
 val modes : t -> Ir.mode list
-(** The modes of the machine; empty without a machine. *)
+(** The modes of the machine; empty if the node has no machine. *)
 
 val fields_of_mode : Ir.mode -> Ir.field list
-(** The fields for its parameters and its state. *)
+(** The fields for the parameters and the state of the mode. *)
 
 val fields : t -> Ir.field list
 (** All fields: first the fields of the step's items, in order, then the fields of [Kept] values. *)

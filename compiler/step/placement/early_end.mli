@@ -5,8 +5,9 @@
     rest of the step can be skipped, as in handwritten code:
 
     {v
-const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15; *out_arrived = arrived; if
-    (!arrived) {
+    const bool arrived = frob_hypot(in->x - x, in->y - y) < 0.15;
+    *out_arrived = arrived;
+    if (!arrived) {
         ...
     }
     v} *)

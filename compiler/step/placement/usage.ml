@@ -5,7 +5,7 @@ open Fragment
 (* The innermost branch that contains all uses of a signal that have been visited so far. *)
 type guard =
   | Nowhere
-  | Under of int * bool  (** the condition's signal, and which of its branches this is *)
+  | Under of int * bool  (** the condition's signal, and its value in this branch *)
   | Anywhere
 
 type t = {

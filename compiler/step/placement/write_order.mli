@@ -1,5 +1,5 @@
-(** Orders the writes of a step's state. They are in the order of the fields. Every value must be
-    computed from the old contents of the fields, so a write is [Early] if its value depends on a
+(** Orders the writes of a step's state. The writes are in the order of the fields. Every value must
+    be computed from the old contents of the fields, so a write is [Early] if its value depends on a
     field that is written before it.
 
     If only this write, or the writes that share its [If], need an intermediate value, that value is

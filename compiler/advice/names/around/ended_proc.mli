@@ -9,16 +9,16 @@ type hint = {
 }
 
 val without_name : Syntax.Ir.program -> Syntax.Ir.name -> hint option
-(** The hint if the innermost [proc] around the name has [_] in place of an input. *)
+(** The hint if the innermost [proc] around the name has [_] as its input. *)
 
 val is_in_second_where : Syntax.Ir.program -> Syntax.Ir.name -> bool
 (** Is the name in the [where] of a definition whose body is a [proc] that also has a [where]? *)
 
 val lambda_before_where : Syntax.Ir.program -> Syntax.Ir.name -> (Syntax.Ir.name * Span.t) option
-(** The defined name and the place of `\\i`, if the name is the parameter of the anonymous function
-    that a definition consists of, and is used in its [where]. *)
+(** For the parameter [i] of a definition [f = \\i -> …] that is used in the [where] of that
+    definition: the name [f], and the place of `\\i`. *)
 
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
-(** If the name is an input of the first argument of a [switch] but is used in another argument, a
-    hint that shows how to pass it on, either as a separate argument for the event or to the next
+(** If the name is an input of the first argument of a [switch] but is used in another argument: a
+    hint to move the event into the first argument, or to carry the value in the event to the next
     mode. [text]: the source text of the module. *)

@@ -156,7 +156,7 @@ let is_an_argument ~text (span : Span.t) =
      || word <> ""
         && not (List.mem word [ "if"; "then"; "else"; "of"; "in"; "let"; "case"; "not" ]))
 
-(* The line up to the first bracket that closes one from an earlier line. *)
+(* The line up to the first closing bracket whose opening bracket is on an earlier line. *)
 let before_outer_bracket line =
   let rec stop i depth =
     if i >= String.length line then i
@@ -309,7 +309,7 @@ let record ~text (span : Span.t) =
       )
   | _ -> None
 
-(* The index after the bracket that closes the bracket at this index. *)
+(* The index after the closing bracket that matches the bracket at this index. *)
 let closing line i =
   let rec close i depth =
     match char_at line i with

@@ -6,7 +6,7 @@ type unit_ = {
   number : string;  (** the number before the unit *)
   measure : string;  (** the unit, such as [m/s] *)
   whole : Span.t;  (** the number and the unit *)
-  is_first : bool;  (** is the name the first one in the unit? *)
+  is_first : bool;  (** whether the unit begins with the name *)
 }
 
 val line_of : string -> Span.t -> string
@@ -27,10 +27,10 @@ val after : text:string -> Span.t -> char
 (** The character after the name. *)
 
 val follows : text:string -> string -> Span.t -> bool
-(** Does this text precede the name directly? *)
+(** Does the name directly follow this text? *)
 
 val is_index : text:string -> Span.t -> bool
-(** Is the name the index in [x(k - 1)], an element of a sampled signal? *)
+(** Is the name an index such as [k] in [x(k - 1)], an earlier sample of a signal? *)
 
 val starts_an_equation : text:string -> string -> bool
 (** Does a line of the text begin with this name and [=]? *)
@@ -47,8 +47,7 @@ val field : text:string -> Span.t -> Span.t option
 (** The place of the name together with the field after it, as in [math.sin]. *)
 
 val member : text:string -> Span.t -> Span.t option
-(** The place of the name together with all names after it that are joined by points, as in
-    [np.linalg.norm]. *)
+(** The place of the name together with all names joined to it by dots, as in [np.linalg.norm]. *)
 
 val written : text:string -> Span.t -> string
 (** The text at a place on one line. *)
@@ -72,7 +71,7 @@ val definition : text:string -> Span.t -> (string * bool) option
     contains a [where]. *)
 
 val signature : text:string -> Span.t -> string option
-(** The line with the type of the top-level definition around this place. *)
+(** The line with the type signature of the top-level definition around this place. *)
 
 val unit_of_literal : text:string -> Span.t -> (string * string * string) option
 (** The digits before the brackets that contain the name, and the text before and after the name
@@ -103,4 +102,4 @@ val application : text:string -> Span.t -> (Span.t * string list) option
     Each argument is a name, a number or an expression in parentheses. *)
 
 val arguments : text:string -> Span.t -> (Span.t * string list) option
-(** Like {!application}, also for arguments in parentheses as in [f(x, y)]. *)
+(** Like {!application}, but also accepts arguments in parentheses, as in [f(x, y)]. *)

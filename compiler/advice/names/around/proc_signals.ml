@@ -98,7 +98,7 @@ let is_c_type = function
 
 type c_declaration = { head : name; type_ : string; declared : name; value : string option }
 
-(* The number to which the name is set, if the right-hand side is a literal. *)
+(* The digits of the right-hand side, if it is a literal number without a unit. *)
 let set_to (right : right) =
   match right.body with
   | Plain { desc = Number { digits; unit_ = None; _ }; _ } -> Some digits

@@ -1,6 +1,6 @@
-(** The signals of [proc]s. Messages use them for names outside their scope: names after the bracket
-    or comma that ends the [proc], and names in a [where] after [proc … -> do], which belongs to the
-    enclosing definition. *)
+(** The signals of [proc]s, for messages about names that are used outside the scope of the signal:
+    after the bracket or comma that ends the [proc], or in a [where] after [proc … -> do], which
+    belongs to the enclosing definition. *)
 
 type t = {
   name : Syntax.Ir.name;
@@ -8,8 +8,9 @@ type t = {
 }
 
 val of_surroundings : Syntax.Ir.right list -> t list
-(** The names bound by the [proc]s in these right-hand sides: those of the outermost [proc], and
-    those of each [proc] with a [do] inside it. Each right-hand side contains the one before it. *)
+(** The names bound by the [proc]s in these right-hand sides, each of which contains the one before
+    it: the names of all [proc]s in the outermost right-hand side, and of each right-hand side that
+    is a [proc] with a [do]. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** The names bound by all [proc]s in the module's definitions. *)

@@ -72,9 +72,7 @@ let call (t : Unknown.t) =
 
 (* {1 Words} *)
 
-let last_element =
-  "to get the last element of an array, write its index, as in `xs ! 2` for the third: the first \
-   is `xs ! 0`"
+let last_element = "indices start at 0: to get the last element of an array of 3, write `xs ! 2`"
 
 (* `xs(end)`; elsewhere, `end` has a row in the phrasebook *)
 let of_last_element (t : Unknown.t) =
@@ -124,9 +122,9 @@ let word (t : Unknown.t) =
       |> Option.fold (Phrasebook.name row) ~none:Fun.id ~some:(Diagnostic.write t.name.span))
     row
 
-(* {1 Declarations of C} *)
+(* {1 C declarations} *)
 
-(* The type and the value to suggest in place of a declaration in the notation of C. *)
+(* The hint that rewrites a C declaration in Frob. *)
 let of_c_declaration (d : Proc_signals.c_declaration) =
   let text = d.declared.text in
   let name =
@@ -245,5 +243,5 @@ let controller (t : Unknown.t) =
       |> Imports.without_imported t.module_.visible
       |> explained t
       |> Diagnostic.note
-           "each gain has its unit, such as `0.5[1/s]`, and `largest` is the largest output")
+           "each gain has its own unit, such as `0.5[1/s]`; `largest` is the maximum output")
     (Rewritten.controller t)

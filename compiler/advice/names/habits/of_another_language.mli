@@ -1,4 +1,4 @@
-(** Words and notations of other languages. *)
+(** Messages about words and notations from other languages. *)
 
 open Basis
 
@@ -6,4 +6,5 @@ val rules : (Unknown.t -> Diagnostic.t option) list
 (** The rules in order of priority. *)
 
 val controller : Unknown.t -> Diagnostic.t option
-(** Suggests a controller with three gains as arguments. *)
+(** Suggests [pid] for the application of another library's controller to three gains and an
+    error. *)

@@ -8,7 +8,7 @@ let unit_after_number (t : Unknown.t) =
     Name_in_text.unit_after_number ~text:(Unknown.text t) ~is_unit:(Unknown.is_unit t) t.name.span
   else None
 
-(* `pow v 2`, with the arguments of Frob and the name of another language. *)
+(* `pow v 2`, applied as in Frob, but with the name from another language. *)
 let power_in_text (t : Unknown.t) =
   match (t.name.text, application t) with
   | ("pow" | "powf"), Some (whole, [ base; exponent ]) ->
@@ -34,7 +34,7 @@ let rate_in_text (t : Unknown.t) =
       (fun (whole, x) -> (whole, "derivative " ^ x))
       (Name_in_text.divided_difference ~text:(Unknown.text t) t.name.span)
 
-(* `len a`, as a factor or divisor of Floats *)
+(* `len a`, converted to a Float if it follows `/` or `*` *)
 let length_in_text (t : Unknown.t) =
   match (t.name.text, application t) with
   | ("len" | "sizeof"), Some (whole, [ argument ]) ->
@@ -85,7 +85,7 @@ let new_array (t : Unknown.t) =
 
 let of_module (t : Unknown.t) = of_a_module ~text:(Unknown.text t) t.name
 
-(* The kind of value that this function of the library returns. *)
+(* The kind of container that this library function returns. *)
 let container word =
   match word with
   | "keyPressed" | "edge" | "edgeJust" | "falling" | "when" | "after" | "every" | "now" | "never"
@@ -97,8 +97,8 @@ let container word =
   | "forward" | "turnBy" | "driveTo" | "ask" | "mkTask" | "timeOut" | "abortWhen" -> Some "Task"
   | _ -> if word <> "" && word.[0] = '[' then Some "Array" else None
 
-(* The kind of container that this argument is, if it or its equation begins with a function of the
-   library that returns one. *)
+(* The kind of container that this argument is, if the argument or the right-hand side of its
+   equation begins with a library function that returns one. *)
 let kind_of (t : Unknown.t) argument =
   let first text =
     let text = String.map (fun c -> if c = '(' then ' ' else c) text in
@@ -118,8 +118,8 @@ let kind_of (t : Unknown.t) argument =
   | Some kind -> Some kind
   | None -> Option.bind (right_side argument) of_head
 
-(* `fmap f e` or `filter f e`, where the signature contains only one kind of container, and
-   `length (filter f xs)` *)
+(* `fmap f e` or `filter f e`, if the kind of container is known from the argument, or is the only
+   one in the signature *)
 let of_a_container (t : Unknown.t) =
   let words =
     Option.fold
@@ -207,7 +207,7 @@ let call_or_application (t : Unknown.t) =
       Some (whole, String.split_on_char ',' inside)
   | Some _ | None -> application t
 
-(* `zip xs ys`, with the arguments in the order of Frob *)
+(* `zip xs ys`, rewritten with its arguments in Frob's order *)
 let applied_in_text (t : Unknown.t) =
   Option.bind (call_or_application t) (fun (whole, arguments) ->
       match by_arguments t.name.text arguments with
@@ -233,9 +233,9 @@ let import_of (t : Unknown.t) text =
       ", where 0 is the value at the first instant"
   | None when String.starts_with ~prefix:"sleepT " text -> ": the robot rests meanwhile"
   | None when String.contains text '`' -> ", which includes both numbers"
-  | None when String.starts_with ~prefix:"[" text -> ": an array is written with its elements"
+  | None when String.starts_with ~prefix:"[" text -> ": an array literal lists its elements"
   | None when String.starts_with ~prefix:"generate " text ->
-      ": its type gives the number of elements"
+      ": its type determines the number of elements"
   | None when of_module t <> None -> Printf.sprintf ", without `%s.`" t.name.text
   | None -> ""
 

@@ -12,8 +12,8 @@ let is_a_type (t : Unknown.t) =
 let error (t : Unknown.t) what =
   Diagnostic.error ~code:(Namespace.unknown t.namespace) ~at:t.name.span "%s a type" what
 
-(* `Velocity v = 0.3[m/s]`, whose pattern has a type as its constructor. Only the first word of the
-   type is reported. *)
+(* `Velocity v = 0.3[m/s]`, in which the type is parsed as the constructor of a pattern. Only the
+   first word of the type is reported. *)
 let equation (t : Unknown.t) =
   match Typed_equation.of_line (line_of t t.name.span) with
   | Some typed when is_a_type t && index t = typed.start ->
@@ -82,7 +82,8 @@ let of_declaration t of_line (d : Proc_signals.c_declaration) =
   | Some (typed : Typed_equation.t) when String.equal typed.name d.declared.text -> Some typed
   | Some _ | None -> None
 
-(* The name `v` of `const Velocity v = 0.3[m/s]`, which defines a function `const`. *)
+(* The name `v` in `const Velocity v = 0.3[m/s]`, which is parsed as the definition of a function
+   `const`. *)
 let declared (t : Unknown.t) =
   match Unknown.c_declaration t with
   | Some d when t.namespace = Values && of_declaration t Typed_equation.of_line d <> None ->

@@ -5,7 +5,7 @@ open Basis
 
 type advice =
   | Report of Diagnostic.t
-  | Reported  (** already reported at another word of the definition *)
+  | Reported  (** the error is already reported at another word of the definition *)
 
 val rules : (Unknown.t -> advice option) list
 

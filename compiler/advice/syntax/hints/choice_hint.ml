@@ -60,7 +60,8 @@ let of_match found =
         | [], _ -> "1"
       in
       Some
-        (Printf.sprintf "use `case %s of`, and each branch on a line below it, as in `%s -> …`"
+        (Printf.sprintf
+           "use `case %s of`, and write each branch on a line below it, as in `%s -> …`"
            (String.concat " " value) pattern)
   | Some _ | None -> None
 
@@ -71,7 +72,7 @@ let matched found =
       of_match found
   | _ -> None
 
-(* The rest of the line from the last `=`, `->`, `(` or `,` before the token. *)
+(* The part of the line after the last `=`, `->`, `(` or `,` before the token. *)
 let expression_around found =
   let bol = found.token.start.pos_bol in
   let rec start i depth =
@@ -239,7 +240,7 @@ let otherwise found =
            (String.trim
               (between found found.token.stop.pos_cnum
                  (end_of_line found found.token.stop.pos_cnum))) ->
-      Some "write `_` in place of `else` for all other values"
+      Some "to match all other values, write `_` instead of `else`"
   | ELSE, Some { token = BAR; _ } -> Some "write the last guard as `| otherwise`"
   | _ -> None
 

@@ -10,10 +10,10 @@ val after_value : Found.rule
 (** [x if c else y], as in Python. *)
 
 val double_arrow : Found.rule
-(** A branch of a `case` with [=>] for [->]. *)
+(** A branch of a `case` with [=>] instead of [->]. *)
 
 val branch : Found.rule
-(** A branch of a `case` with [=] for [->]. *)
+(** A branch of a `case` with [=] instead of [->]. *)
 
 val in_braces : Found.rule
 (** An `if` with its branches in braces. *)
@@ -22,7 +22,7 @@ val if_in_a_guard : Found.rule
 (** [| if x > 0 = 1], a guard with an [if]. *)
 
 val separated_guards : Found.rule
-(** Guards, or the conditions of one guard, with a comma between them. *)
+(** Guards, or the conditions of one guard, separated by commas. *)
 
 val otherwise : Found.rule
 (** A guard with `else`. *)
@@ -37,7 +37,7 @@ val absolute_value : Found.rule
 (** Bars around an expression, as in [|x|]. *)
 
 val equation_before_guards : Found.rule
-(** A `=` before the guards. *)
+(** An `=` before the guards. *)
 
 val without_of : Found.rule
 (** A `case` whose line ends without `of`. *)

@@ -32,7 +32,7 @@ let lacks_a_value found =
       None
   | "param" :: _ -> Some (Printf.sprintf "add its default value: `%s = …`" line)
   | "foreign" :: ("type" | "include" | "sf") :: _ -> None
-  | "foreign" :: name :: _ -> Some (Printf.sprintf "add its name in C: `%s = \"%s\"`" line name)
+  | "foreign" :: name :: _ -> Some (Printf.sprintf "add its C name: `%s = \"%s\"`" line name)
   | _ -> None
 
 let choices found =
@@ -66,14 +66,14 @@ let type_of_choices found =
   | BAR, Some { token = UPPER _ | LOWER _; _ } when first_word found = "type" ->
       let start = found.token.start.pos_bol + 4 in
       Some
-        (Printf.sprintf "declare a choice of constructors with `data`: `data %s`"
+        (Printf.sprintf "to declare a type with several constructors, use `data`: `data %s`"
            (between found start (end_of_line found start)))
   | _ -> None
 
 let foreign_import found =
   match (found.token.token, found.before) with
   | IMPORT, Some { token = FOREIGN; _ } ->
-      Some "write the name in C at the end: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
+      Some "write the C name at the end: `foreign cubeRoot :: Float -> Float = \"cbrt\"`"
   | _ -> None
 
 let without_value found =
@@ -88,7 +88,8 @@ let alias found =
       Some
         (match Other_definition.record found.text (start_of_definition found) with
         | Some declaration -> Beginnings.declare_a_record declaration
-        | None -> "remove `alias`: `type` alone names a type, as in `type Speed = Float[m/s]`")
+        | None ->
+            "remove `alias`: `type` by itself declares an alias, as in `type Speed = Float[m/s]`")
   | _ -> None
 
 let capital found =

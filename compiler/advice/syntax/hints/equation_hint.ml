@@ -31,7 +31,7 @@ let record_before found (field : Layout.token) =
 let split_by_value found =
   match found.token.token with
   | LEFT_ARROW when not (is_blank (after found)) ->
-      Some "`<-` is one symbol; to compare with a negative number, write a space: `< -`"
+      Some "`<-` is a single symbol: to compare with a negative number, insert a space: `< -`"
   | _ -> None
 
 let outside_do found =
@@ -59,7 +59,7 @@ let in_a_choice found =
         "Frob has no assignments: choose the value in one equation, as in `x = if c then a else b`"
   | _ -> None
 
-(* Is this in the parentheses of a left-hand side, as in `f(x, k=2) = …`? *)
+(* Is the token in the parameter list of a definition, as in `f(x, k=2) = …`? *)
 let is_a_default_value found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
   not (List.exists (fun c -> String.contains line c) [ '='; '>'; '<' ])
@@ -76,20 +76,22 @@ let keyword_argument found =
     when is_a_keyword_argument found name && is_a_default_value found ->
       Some
         (Printf.sprintf
-           "a parameter has no default value: write only `%s`, and give the value in each call"
+           "a function's parameter cannot have a default value: write only `%s`, and pass the \
+            value in each call"
            (written found name))
   | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
       Some
         (match call_without_keywords found with
-        | Some text -> Printf.sprintf "arguments have an order, but no names: write `%s`" text
-        | None -> "arguments have no names: write them in order, as in `f 1 2`")
+        | Some text ->
+            Printf.sprintf "arguments are passed by position, not by name: write `%s`" text
+        | None -> "arguments are passed by position, not by name: write `f 1 2`")
   | _ -> None
 
 let changed_field found =
   match (found.token.token, found.before) with
   | EQUAL, Some ({ token = FIELD field; _ } as before) ->
       Some
-        (Printf.sprintf "a record cannot be changed: `%s { %s = … }` is a copy with another `%s`"
+        (Printf.sprintf "a record cannot be changed: `%s { %s = … }` is a copy with a new `%s`"
            (record_before found before) field field)
   | _ -> None
 
@@ -103,14 +105,14 @@ let is_a_word_part = function
   | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
   | _ -> false
 
-(* The function in `frontSonar i`. *)
+(* The function that the text applies to a name, such as `frontSonar` in `frontSonar i`. *)
 let applied_to_a_name text =
   let is_a_word text = text <> "" && String.for_all is_a_word_part text in
   match String.split_on_char ' ' text with
   | [ f; x ] when is_a_word f && is_a_word x && x.[0] >= 'a' && x.[0] <= 'z' -> Some f
   | _ -> None
 
-(* Is this a function with arguments, possibly a task, rather than a formula? *)
+(* Does the text apply a function that may return a task? If not, it is a formula. *)
 let applies_a_function text =
   let is_formula word =
     List.mem word [ "+"; "-"; "*"; "/"; "^"; "&&"; "||"; "=="; "/="; "<"; ">"; "<="; ">="; "!" ]
@@ -137,7 +139,7 @@ let applies_a_function text =
       && (outside 0 0 || List.hd (List.rev words) = "do" || not (List.exists is_formula words))
   | _ -> false
 
-(* The number in the line `while n < 4 …` below `n = 0`. *)
+(* The number of repetitions of the loop `while n < 4 …` below `n = 0`. *)
 let counted_below found name =
   let at = end_of_line found found.token.start.pos_cnum in
   let rest = String.sub found.text at (String.length found.text - at) in
@@ -157,8 +159,8 @@ let statement found =
       let rounds = Option.get (counted_below found (written found name)) in
       Some
         (Printf.sprintf
-           "a task has no variables that change: to repeat the tasks %s times, write `repeatT %s $ \
-            do` in place of the `while`, and remove this line"
+           "variables cannot change in a task: to repeat the tasks %s times, write `repeatT %s $ \
+            do` instead of the `while`, and remove this line"
            rounds rounds)
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when of_a_proc found && (not (in_brackets found.context)) && value_after found <> "" ->
@@ -216,7 +218,7 @@ let without_parentheses found =
   | EQUAL, _ :: _ :: _ when List.for_all is_name names ->
       let value = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
       Some
-        (Printf.sprintf "put the pattern of a tuple in parentheses: `(%s) = %s`" line
+        (Printf.sprintf "put a tuple pattern in parentheses: `(%s) = %s`" line
            (if value = "" || String.length value > 50 then "…" else value))
   | _ -> None
 

@@ -31,7 +31,7 @@ val two_names : Found.rule
 (** [y = z = x], as in C. *)
 
 val comparison : Found.rule
-(** A `=` used as a comparison. *)
+(** An `=` used as a comparison. *)
 
 val of_a_proc : Found.t -> bool
 (** Is the enclosing `do` the body of a `proc`, and not a block of tasks? *)

@@ -52,7 +52,7 @@ let pattern_of_proc found =
       | LOWER x, UPPER type_
         when Other_type.known type_ <> None || String.ends_with ~suffix:"Input" type_ ->
           Some (Printf.sprintf "write the input without its type: `proc %s -> …`" x)
-      | _ -> Some "put parentheses around a pattern such as `(Just x)`")
+      | _ -> Some "put the pattern in parentheses, as in `(Just x)`")
   | _ -> None
 
 (* `proc v => do` or `\\x => x + 1` *)
@@ -94,7 +94,8 @@ let function_handle found =
 let list_comprehension found =
   match (found.token.token, found.before) with BAR, _ -> comprehension found | _ -> None
 
-(* The parameters before the arrow, `x` or `(x, y)`, after the innermost `(` or `=`. *)
+(* The parameters before the arrow, as in `x ->` or `(x, y) ->`. They start after the innermost open
+   `(`, or after a `=` or `,`. *)
 let parameters_before found =
   let stop = found.token.start.pos_cnum in
   let bol = found.token.start.pos_bol in
@@ -119,7 +120,9 @@ let parameters_before found =
     | Some [] | None -> None
 
 let arrow_function found =
-  let general = "write an anonymous function as `\\x -> …`, a signal function as `proc x -> …`" in
+  let general =
+    "write an anonymous function as `\\x -> …`, or a signal function as `proc x -> …`"
+  in
   match parameters_before found with
   | None -> general
   | Some parameters ->
@@ -130,4 +133,4 @@ let arrow_function found =
       in
       Printf.sprintf "write an anonymous function as `\\%s -> %s`%s" parameters body
         (if String.contains parameters ' ' then ""
-         else Printf.sprintf ", a signal function as `proc %s -> …`" parameters)
+         else Printf.sprintf ", or a signal function as `proc %s -> …`" parameters)

@@ -7,7 +7,7 @@ val lambda_argument : Found.rule
 (** A lambda among arguments. *)
 
 val pattern_of_proc : Found.rule
-(** A pattern with an argument as the input of a `proc`. *)
+(** A constructor pattern without parentheses as the input of a `proc`. *)
 
 val fat_arrow : Found.rule
 (** A `=>` after the input of a [proc] or the parameters of a function. *)

@@ -2,7 +2,8 @@ open Syntax
 open Grammar
 open Found
 
-(* The name [MyRobot] that is suggested for `my-robot`. The token is the first part of that name. *)
+(* The module name to suggest for `my-robot`: [MyRobot]. The token is only the part before the
+   `-`. *)
 let module_name found =
   let is_part c =
     match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '-' -> true | _ -> false
@@ -29,7 +30,7 @@ let mathematics found =
 let of_library = function
   | "rclpy" | "rospy" | "rclcpp" | "roscpp" | "geometry_msgs" | "sensor_msgs" | "nav_msgs"
   | "std_msgs" | "tf" | "tf2" | "tf2_ros" ->
-      Some "remove this line: `frobc run --ros2` runs a program as a node of ROS 2"
+      Some "remove this line: `frobc run --ros2` runs a program as a ROS 2 node"
   | "time" | "datetime" ->
       Some
         "remove this line: time is built in; write `time ()` for the time since the start of the \
@@ -37,7 +38,7 @@ let of_library = function
   | "sys" | "os" | "threading" | "asyncio" | "typing" | "dataclasses" | "enum" | "collections" ->
       Some "remove this line: Frob has no such module"
   | "serial" | "gpiozero" | "RPi" | "pigpio" | "smbus" ->
-      Some "remove this line: the host of the program connects the robot; write `import Robot`"
+      Some "remove this line: the program's host connects to the robot; write `import Robot`"
   | "random" ->
       Some "write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1"
   | "cv2" | "picamera" -> Some "write `import Vision` instead"
@@ -60,7 +61,7 @@ let capital found =
            name name)
   | LOWER name, Some { token = AS; _ } ->
       Some
-        (Printf.sprintf "start the new name of the module with a capital letter: `%s`"
+        (Printf.sprintf "start the module's alias with a capital letter: `%s`"
            (String.capitalize_ascii name))
   | _ -> None
 
@@ -76,7 +77,7 @@ let of_haskell found =
 let with_points found =
   match (found.token.token, found.before) with
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
-      Some "remove the points: a module's file is in the folder of this one, or in the library"
+      Some "remove the dots: a module's file is in the same folder as this one, or in the library"
   | _ -> None
 
 let hiding found =

@@ -7,7 +7,7 @@ val mathematics : Found.rule
 (** [import math], whose functions are built in. *)
 
 val of_library : string -> string option
-(** The hint for a module of Python or ROS that a program does not need in Frob. *)
+(** The hint for a Python or ROS module that a Frob program does not need. *)
 
 val of_python : Found.rule
 (** [import rclpy], a module of Python. *)

@@ -10,7 +10,7 @@ val not_indented : Found.rule
 (** A definition that continues at the left margin. *)
 
 val misplaced_line : Found.rule
-(** A line in a different column than the items of its block. *)
+(** A line that starts at a different column than the items of its block. *)
 
 val is_by_indentation : string -> bool
 (** Is this {!by_indentation}, or a hint from {!without_braces} for several lines? *)

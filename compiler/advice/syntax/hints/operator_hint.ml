@@ -10,7 +10,7 @@ let rest_of_line found offset =
   let n = String.length rest in
   if n > 0 && rest.[n - 1] = ';' then String.trim (String.sub rest 0 (n - 1)) else rest
 
-(* The constant in an equation `y = 0.1` of the lines above, in the same definition. *)
+(* The constant in an equation such as `y = 0.1` on a line above, in the same definition. *)
 let constant_above found name =
   let first = start_of_definition found in
   let lines = String.split_on_char '\n' (between found first found.token.start.pos_bol) in
@@ -40,7 +40,7 @@ let constant_above found name =
 let accumulates found name change =
   match constant_above found name with
   | Some value ->
-      Printf.sprintf "%s: in place of both lines, write `%s = delay %s %s %s`" an_equation name
+      Printf.sprintf "%s: instead of both lines, write `%s = delay %s %s %s`" an_equation name
         (Basis.Source.grouped value) name change
   | None ->
       Printf.sprintf "%s: `%s = delay 0 %s %s`, where 0 is the initial value" an_equation name name
@@ -70,7 +70,8 @@ let starts_a_comment found =
   && between found found.token.start.pos_bol found.token.start.pos_cnum = ""
 
 let own_operator =
-  "programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``"
+  "programs cannot define operators: define a function, and use it infix in backticks, as in ``a \
+   `f` b``"
 
 (* `map (\x -> x * 2) xs` for `xs .* 2`, `zipWith (\x y -> x * y) xs ys` for `xs .* ys` *)
 let element_by_element found (point : Layout.token) operator =
@@ -87,7 +88,7 @@ let element_by_element found (point : Layout.token) operator =
     in
     Some
       (Printf.sprintf
-         "for numbers, write `%s %s %s`; operators take numbers, not arrays: for arrays, write `%s`"
+         "operators take numbers, not arrays: write `%s %s %s` for numbers, or `%s` for arrays"
          left
          (if operator = '^' && not (Basis.Character.is_digit right.[0]) then "**"
           else String.make 1 operator)
@@ -114,13 +115,13 @@ let foreign_operator found (before : Layout.token) =
     match written found before ^ written found found.token with
     | "<$" | "<*" ->
         Some
-          "use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the \
-           elements of an array"
+          "use `mapE f e` to apply a function to an event's value, or `map f xs` to apply it to \
+           each element of an array"
     | (".^" | ".*" | "./") as text when element_by_element found before text.[1] <> None ->
         element_by_element found before text.[1]
     | ".^" | ".*" | "./" ->
         Some
-          "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, \
+          "operators take numbers, not arrays: write `map (\\x -> x ^ 2) xs` for one array, or \
            `zipWith (*) xs ys` for two"
     | "<<" ->
         let bits = word_before found before.start.pos_cnum in
@@ -132,7 +133,7 @@ let foreign_operator found (before : Layout.token) =
            else "to shift the bits of an Int, write `shiftL bits n`")
     | "<>" -> Some "use `/=` to compare for inequality"
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
-    | ">>" | ">>=" -> Some "write the tasks below each other in a `do`"
+    | ">>" | ">>=" -> Some "write each task on its own line in a `do`"
     | "++" when after found = ' ' ->
         Some
           "strings and arrays cannot be concatenated: a string is a label, and an array has a \
@@ -144,9 +145,9 @@ let foreign_operator found (before : Layout.token) =
     | "===" -> Some "use `==` to compare"
     | "!!" ->
         Some
-          "use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` \
-           replaces a missing element"
-    | "/*" -> Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
+          "use `xs ! 0` for a constant index, or `at i x xs` for any index, which returns `x` if \
+           there is no such element"
+    | "/*" -> Some "write a comment as `{- … -}`, or as `-- …` to the end of the line"
     | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
     | ".." when names_before found "seeds" -> Some (seeds found before)
     | ".." ->
@@ -200,7 +201,7 @@ let decimal_comma found =
         if i < String.length rest && is_of_a_literal rest.[i] then stop (i + 1) else i
       in
       Some
-        (Printf.sprintf "a decimal point is a `.`: write `%s.%s`" (written found number)
+        (Printf.sprintf "use `.` as the decimal point: `%s.%s`" (written found number)
            (String.sub rest 0 (stop 0)))
   | _ -> None
 
@@ -217,7 +218,7 @@ let negation found =
   | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
   | OPERATOR "!", _ when after found <> '=' -> (
       match negated found with
-      | None -> Some "use `not b` for the opposite of `b`"
+      | None -> Some "to negate `b`, write `not b`"
       | Some (text, _) -> Some (Printf.sprintf "write `%s`" text))
   | _ -> None
 
@@ -231,20 +232,20 @@ let before_point found =
             = ".." ->
       Some "remove `...`: an indented line continues the line above"
   | OPERATOR "." when Basis.Character.is_digit (after found) ->
-      Some "write a digit before the point, as in `0.5`"
+      Some "write a digit before the decimal point, as in `0.5`"
   | _ -> None
 
 let after_point found =
   match found.before with
   | Some { token = OPERATOR "."; start; _ }
     when Basis.Character.is_digit (char_at found (start.pos_cnum - 1)) ->
-      Some "write a digit after the point, as in `5.0`"
+      Some "write a digit after the decimal point, as in `5.0`"
   | _ -> None
 
 let comment found =
   match found.token.token with
   | SLASH when after found = '*' && found.before = None ->
-      Some "write a comment as `{- … -}`, or as `--` up to the end of the line"
+      Some "write a comment as `{- … -}`, or as `-- …` to the end of the line"
   | SLASH when starts_a_comment found -> Some "write `--` to start a comment"
   | _ -> None
 

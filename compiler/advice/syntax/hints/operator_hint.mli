@@ -13,19 +13,19 @@ val negation : Found.rule
 (** [!b], as in C. *)
 
 val negated : Found.t -> (string * int) option
-(** The negation in Frob, which {!negation} suggests, and the offset after its operand. *)
+(** The negation that {!negation} suggests, and the offset after its operand in the source. *)
 
 val disjunction : Found.rule
 (** [a | b], as in C. *)
 
 val decimal_comma : Found.rule
-(** [0,3], with a comma in place of the decimal point. *)
+(** [0,3], with a comma instead of a decimal point. *)
 
 val before_point : Found.rule
-(** [.5], without a digit before the point. *)
+(** [.5], without a digit before the decimal point. *)
 
 val after_point : Found.rule
-(** [5.], without a digit after the point. *)
+(** [5.], without a digit after the decimal point. *)
 
 val comment : Found.rule
 (** A comment that starts with a slash. *)

@@ -2,7 +2,8 @@ open Syntax
 open Grammar
 open Found
 
-(* Is this a field of a record value, directly after `{` or `,`, rather than of a declaration? *)
+(* Does the field directly follow `{` or `,`? Then it belongs to a record value, not to a
+   declaration. *)
 let field_of_a_value found (field : Layout.token) =
   let rec back i = if is_blank (char_at found i) && i >= 0 then back (i - 1) else char_at found i in
   match back (field.start.pos_cnum - 1) with '{' | ',' -> true | _ -> false
@@ -47,7 +48,7 @@ let without_names found =
 let with_points found =
   match (found.token.token, found.before) with
   | OPERATOR ".", Some { token = LBRACE | COMMA; _ } when opens_with Layout.Brace found.context ->
-      Some "write only the name of a field before its `=`, without the point"
+      Some "write only the name of the field before `=`, without the dot"
   | _ -> None
 
 let in_a_unit found =
@@ -151,10 +152,10 @@ let type_before_name found =
       | _ -> None)
   | _ -> None
 
-let of_a_copy = "for a copy of the record with other fields, write "
+let of_a_copy = "for a copy of the record with changed fields, write "
 let is_of_a_copy hint = String.starts_with ~prefix:of_a_copy hint
 
-(* `{ p | x = 1 }` and the like. *)
+(* A record update such as `{ p | x = 1 }`. *)
 let changed_copy found =
   let brace =
     match (found.token.token, found.context) with

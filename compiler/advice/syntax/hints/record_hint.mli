@@ -13,7 +13,7 @@ val without_comma : Found.rule
 (** Two fields without a comma between them. *)
 
 val typed : Found.rule
-(** A field with `::`, in a value or after another field. *)
+(** A field with `::`, in a record value or after another field without a comma. *)
 
 val without_constructor : Found.t -> string
 (** The hint for a record value that lacks its constructor. *)
@@ -34,10 +34,10 @@ val block_in_braces : Found.rule
 (** A block in braces, as in C. *)
 
 val without_equation : Found.rule
-(** A name in braces without a `=` after it. *)
+(** A name in braces without an `=` after it. *)
 
 val changed : Found.rule
-(** [r { speed + 1 }], without a `=`. *)
+(** [r { speed + 1 }], without an `=`. *)
 
 val strict : Found.rule
 (** A strict field, as in Haskell. *)

@@ -3,7 +3,7 @@ open Syntax
 open Grammar
 open Found
 
-(* {1 Lines that begin as in other languages} *)
+(* {1 Lines that begin like code in another language} *)
 
 (* `Robot (setVelTR)` for `from Robot import setVelTR`. *)
 let python_import found =
@@ -212,8 +212,8 @@ let of_token found = List.find_map (fun (rule : Found.rule) -> rule found) rules
 
 (* {1 Hints with a lower priority than the hints of the automaton's state} *)
 
-(* Does the text after an opening brace continue with a name and this sign: `=` in a record value,
-   `::` in a record type? *)
+(* Is the opening brace followed by a name and this sign? The sign is `=` for a record value and
+   `::` for a record type. *)
 let opens_fields found sign =
   let rec skip accepts i =
     if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i
@@ -277,7 +277,7 @@ let else_if found =
   | THEN when opens_with Layout.Then found.context -> words stop
   | _ -> None
 
-(* The `std::` of which this token is the `::`. *)
+(* The `std::` that ends with this `::` token. *)
 let namespace found =
   match (found.token.token, found.before) with
   | DOUBLE_COLON, Some ({ token = LOWER _ | UPPER _; _ } as before)

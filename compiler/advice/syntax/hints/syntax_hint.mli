@@ -4,11 +4,12 @@
     token at which the parser stops and the text around it. *)
 
 val hint : Found.t -> state_hints:string list -> string list
-(** The hints for the token; if there are none, those of the automaton's state; if there are none
-    either, the hint for the most common mistake at such a token. *)
+(** The hint for the token. If there is none, the hints of the automaton's state. If the state has
+    none either, the hint for the most common mistake at such a token. *)
 
 val foreign : Found.t -> (string * Basis.Span.t) option
 (** The word or operator of another language at which the parser stops, and its place. *)
 
 val other_place : Found.t -> Basis.Diagnostic.t -> Basis.Diagnostic.t
-(** Adds a label at the token that this one should match, if that token is on another line. *)
+(** Adds a label at the token that the found token should match, if the two are on different
+    lines. *)

@@ -16,7 +16,7 @@ let lists_parameters found =
   && (not (String.contains line '='))
   && not (in_brackets found.context)
 
-(* Is this inside a signature, directly after `Array`? *)
+(* Is the token in a signature, after `Array` and the first word of a size? *)
 let is_in_a_size found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
   let words = String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)) in
@@ -61,7 +61,7 @@ let in_another_notation found =
   | (UPPER _ | LOWER _ | NUMBER _ | LPAREN), Some { token = LOWER name; _ }
     when Other_type.known name <> None || Other_type.is_of_elements name ->
       Option.map
-        (fun signature -> "start a type with a capital letter: write " ^ signature)
+        (fun signature -> "start the name of a type with a capital letter: write " ^ signature)
         (Other_type.changed found.text found.token.start.pos_cnum)
   | RBRACKET, Some { token = UNIT_BRACKET; _ } ->
       Option.map
@@ -96,8 +96,8 @@ let list found =
         (match String.split_on_char ']' inside with
         | [ element; "" ] when element <> "" && String.for_all Basis.Character.is_name element ->
             Printf.sprintf
-              "Frob has arrays with a fixed number of elements: write `Array 5 %s`, with your \
-               number in place of 5"
+              "Frob has arrays with a fixed number of elements: write `Array 5 %s`, and replace 5 \
+               with your number"
               element
         | _ -> "Frob has arrays with a fixed number of elements, as in `Array 5 Float`")
   | _ -> None
@@ -125,15 +125,15 @@ let capital found =
 let pointer found =
   match (found.token.token, found.before) with
   | STAR, Some _ when first_word found = "foreign" ->
-      Some "remove the `*`: C receives the address of an array or a record anyway"
+      Some "remove the `*`: arrays and records are always passed to C by address"
   | _ -> None
 
 let size found =
   match (found.token.token, found.before) with
   | SLASH, Some _ when is_in_a_size found ->
       Some
-        "sizes have only the operators `+`, `-` and `*`: write the result, or give it a name, as \
-         in `type Half = 8`"
+        "a size can contain only the operators `+`, `-` and `*`: write the result as a number, or \
+         name it, as in `type Half = 8`"
   | (STAR | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
       Some "put arithmetic on sizes in parentheses, as in `Array (N - 1) Float`"
   | _ -> None
@@ -181,16 +181,16 @@ let misplaced found =
       Option.fold (of_a_namespace found before)
         ~none:
           (if Basis.Character.is_upper prefix.[0] then
-             Printf.sprintf "write a name in a module as `%s.name`, or `name` alone" prefix
+             Printf.sprintf "write a name from a module as `%s.name`, or just `name`" prefix
            else
-             Printf.sprintf "remove `%s::`: a name in a module is written as `Module.name`" prefix)
+             Printf.sprintf "remove `%s::`: write a name from a module as `Module.name`" prefix)
         ~some:(fun text ->
           Printf.sprintf "write `%s`, without `%s::`%s" text prefix
             (if String.starts_with ~prefix:"clamp " text then "; it needs `import Control`" else ""))
   | _ when String.length line + String.length ty > 70 || String.contains ty '=' -> (
       match words with
       | name :: _ when (not (List.mem "=" words)) && Basis.Character.is_lower name.[0] ->
-          "write the type in a signature on the line above, with the name only: `f :: Float -> \
+          "write a signature on the line above, with only the name before the `::`: `f :: Float -> \
            Float`"
       | _ -> general)
   | _ -> (

@@ -28,7 +28,7 @@ val size : Found.rule
 (** A computed array size. *)
 
 val misplaced : Found.t -> string
-(** The hint for a [::] at a place that allows neither a signature nor an annotation. *)
+(** The hint for a [::] where neither a signature nor an annotation is allowed. *)
 
 val list : Found.rule
 (** The type of a list, as in `type Row = [Distance]`. *)

@@ -14,19 +14,20 @@ let fixes =
   [
     ([ "end"; "endif"; "endfunction"; "fi"; "done" ], no_end);
     ( [ "while" ],
-      "to repeat a task, write `forever t`, or `whileT condition t` while a signal function \
-       returns True" );
+      "to repeat a task, write `forever t`; to repeat it while a signal function returns True, \
+       write `whileT condition t`" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
       "a program cannot print, so remove this line: `frobc run` prints the result of a task at its \
-       end; for other values, make them outputs, and write all outputs to a file with `--record`" );
+       end; to see other values, make them outputs, and write all outputs to a file with \
+       `--record`" );
     ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
     ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],
-      "declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> \
+      "declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> \
        Float = \"cbrt\"`" );
-    ([ "pass"; "break"; "continue" ], "remove this line: Frob has no loops to leave");
+    ([ "pass"; "break"; "continue" ], "remove this line: Frob has no loops");
     ( [ "global"; "nonlocal" ],
-      "remove this line: an equation may use every name of the module without a declaration" );
+      "remove this line: an equation can use any name in the module without declaring it" );
     ([ "using"; "namespace" ], "import names from a module, as in `import Control`");
   ]
 
@@ -61,7 +62,7 @@ let repeated rounds =
     "to run the tasks of this block %s times, write `repeatT %s $ do` in place of this line" rounds
     rounds
 
-(* The numbers of `[1..10]` before or after the `..`, if these are few. *)
+(* The numbers in a range such as `1..10`, if there are at most 12. *)
 let range text =
   let digits = String.for_all Basis.Character.is_digit in
   match String.split_on_char '.' text with
@@ -77,8 +78,8 @@ let no_ranges inside =
   | Some numbers ->
       Printf.sprintf "Frob has no ranges: write the elements, `[%s]`" (String.concat ", " numbers)
   | None ->
-      "Frob has no ranges: write the elements, `[1, 2, 3]`, or compute them from their index, \
-       `generate (\\i -> i + 1)`; the type gives their number"
+      "Frob has no ranges: write the elements, as in `[1, 2, 3]`, or compute each from its index, \
+       as in `generate (\\i -> i + 1)`; the type of the array determines its size"
 
 let waiting =
   "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \

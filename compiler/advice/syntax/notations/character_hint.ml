@@ -57,8 +57,8 @@ let of_include text at =
   | _ when List.mem (included line) modules_of_robots ->
       Printf.sprintf "write `import %s`" (included line)
   | _ ->
-      "remove it: functions such as `sqrt` and `sin` are built in; other modules are imported by \
-       name, as in `import Robot`"
+      "remove it: functions such as `sqrt` and `sin` are built in; import other modules by name, \
+       as in `import Robot`"
 
 (* The text between this quote and the next one on the line. *)
 let in_quotes text at =
@@ -79,7 +79,8 @@ let defined text at =
       Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
   | _ -> "vMax = 0.4[m/s]"
 
-(* The expression of `x > 0 ? 1 : 2`, from the last `=`, `->` or bracket before the `?`. *)
+(* The Frob expression for `x > 0 ? 1 : 2`. It starts after the last `=`, `->`, `,` or open
+   parenthesis before the `?`. *)
 let ternary text at =
   let bol = line_start text at in
   let rec start i depth =
@@ -149,7 +150,7 @@ let of_character ~text ~at character =
       only (Printf.sprintf "put text in double quotes: `\"%s\"`" (Option.get (in_quotes text at)))
   | "'", None when char_at text (at + 2) = '\'' -> only "put text in double quotes"
   | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
-      only "put text in double quotes, an infix name in backticks, as in ``x `mod` 2``"
+      only "put text in double quotes, and an infix name in backticks, as in ``x `mod` 2``"
   | "'", None -> only "put an infix name in backticks, as in ``x `mod` 2``"
   | ":", None when next = '=' -> only "write an equation with `=`"
   | ":", None -> Colon_hint.of_colon text at
@@ -165,7 +166,7 @@ let of_character ~text ~at character =
       | Some (negation, _) when String.ends_with ~suffix:")" negation ->
           only (Printf.sprintf "write `%s`" negation)
       | Some (negation, _) -> both (Printf.sprintf "write `%s`" negation) "not "
-      | None -> both "write `not b` for the opposite of `b`" "not ")
+      | None -> both "to negate `b`, write `not b`" "not ")
   | "?", None when next = '?' ->
       let rest = String.trim (String.sub text (at + 2) (end_of_line text at - at - 2)) in
       let value = ending text (at - 1) Basis.Character.is_name in

@@ -6,4 +6,4 @@
 type t = Colon_hint.t = { hint : string option; instead : string option }
 
 val of_character : text:string -> at:int -> string -> t
-(** The hint for this character, which occurs at this offset of the text. *)
+(** The hint for this character, which occurs at this offset in the text. *)

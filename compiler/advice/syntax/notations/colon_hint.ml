@@ -12,7 +12,7 @@ let of_def words =
 
 let of_choice = "choose the value in one equation: "
 
-(* The equation for the choice on the line that starts at this offset. *)
+(* The equation for the `if` statement on the line that starts at this offset. *)
 let chosen text start =
   let rec first i = if char_at text i = ' ' then first (i + 1) else i in
   Option.map (Printf.sprintf "`%s`") (Other_definition.choice text (first start))
@@ -36,7 +36,9 @@ let of_value = "write the choice as `"
 let is_an_else text start at =
   String.equal (String.trim (String.sub text start (at - start))) "else"
 
-let of_block = "remove the colon: indentation forms the block; a choice is `if c then a else b`"
+let of_block =
+  "remove the colon: a block is delimited by its indentation; write a choice as `if c then a else \
+   b`"
 
 (* Does the line begin like a record declaration in another language? *)
 let declares_a_record line =
@@ -44,7 +46,8 @@ let declares_a_record line =
     (List.hd (String.split_on_char ' ' (String.trim line)))
     [ "struct"; "typedef"; "class"; "record"; "interface"; "type" ]
 
-(* The largest distance at which {!definition_start} looks for the start of a definition. *)
+(* The maximum number of bytes that {!definition_start} searches back for the start of a
+   definition. *)
 let farthest = 2000
 
 (* The start of the top-level definition around this offset. *)
@@ -83,7 +86,7 @@ let line_of_brace text at =
 (* The changed copy of a record around this offset: `{ ...p, x: 1 }`. *)
 let changed_copy text at =
   Option.map
-    (Printf.sprintf "for a copy of the record with other fields, write `%s`")
+    (Printf.sprintf "for a copy of the record with changed fields, write `%s`")
     (Option.bind (open_brace text at) (Other_record.update text))
 
 (* `case 1:` and `default:` of a C `switch`. *)
@@ -95,7 +98,7 @@ let starts_a_case text at =
   let part = String.trim (String.sub text start (at - start)) in
   String.starts_with ~prefix:"case " part || String.equal part "default"
 
-let is_switch = "a choice by values is a `case`: write "
+let is_switch = "to choose by value, write "
 
 (* The branch `1 -> x` for a line such as `case 1: return x;`. *)
 let branch_of_switch line =
@@ -130,8 +133,8 @@ let branch_of_switch line =
       | [ "default" ], Some value -> Some ("_ -> " ^ value)
       | _ -> None)
 
-(* The branches of the C `switch` at this offset, if each of them, and its value, is on a line of
-   its own and there are only a few. *)
+(* The branches of the C `switch` at this offset, if there are only a few and each is on one line
+   with its value. *)
 let branches_of_switch text switch =
   let rest = String.sub text switch (String.length text - switch) in
   let rec branches = function
@@ -151,7 +154,7 @@ let branches_of_switch text switch =
       | _ -> None)
   | [] -> None
 
-(* The value in the parentheses of a C `switch`. *)
+(* The hint for the last C `switch` before this offset. *)
 let of_switch text at =
   let before = String.sub text 0 at in
   let inside opener =
@@ -171,11 +174,12 @@ let of_switch text at =
   match Option.bind switch (branches_of_switch text) with
   | Some branches ->
       let quoted = List.map (Printf.sprintf "`%s`") branches in
-      Printf.sprintf "%s`case %s of`, and below it, without braces, %s, each on its own line"
+      Printf.sprintf "%s`case %s of`, and below it, without braces and each on its own line, %s"
         is_switch value (Basis.Enumeration.all quoted)
   | None ->
       Printf.sprintf
-        "%s`case %s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`"
+        "%s`case %s of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> \
+         y`"
         is_switch value
 
 (* The numbers around the colon of a range, as in `(1:5)` *)
@@ -236,7 +240,7 @@ let of_field text at =
   | _ -> { hint = Some of_types; instead = None }
 
 let of_class =
-  "Frob has no objects: declare a record with `data`, and define functions of it at the top level"
+  "Frob has no objects: declare a record with `data`, and define its functions at the top level"
 
 (* An indented `def` below a `class`. *)
 let is_a_method text start =
@@ -254,7 +258,8 @@ let joins text start at =
   && line_of_brace text at = None
 
 let of_elements =
-  "to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for one of them, `xs ! 0`"
+  "to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for a single element, write `xs ! \
+   0`"
 
 (* `x:rest`, a Haskell pattern. *)
 let splits_a_list text at =
@@ -371,8 +376,8 @@ let repeated text at =
   else if String.equal (first body) name then
     Some
       (Printf.sprintf
-         "`%s` calls itself at its end, and so repeats anyway: write `%s`, without the `while`" name
-         body)
+         "`%s` repeats anyway, because it calls itself at its end: write `%s`, without the `while`"
+         name body)
   else Some (Printf.sprintf "to repeat a task, write `forever %s`" (Basis.Source.grouped body))
 
 let of_colon text at =
@@ -405,7 +410,8 @@ let of_colon text at =
       hint (Option.get (repeated text at))
   | "while" :: _ ->
       hint
-        "to repeat a task, write `forever t`, or `whileT c t` while a signal function returns True"
+        "to repeat a task, write `forever t`; to repeat it while a signal function returns True, \
+         write `whileT c t`"
   | "for" :: _
     when ends_line
          && char_at text start = ' '
@@ -415,10 +421,12 @@ let of_colon text at =
   | _ when seeds text at <> None -> { hint = seeds text at; instead = None }
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
-      hint "for a part of an array write `take xs` or `drop xs`; its type gives its size"
+      hint
+        "for a part of an array, write `take xs` or `drop xs`; the type of the result determines \
+         its size"
   | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
-      hint "for values with names, declare a record: `data Gains = Gains { p :: Float }`"
+      hint "to give values names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when typed_as_in_elm text start at <> None ->
       { hint = typed_as_in_elm text start at; instead = None }
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
@@ -437,7 +445,7 @@ let of_colon text at =
       hint (of_lambda text at words)
   | [ pattern ] when is_constructor pattern && not ends_line ->
       {
-        hint = Some (Printf.sprintf "write `->` after a pattern of a `case`: `%s -> …`" pattern);
+        hint = Some (Printf.sprintf "write `->` after a pattern in a `case`: `%s -> …`" pattern);
         instead = Some " ->";
       }
   | _ when ends_line && List.mem "case" words ->

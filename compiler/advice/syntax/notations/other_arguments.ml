@@ -13,7 +13,7 @@ let closing text first =
   in
   go first 0
 
-(* The parts between these separators, outside inner brackets. *)
+(* Splits the text at this separator, except inside brackets. *)
 let split separator text =
   let rec go i from depth found =
     if i >= String.length text then

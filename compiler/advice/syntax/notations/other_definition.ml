@@ -55,7 +55,7 @@ let without_semicolon text =
   let n = String.length text in
   if n > 0 && text.[n - 1] = ';' then String.trim (String.sub text 0 (n - 1)) else text
 
-(* The expression of a body that is a single `return`. *)
+(* The expression in a body that consists of a single `return`. *)
 let returned body =
   let body = without_semicolon body in
   let prefix = "return" in
@@ -200,7 +200,7 @@ let of_matlab text at =
 
 let of_main =
   "define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows \
-   signals, `main = reactimateTask t` for one that runs a task `t`"
+   signals, or `main = reactimateTask t` for one that runs a task `t`"
 
 let advice t =
   match t.signature with
@@ -269,7 +269,8 @@ let keyword text at words =
       | _ -> None)
     words
 
-(* The branches of the choice whose condition begins at this offset, and its last value. *)
+(* The branches of the choice whose condition begins at this offset, and the value after its `else`,
+   which is `…` if there is no `else`. *)
 let rec branches assignment text at =
   let open Basis.Let_syntax.Option in
   let* given, after = condition text at in
@@ -346,7 +347,8 @@ let choice_in_braces text at =
 let non_empty texts = List.filter (( <> ) "") (List.map String.trim texts)
 let lines_joined text = String.concat " " (String.split_on_char '\n' text)
 
-(* A type in a record of another language. A capitalized name is probably a type of Frob. *)
+(* The Frob type for a field's type in another language. A capitalized name is probably already a
+   Frob type. *)
 let type_of_field text =
   let text = String.trim text in
   let is_part c = Character.is_name c || List.mem c [ ' '; '['; ']'; '/'; '^' ] in

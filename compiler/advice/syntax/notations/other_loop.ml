@@ -69,8 +69,8 @@ let array text first =
 let over_array text first =
   let xs = Option.value (array text first) ~default:"xs" in
   Printf.sprintf
-    "Frob has no loops: write `map f %s` or `foldl (+) 0 %s` for an array, `forEachT %s f` to run \
-     a task for each element"
+    "Frob has no loops: write `map f %s` or `foldl (+) 0 %s` for an array, or `forEachT %s f` to \
+     run a task for each element"
     xs xs xs
 
 (* {1 Loops as values} *)
@@ -79,23 +79,23 @@ type t = { word : string; first : int; hint : string }
 
 let hint text word first =
   if word = "while" then
-    "an equation has one value at every instant; for a value that changes over time write, for \
+    "an equation has one value at every instant: for a value that changes over time, write, for \
      example, `n = delay 0 (n + 1)`; to repeat a task, write `whileT condition t`"
   else
     let xs = Option.value (array text first) ~default:"xs" in
     Printf.sprintf
-      "write `foldl (+) 0 %s` for the sum of an array, `map f %s` to compute something for each \
+      "write `foldl (+) 0 %s` for the sum of an array, or `map f %s` to compute a value for each \
        element"
       xs xs
 
-(* Is this the head of a loop rather than a call of a function with this name? *)
+(* Is this a loop header rather than a call of a function with this name? *)
 let is_head text word first =
   let head = tokens (String.sub text first (line_stop text first - first)) in
   word = "while" || List.exists (fun sign -> List.mem sign head) [ "in"; "of"; "="; ";"; ":" ]
 
 let is_sign c = String.contains "=<>!+-*/|&:" c
 
-(* The loop after the first `=` of the line that starts here, which may end the line. *)
+(* The loop after the first `=` of the line that starts here. It may start on the next line. *)
 let on_line text start =
   let stop = line_stop text start in
   let rec equal i =

@@ -3,7 +3,7 @@ open Basis
 (* {1 Tokens} *)
 
 type token = Word of string | Number of string | Symbol of string | Open of char | Close of char
-type located = { token : token; adjacent : bool  (** no space before it *) }
+type located = { token : token; adjacent : bool  (** no space before the token *) }
 
 exception Unknown
 
@@ -88,7 +88,7 @@ let constant = function
 
 let is_comparison op = List.mem op [ "=="; "/="; "<"; ">"; "<="; ">=" ]
 
-(* Frob cannot chain comparisons. *)
+(* Raises [Unknown] for chained comparisons, which Frob does not allow. *)
 let check_comparisons parts =
   let count found = function
     | Operator ("&&" | "||" | "if" | "then" | "else") -> 0
@@ -123,7 +123,7 @@ let split_at is parts =
 
 let is_op op = function Operator o -> String.equal o op | Operand _ -> false
 
-(* `c ? a : b`, and `a if c else b` of Python. *)
+(* `c ? a : b`, and Python's `a if c else b`. *)
 let rec choice parts =
   match split_at (is_op "?") parts with
   | Some (condition, rest) -> (
@@ -148,7 +148,7 @@ let power base exponent =
     (if String.for_all Character.is_digit exponent then "^" else "**")
     (Source.grouped exponent)
 
-(* `x * 5 / 1023` for `map(x, 0, 1023, 0, 5)` of Arduino. *)
+(* `x * 5 / 1023` for Arduino's `map(x, 0, 1023, 0, 5)`. *)
 let mapped x low high from to_ =
   let whole text =
     if String.for_all Character.is_digit text then int_of_string_opt text else None
@@ -223,7 +223,8 @@ and bracketed closing rest =
   (opening ^ String.concat ", " inside ^ String.make 1 closing, rest)
 
 and negated found rest =
-  (* comparisons bind more loosely than `not` in Frob, so its operand must not be part of one *)
+  (* comparisons bind more loosely than `not` in Frob, so the operand of `not` must not be part of a
+     comparison *)
   match parts [] rest with
   | Operand text :: Operator op :: _, _ when is_comparison op && text <> "" -> raise Unknown
   | Operand text :: others, rest ->

@@ -5,4 +5,4 @@ val negation : string -> int -> (string * int) option
     offset after the application. [None] if there is no operand. *)
 
 val pipeline : string -> int -> string option
-(** [g (f x)] for [x |> f |> g], where this offset is that of a [|>]. *)
+(** [g (f x)] for [x |> f |> g], with a [|>] at this offset. *)

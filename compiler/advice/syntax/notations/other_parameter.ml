@@ -31,7 +31,7 @@ let name_of label =
         Some (String.concat "" (first :: List.map String.capitalize_ascii others))
     | _ -> None
 
-(* A number, with or without a unit, or a truth value. *)
+(* Is the text a number, with or without a unit, or a Boolean? *)
 let is_a_value text =
   let count c = List.length (String.split_on_char c text) in
   text <> ""
@@ -69,7 +69,7 @@ let hint text at (name, declaration) =
   if is_its_definition text at name then
     Printf.sprintf "write `%s` in place of this equation" declaration
   else
-    Printf.sprintf "declare the parameter on a line of its own, at the left margin, `%s`, and %s"
+    Printf.sprintf "declare the parameter as `%s` on its own line, at the left margin, and %s"
       declaration
       (if defines text at name then "remove this equation"
        else Printf.sprintf "write `%s` here" name)

@@ -2,7 +2,7 @@ open Basis
 
 let sub text first last = String.sub text first (max 0 (last - first))
 
-(* The parts of the text between these separators, except those in brackets and in quotes. *)
+(* Splits the text at these separators, except inside brackets and quotes. *)
 let split is_separator text =
   let n = String.length text in
   let rec go i depth quoted first parts =
@@ -94,7 +94,7 @@ let copied parts =
 
 let most_characters = 80
 
-(* The text in the braces, joined to one line. *)
+(* The text in the braces, if it is short and not empty. *)
 let inside text at =
   match Other_definition.in_braces text at with
   | Some (inside, _) when inside <> "" && String.length inside <= most_characters -> Some inside

@@ -86,14 +86,14 @@ let rec blanks text i = if char_at text i = ' ' then blanks text (i + 1) else i
 let stop_of_brackets text at =
   match String.index_from_opt text at ']' with Some last -> last + 1 | None -> raise Unknown
 
-(* Does the name have types in brackets, rather than a unit? *)
+(* Are the brackets after this name for types, rather than for a unit? *)
 let takes_types name =
   is_of_elements name
   || List.mem
        (String.lowercase_ascii (without_namespace name))
        [ "event"; "maybe"; "optional"; "sf"; "task"; "either"; "tuple"; "pair" ]
 
-(* A name and its arguments in brackets, directly after it. *)
+(* A name, with any arguments in brackets directly after it. *)
 let rec name_at text start =
   let rec last i = if is_part (char_at text i) then last (i + 1) else i in
   let stop = last start in
@@ -139,7 +139,7 @@ and atom_at text at =
       match all with [ t ] -> (array (Name "n") t, stop) | _ -> raise Unknown)
   | _ -> name_at text at
 
-(* A type with arguments after spaces, up to an arrow. *)
+(* A type with any arguments, separated by spaces, up to an arrow. *)
 and part_at text at =
   let head, stop = atom_at text (blanks text at) in
   let rec arguments found stop =
@@ -230,7 +230,7 @@ let of_signature text at =
           let rest = i + String.length any in
           Printf.sprintf "`%sArray 4 %s`, if 4 is the number of elements" (String.sub written 0 i)
             (String.sub written rest (String.length written - rest))
-      | Some _ -> Printf.sprintf "`%s`, or a number for the size `n`" written
+      | Some _ -> Printf.sprintf "`%s`, or with a number instead of the size `n`" written
       | None -> Printf.sprintf "`%s`" written)
     (signature text at)
 

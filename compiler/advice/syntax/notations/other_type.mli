@@ -1,26 +1,26 @@
 (** Frob equivalents of types in C++, Java and Python notation. *)
 
 val known : string -> string option
-(** The type of Frob with this name, which may be a type of another language, or in other letters:
+(** The Frob type for this name, which may be a type of another language or differ in case:
     [Float] for [double], and [Distance] for [distance]. *)
 
 val is_of_elements : string -> bool
-(** Is this a name of arrays or lists, such as [vector]? *)
+(** Is this the name of an array or list type, such as [vector]? *)
 
 val in_angles : string -> int -> (string * int) option
 (** [Array 4 Float] for [Array<Float, 4>] or [std::array<float, 4>] at this offset, and the offset
     after it. *)
 
 val of_text : string -> string option
-(** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. A type of Frob keeps
-    its meaning. [None] if the text contains anything unknown. *)
+(** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. The meaning of a type
+    that is already in Frob does not change. [None] if the text contains anything unknown. *)
 
 val signature : string -> int -> string option
 (** The signature on the line around this offset, in Frob: [f :: Array n Float -> Bool] for
     [f : List[float] -> bool]. [None] if the line is not a whole signature. *)
 
 val of_signature : string -> int -> string option
-(** The same for a hint: in quotes, and with what to write for the size of an array. *)
+(** {!signature} for a hint: in backticks, and with advice on the size of an array. *)
 
 val changed : string -> int -> string option
 (** {!of_signature}, unless the signature is already in Frob. *)

@@ -7,19 +7,19 @@ val ending : string -> int -> (char -> bool) -> string
 (** The longest run of characters that ends before this offset and satisfies the predicate. *)
 
 val line_start : string -> int -> int
-(** The offset at which the line of this offset begins. *)
+(** The offset of the start of the line that contains this offset. *)
 
 val start_of_line : string -> int -> int
-(** The offset at which the line with this number, counted from 1, begins. *)
+(** The offset of the start of the line with this number, counted from 1. *)
 
 val offset : string -> Basis.Span.position -> int
 (** The offset of this position. *)
 
 val end_of_line : string -> int -> int
-(** The offset at which the line of this offset ends. *)
+(** The offset of the end of the line that contains this offset. *)
 
 val without_closing : string -> string
-(** The text up to the first closing bracket that has no partner, without spaces at the ends. *)
+(** The text up to the first unmatched closing parenthesis, without spaces at the ends. *)
 
 val find : ?from:int -> string -> string -> int option
 (** [find part text] is the offset of the first occurrence of [part], at [from] or later. *)

@@ -93,7 +93,7 @@ let of_colon line =
 
 let longest = 70
 
-(* Does an expression with this beginning end on the same line? *)
+(* Is the text a whole expression, rather than one that continues on the next line? *)
 let is_whole value =
   let count c = List.length (String.split_on_char c value) in
   let words = String.split_on_char ' ' value in

@@ -12,16 +12,16 @@ type t = {
 }
 
 val of_line : string -> t option
-(** The equation that this line consists of. The type starts with a capital letter. *)
+(** The equation on this line, if its type starts with a capital letter. *)
 
 val of_colon : string -> t option
 (** [v: Velocity = 0.3[m/s]], as in Python. *)
 
 val of_c : string -> t option
-(** [float v = 2 * x], with a type of C, [var] or [auto]. *)
+(** [float v = 2 * x], with a C type, [var] or [auto]. *)
 
 val without_type : t -> string
-(** The hint that suggests the equation only. *)
+(** The hint that suggests only the equation. *)
 
 val advice : t -> string
 (** The hint that suggests the equation, and its signature. *)
@@ -33,8 +33,8 @@ val pairs : string list -> (string * string) list option
 (** The types and names in words such as [Float x Float y]; [None] if these are other words. *)
 
 val of_words : string -> string option
-(** The hint for parameters with types before them, without parentheses or with a type of the
-    result: [half Float x = x / 2], [Float half(Float x) = x / 2]. *)
+(** The hint for parameters that follow their types, without parentheses or with a result type:
+    [half Float x = x / 2], [Float half(Float x) = x / 2]. *)
 
 val of_parameters : string -> string option
 (** The hint for the definition [f (Float x, Int n) = …]. *)

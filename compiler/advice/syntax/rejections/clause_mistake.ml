@@ -17,7 +17,7 @@ let case_of c =
   let value = match names with [ one ] -> one | _ -> "(" ^ String.concat ", " names ^ ")" in
   Printf.sprintf "%s %s = case %s of" c.name.text (String.concat " " names) value
 
-(* The edits that turn the clauses into branches. They remove the text between the patterns. *)
+(* The edits that turn a clause into a branch. They replace the text around the patterns. *)
 let edits ~first c =
   let gap (from : Span.t) (till : Span.t) text =
     (Span.make ~file:from.file ~start:from.stop ~stop:till.start, text)
@@ -51,8 +51,8 @@ let diagnostic (first : clause) (second : clause) more =
   |> (if besides = [] then Fun.id
       else Diagnostic.note "there are %d more clauses" (List.length besides))
   |> Diagnostic.hint
-       "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each of \
-        the clauses"
+       "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each \
+        clause"
        (case_of first)
   |>
   if List.for_all (is_simple ~like:first) all then

@@ -8,7 +8,7 @@ let context at =
   |> Diagnostic.hint "as in `(Eq a, Ord b) => …`"
 
 let class_head at =
-  error at "the head of a class must be its name and one type variable"
+  error at "a class head must be the name of the class and one type variable"
   |> Diagnostic.hint "as in `class Shape a where`"
 
 let superclass ~at ~(class_ : Ir.name) (variable : Ir.name) =
@@ -16,7 +16,7 @@ let superclass ~at ~(class_ : Ir.name) (variable : Ir.name) =
   |> Diagnostic.hint "as in `class Eq %s => %s %s`" variable.text class_.text variable.text
 
 let instance_head at =
-  error at "the head of an instance must be a class and one type"
+  error at "an instance head must be a class and one type"
   |> Diagnostic.hint "as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
 
 let foreign_word ~expected (found : Ir.name) =
@@ -27,7 +27,8 @@ let foreign_word ~expected (found : Ir.name) =
 
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
-(* The type in the notation of C++ whose `<` is here, or the whole signature, in Frob. *)
+(* The Frob equivalent of the signature that contains this `<`, or else only of the C++ type that
+   contains it. *)
 let type_in_angles ~text (at : Span.t) =
   let sign = Text_place.offset text at.start in
   let rec start i = if i > 0 && Character.is_name text.[i - 1] then start (i - 1) else i in
@@ -39,18 +40,21 @@ let type_in_angles ~text (at : Span.t) =
 
 let size_operator ~text ~at operator =
   if not (String.equal operator "<") then
-    error at "sizes have the operators `+`, `-` and `*`, but not `%s`" operator
+    error at "a size can contain the operators `+`, `-` and `*`, but not `%s`" operator
   else
     match type_in_angles ~text at with
     | Some written ->
-        error at "separate type arguments with spaces, without `<>`"
+        error at "type arguments are separated by spaces, not enclosed in `<>`"
         |> Diagnostic.hint "write %s" written
-    | None -> error at "separate type arguments with spaces, as in `Event Distance`, without `<>`"
+    | None ->
+        error at
+          "type arguments are separated by spaces, as in `Event Distance`, not enclosed in `<>`"
 
 let empty_where at =
   error at "this `where` has no definitions"
   |> Diagnostic.hint
-       "indent the definitions after `where` further than the definition that it belongs to"
+       "indent the definitions after `where` further than the definition that the `where` belongs \
+        to"
 
 (* {1 Units} *)
 
@@ -62,21 +66,23 @@ let number_in_unit ~text ~(at : Span.t) digits =
       error at "the brackets after a type contain a unit, not the size of an array"
       |> Diagnostic.hint "write `%s`" signature
   | Some _ | None ->
-      error at "the number `%s` cannot be part of a unit, only `1` can" digits
+      error at "the number `%s` cannot be part of a unit: the only number allowed there is `1`"
+        digits
       |> Diagnostic.hint
            "write a power as `m^2`; an array of %s elements has the type `Array %s Float`" digits
            digits
 
 let exponent_not_whole ~at digits =
   error at "the exponent `%s` of a unit is not a whole number" digits
-  |> Diagnostic.hint "a root is written `m^(1/2)`"
+  |> Diagnostic.hint "write a root as `m^(1/2)`"
 
 let exponent_too_large at =
   error at
     "the exponent of a unit must be a whole number up to 1000, or a quotient of two such numbers"
 
-let exponent_over_zero at = error at "the exponent of a unit is a division by zero"
+let exponent_over_zero at = error at "the exponent of this unit divides by zero"
 
 let scale at =
-  error at "the scale of a unit must be a number, optionally with `pi`, or a quotient of two"
+  error at
+    "the scale of a unit must be a number, `pi` or their product, optionally divided by a number"
   |> Diagnostic.hint "as in `unit inch = 0.0254 m` or `unit deg = pi/180`"

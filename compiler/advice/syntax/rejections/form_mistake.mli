@@ -1,4 +1,4 @@
-(** Messages about declarations and units of the wrong form. *)
+(** Messages about malformed declarations and units. *)
 
 open Basis
 open Syntax.Ir

@@ -32,8 +32,8 @@ let exponent ~text ~(base : term) ~operator (right : term) =
   |>
   if not (is_half right) then
     Diagnostic.hint
-      "for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** \
-       toFloat n`"
+      "for other exponents, use `**`, which takes Floats without a unit; for an Int `n`, write `x \
+       ** toFloat n`"
   else
     match quote ~text base.span with
     | Some base_text ->
@@ -57,15 +57,15 @@ let written_in_words (operand : term) =
   in
   match operand.desc with Application { arguments; _ } -> List.find_map word arguments | _ -> None
 
-(* `x < 1` and `0 < x` for a chain with a simple operand in its middle *)
+(* The hint for a chain of comparisons. It quotes the middle operand if that is a variable. *)
 let compared_twice first (operand : term) second =
   match operand.desc with
   | Variable { qualifier = None; name; _ } ->
-      Printf.sprintf "compare two at a time, joined by `&&`: `… %s %s && %s %s …`" (shown first)
-        name.text name.text (shown second)
-  | _ -> "compare two at a time: `a < b && b < c`"
+      Printf.sprintf "compare two values at a time, joined by `&&`: `… %s %s && %s %s …`"
+        (shown first) name.text name.text (shown second)
+  | _ -> "compare two values at a time: `a < b && b < c`"
 
-(* In backticks, doubled around code that contains one *)
+(* Puts the code in backticks, doubled if the code contains one. *)
 let code text =
   if String.contains text '`' then Printf.sprintf "``%s``" text else Printf.sprintf "`%s`" text
 
@@ -74,10 +74,10 @@ let both_compared ~text (left : term) first (middle : term) second (right : term
   match (quote ~text left.span, quote ~text middle.span, quote ~text right.span) with
   | Some a, Some b, Some c ->
       let text = Printf.sprintf "%s %s %s && %s %s %s" a (shown first) b b (shown second) c in
-      Diagnostic.hint "compare two at a time: %s" (code text) d
+      Diagnostic.hint "compare two values at a time: %s" (code text) d
       |> Diagnostic.write (Span.merge left.span right.span) text
   | Some a, Some b, _ ->
-      Diagnostic.hint "compare two at a time: `%s %s %s && %s %s …`" a (shown first) b b
+      Diagnostic.hint "compare two values at a time: `%s %s %s && %s %s …`" a (shown first) b b
         (shown second) d
   | _ -> Diagnostic.hint "%s" (compared_twice first middle second) d
 
@@ -90,8 +90,8 @@ let named_between (middle : term) =
       Some (operator, left, right)
   | _ -> None
 
-(* A named operator in the middle of a chain may take the numbers, like `min`, or the results of the
-   comparisons, like `implies`. *)
+(* The operands of a named operator in the middle of a chain may be the numbers, as for `min`, or
+   the results of the comparisons, as for `implies`. *)
 let compared ~text (left : term) first (middle : term) second (right : term) d =
   match named_between middle with
   | Some (({ name = { text = "implies"; _ }; _ } as operator), a, b) -> (
@@ -149,6 +149,7 @@ let two_minuses ~first ~second (operand : term) =
 let section (operator : Ir.qualified) ~inner =
   let inside = match inner with Some inner -> shown inner | None -> "-" in
   Diagnostic.error ~code:"E0113" ~at:operator.span
-    "this section needs parentheses: `%s` would take only a part of its operand with `%s`"
+    "this section needs parentheses: without them, `%s` would apply to only a part of the operand \
+     that contains `%s`"
     (shown operator) inside
   |> Diagnostic.hint "put parentheses around the operand of the section"

@@ -7,7 +7,7 @@ open Syntax.Ir
 
 val exponent :
   text:string -> base:Surface.term -> operator:qualified -> Surface.term -> Diagnostic.t
-(** An exponent that is not a whole number. *)
+(** An exponent that is not a literal whole number. *)
 
 val two_operators :
   text:string ->

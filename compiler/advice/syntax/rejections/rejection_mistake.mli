@@ -1,6 +1,6 @@
-(** Messages about input that is grammatical but has no meaning. *)
+(** Messages about input that matches the grammar but is not valid. *)
 
 open Basis
 
 val diagnostic : text:string -> Syntax.Rejection.t -> Diagnostic.t
-(** [text]: the source. *)
+(** [text] is the source text. *)

@@ -20,8 +20,8 @@ let loop (word : Ir.name) =
       Some
         (error word.span "a `proc` has no loops, so it cannot contain `%s`" word.text
         |> Diagnostic.hint
-             "all statements of a `proc` hold at every instant: choose a value by `if c then a \
-              else b`, or repeat a task by `whileT c t`")
+             "all statements of a `proc` hold at every instant: choose a value with `if c then a \
+              else b`, or repeat a task with `whileT c t`")
   | _ -> None
 
 let waiting (word : Ir.name) =
@@ -36,10 +36,10 @@ let in_proc ~is_last (e : Ir.expr) =
   match List.find_map of_word [ loop; waiting ] with
   | Some diagnostic -> diagnostic
   | None when is_last ->
-      error e.span "the last statement of this `do` is its output, and needs `-<`"
+      error e.span "the last statement of this `do` is its output, so it needs `-<`"
       |> Diagnostic.hint "write `returnA -< …` to output this value"
   | None ->
-      error e.span "this expression is not a statement of a `proc`"
+      error e.span "this expression cannot be a statement of a `proc`"
       |> Diagnostic.hint
            "a `proc` has no side effects: bind the value with `let x = e`, or run a signal \
             function with `x <- sf -< e`; for tasks, use a `do` without `proc`"
@@ -75,4 +75,5 @@ let empty_task at = error at "this `do` is empty: it contains no task" |> end_wi
 
 let rec_in_task at =
   error at "`rec` is only allowed in the `do` of a `proc`, because tasks run one after the other"
-  |> Diagnostic.hint "to repeat a task, write `forever t`, or its own name as its last statement"
+  |> Diagnostic.hint
+       "to repeat a task, write `forever t`, or call the task itself in its last statement"

@@ -5,7 +5,7 @@ let error at format = Diagnostic.error ~code:"E0114" ~at format
 
 (* {1 Expressions} *)
 
-(* The unit in the brackets after a space, if it is made of names, `*` and `/`. *)
+(* The unit in the brackets after a space, if it consists of names, powers, `*` and `/`. *)
 let rec unit_text (t : Surface.term) =
   let rec of_expr : Ir.expr_desc -> string option = function
     | Variable { qualifier = None; name; _ } -> Some name.text
@@ -85,12 +85,12 @@ let expression at (desc : Ir.expr_desc) =
   match desc with
   | Binary { operator; _ } -> binary operator
   | Power _ -> no_pattern at "a power"
-  | String _ -> no_pattern at "a text"
+  | String _ -> no_pattern at "a string"
   | If _ -> no_pattern at "an `if`"
   | Case _ -> no_pattern at "a `case`"
   | Let _ -> no_pattern at "a `let`"
   | Lambda _ | Lambda_case _ -> no_pattern at "a function"
-  | Tuple_section _ -> no_pattern at "a tuple without some of its elements"
+  | Tuple_section _ -> no_pattern at "a tuple with missing elements"
   | Proc _ -> no_pattern at "a `proc`"
   | Sequence _ -> no_pattern at "a `do`"
   | Field { record; field = name } -> field at record name
@@ -107,7 +107,7 @@ let expression at (desc : Ir.expr_desc) =
   | Record _ | Parenthesized _ ->
       no_pattern at "this expression"
 
-(* {1 Left sides} *)
+(* {1 Left-hand sides} *)
 
 let minus_in_name ~at ~(left : Ir.name) ~(right : Ir.name) =
   error at "a name cannot contain `-`"
@@ -115,10 +115,10 @@ let minus_in_name ~at ~(left : Ir.name) ~(right : Ir.name) =
 
 let operator_on_left (operator : Ir.qualified) =
   error operator.span
-    "the left side of a definition cannot contain `%s`: programs cannot define operators"
+    "the left-hand side of a definition cannot contain `%s`: programs cannot define operators"
     operator.name.text
   |> Diagnostic.hint "define a function of two arguments, and use it infix in backticks"
 
 let parentheses_on_left at =
-  error at "the left side of a definition must start with the name that it defines"
+  error at "the left-hand side of a definition must start with the name that it defines"
   |> Diagnostic.hint "remove the parentheses: `f x y = …`"

@@ -21,7 +21,7 @@ val braces : Span.t -> Diagnostic.t
 val minus : Span.t -> Diagnostic.t
 val expression : Span.t -> expr_desc -> Diagnostic.t
 
-(** {1 Left sides} *)
+(** {1 Left-hand sides} *)
 
 val minus_in_name : at:Span.t -> left:name -> right:name -> Diagnostic.t
 val operator_on_left : qualified -> Diagnostic.t

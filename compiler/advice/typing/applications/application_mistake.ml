@@ -9,12 +9,12 @@ type fact = {
 
 let failing { call; _ } = List.nth call.arguments (call.failed - 1)
 
-(* Is the failing argument wrong as a whole, rather than in a part of it? *)
+(* Is the whole argument wrong, rather than a part of it? *)
 let is_about_the_argument fact = Span.compare fact.mistake.at (fst (failing fact)).span = 0
 
 (* {1 The order of the arguments} *)
 
-(* `setVelTR 40[rpm] 0`: a rotation of the wheels as the speed. *)
+(* The rotational speed of the wheels in place of the robot's speed, as in `setVelTR 40[rpm] 0`. *)
 let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
   match (name, arguments) with
   | ( "setVelTR",
@@ -27,14 +27,15 @@ let wheel_speed words ~name (arguments : Resolve.Ir.expr list) =
         (fun text d ->
           let fixed = Printf.sprintf "(%s * 0.05[m])" text in
           Diagnostic.hint
-            "for the speed of a wheel, multiply by its radius, as in `%s`; if it is the turn rate, \
-             it is the second argument"
+            "if this is the speed of a wheel, multiply it by the radius of the wheel, as in `%s`; \
+             if it is the turn rate, pass it as the second argument"
             fixed
             { d with Diagnostic.hints = []; fixes = [] })
         (Wording.quote words span)
   | _ -> None
 
-(* The call with its arguments in this order, each given by its position. *)
+(* Reports that the arguments are in the wrong order. [order] lists their positions, from 1, in the
+   correct order. *)
 let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diagnostic.t) =
   let text i =
     let (e : Resolve.Ir.expr) = List.nth arguments (i - 1) in
@@ -83,7 +84,7 @@ let order ({ words; call; mistake } as fact) =
 
 (* {1 A missing argument} *)
 
-(* Does the value change from instant to instant, as a signal of the enclosing proc? *)
+(* Does the value change from instant to instant, like a signal of the enclosing proc? *)
 let rec is_signal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Local x ->
@@ -94,7 +95,7 @@ let rec is_signal words (e : Resolve.Ir.expr) =
   | Negate e -> is_signal words e
   | _ -> false
 
-(* An example of a value of this type. *)
+(* An example value of this type. *)
 let example words t =
   match Type.expand t with
   | Type.Number (_, u) when Units.is_open u || Units.rigid_powers u <> [] || Units.equal u Units.one
@@ -105,12 +106,13 @@ let example words t =
   | String -> Some "\"name\""
   | _ -> None
 
-(* `knob "speed" 0 1[m/s] i`, without the initial value *)
+(* A call with too few arguments, such as `knob "speed" 0 1[m/s] i`, which lacks the initial
+   value. *)
 let lacking ({ words; call; mistake } as fact) =
   let argument = fst (failing fact) in
-  (* the unit of a constant is wrong more often *)
+  (* if a constant has the wrong unit, a missing argument is unlikely *)
   let is_likely = (not (String.equal mistake.code "E0320")) || is_signal words argument in
-  (* a hint that shows the call of the function, rather than its type *)
+  (* whether the hint shows a call of the function, rather than its type *)
   let shows_a_call (g : Resolve.Ir.Global.t) text =
     Other_type.mentions (Printf.sprintf "`%s " g.name) text && not (Other_type.mentions "::" text)
   in
@@ -186,8 +188,8 @@ let field_of_the_result { words; call; mistake } =
       | _ -> None)
   | _ -> None
 
-(* Calls that use the order or number of arguments of another language, such as `switch mode event
-   next`. *)
+(* Calls with the order or number of arguments that is usual in another language, such as `switch
+   mode event next`. *)
 let habit { words; call = { at; head; arguments; is_right_alone; _ }; _ } =
   match (head.desc, arguments) with
   | _ when not is_right_alone -> None
@@ -207,18 +209,18 @@ let parentheses ({ words; call; mistake } as fact) =
   let { Application_fact.head; arguments; failed; _ } = call in
   let all = List.length arguments in
   let type_at i = snd (List.nth arguments (i - 1)) in
-  (* arguments on separate lines are more likely statements that lack a `do` *)
   (* Is this argument a tuple with a part for each parameter of the function before it? *)
   let separates_arguments i =
     match (fst (List.nth arguments (i - 1))).desc with
     | Tuple (_ :: _ as parts) -> List.compare_length_with parts (arity (type_at (i - 1))) = 0
     | _ -> false
   in
+  (* arguments on separate lines are more likely statements that lack a `do` *)
   let in_one_line =
     let (last : Resolve.Ir.expr), _ = List.nth arguments (all - 1) in
     Span.line head.span.start = Span.line last.span.stop
   in
-  (* `setVelTR speed d 0`, where the next argument fits the function *)
+  (* whether the next argument fits this function, as `d` fits `speed` in `setVelTR speed d 0` *)
   let takes_the_next =
     match ((fst (failing fact)).desc, Type.expand (type_at failed)) with
     | (Global _ | Local _), Function (parameter, _) when failed < all ->
@@ -241,7 +243,7 @@ let parentheses ({ words; call; mistake } as fact) =
   in
   let quote = Wording.argument words in
   let texts = List.map (fun (e, _) -> quote e) arguments in
-  (* `setVelTR(v, omega)`, where the function takes no tuple *)
+  (* rewrites `setVelTR(v, omega)` as `setVelTR v omega`, if the function does not take a tuple *)
   let without_commas i text =
     match (Type.expand (type_at i), fst (List.nth arguments i)) with
     | Function (parameter, _), { desc = Tuple (_ :: _ as parts); _ }
@@ -276,20 +278,21 @@ let parentheses ({ words; call; mistake } as fact) =
         Some (Head_mistake.applied_without_parentheses ~name ~runs_a_task ~inner ~whole mistake)
   | _ -> None
 
-(* The first rule that applies is used. The order comes last, because it only compares types. *)
+(* The first rule that applies is used. [order] and [lacking] come last, because they only compare
+   types. *)
 let rules = [ field_of_the_result; habit; parentheses; order; lacking ]
 
 let explain words call mistake =
   let fact = { words; call; mistake } in
   Option.value (List.find_map (fun rule -> rule fact) rules) ~default:mistake
 
-(* {1 Functions of arrays} *)
+(* {1 Functions on arrays} *)
 
 let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve.Ir.pattern)
     (b : Resolve.Ir.pattern) =
   let at = Span.merge a.span b.span in
   Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
-  |> Diagnostic.label ~at:head.span "`%s` passes the result so far, and then an element" name
+  |> Diagnostic.label ~at:head.span "`%s` passes the result so far first, then an element" name
   |>
   match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->

@@ -1,4 +1,4 @@
-(** Messages about an application as a whole, of which one argument has the wrong type. *)
+(** Messages about a whole application in which one argument has the wrong type. *)
 
 open Basis
 open Typing

@@ -12,9 +12,10 @@ let constrained_variable (c : Resolve.Ir.constraint_) (variable : Ir.variable) =
   |> Diagnostic.hint "make `%s` a superclass" c.class_.name
 
 let built_in_class (instance : Resolve.Ir.instance) =
-  Diagnostic.error ~code:"E0366" ~at:instance.span "`%s` has no declared instances"
+  Diagnostic.error ~code:"E0366" ~at:instance.span "you cannot declare an instance of `%s`"
     instance.class_.name
-  |> Diagnostic.note "the compiler compares all data without functions by structure"
+  |> Diagnostic.note "the compiler already compares all values by structure, except those that \
+                      contain functions"
   |> Diagnostic.hint "remove the instance"
 
 let instance_head words (instance : Resolve.Ir.instance) head =
@@ -26,7 +27,7 @@ let instance_head words (instance : Resolve.Ir.instance) head =
   let diagnostic =
     match Type.repr head with
     | Alias { expansion; _ } ->
-        Diagnostic.note "it stands for %s" (Wording.quoted words expansion) diagnostic
+        Diagnostic.note "this is a synonym for %s" (Wording.quoted words expansion) diagnostic
     | _ -> diagnostic
   in
   match Type.expand head with
@@ -41,7 +42,7 @@ let shown words (instance : Resolve.Ir.instance) head =
   Wording.constraint_ words (Ir.Declared instance.class_) head
 
 let second_instance words (instance : Resolve.Ir.instance) head ~first =
-  Diagnostic.error ~code:"E0361" ~at:instance.span "there are two instances `%s`"
+  Diagnostic.error ~code:"E0361" ~at:instance.span "there are two `%s` instances"
     (shown words instance head)
   |> Diagnostic.label ~at:first "the first one is here"
   |> Diagnostic.note "a class can have only one instance for each type constructor"
@@ -57,5 +58,5 @@ let missing_methods words (instance : Resolve.Ir.instance) head missing =
       (all (Printf.sprintf "`%s`"))
   in
   List.fold_left label error missing
-  |> Diagnostic.hint "define it below the `where` of the instance: %s"
+  |> Diagnostic.hint "below the `where` of the instance, define %s"
        (all (Printf.sprintf "`%s = …`"))

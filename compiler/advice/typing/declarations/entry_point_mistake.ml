@@ -15,7 +15,7 @@ let rec parameters : Ir.ty -> Ir.ty list * Ir.ty = function
       (a :: others, result)
   | result -> ([], result)
 
-(* `main x = …`, with the signature of a function *)
+(* The hint for `main x = …` with the signature of a function. *)
 let as_signal_function (d : Ir.definition) =
   let types, result = parameters d.scheme.ty in
   let names =
@@ -39,8 +39,8 @@ let type_variables d ~name ~ty ~is_program size =
     match size with
     | Some size ->
         Printf.sprintf
-          "`%s` is a variable for any size here, not the value of that name: write a number, or a \
-           name for it, as in `type N = 4`"
+          "here `%s` is a variable for any array size, not the value with that name: write a \
+           number, or name the size, as in `type N = 4`"
           size
     | None ->
         Printf.sprintf "give it a signature without variables, such as `%s :: %s`" name
@@ -60,9 +60,10 @@ let function_ (d : Ir.definition) ~name ~ty ~arguments ~sets_output ~is_closed =
 let value (d : Ir.definition) ~name =
   let hint =
     if String.equal name "main" then
-      "use `constant e` for a signal function that always returns it, or `main = reactimateRobot \
-       (constant e)` for a robot program"
-    else Printf.sprintf "use `constant %s` for a signal function that always returns it" name
+      "use `constant e` for a signal function that always outputs the value `e`, or `main = \
+       reactimateRobot (constant e)` for a robot program"
+    else Printf.sprintf "use `constant %s` for a signal function that always outputs this \
+                         value" name
   in
   match d.scheme.ty with
   | Number _ | Variable _ -> rejected d hint "it is a value, not a signal function"
@@ -75,16 +76,17 @@ let refused (d : Ir.definition) (refusal : Entry_fact.refusal) =
       rejected d ~at
         "use `roMake` to turn this function into a robot's output, as in `roMake (setVelTR v \
          omega)`"
-        "its output is a function, `%s`, not the output of a robot" (Show.ty output)
+        "its output is a function, `%s`, not a robot's output" (Show.ty output)
   | Not_a_robot_output at ->
-      rejected d ~at "use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`"
-        "its type is `%s`, whose output is not the output of a robot" ty
+      rejected d ~at "use `roMake` to create a robot's output, as in `roMake (setVelTR v omega)`"
+        "its type is `%s`, so its output is not a robot's output" ty
   | Type_variables { is_program; size } -> type_variables d ~name ~ty ~is_program size
   | Missing_argument ->
       rejected d
         (if String.equal name "main" then
            "give it another name, such as `run`, and write `main = run …`"
-         else Printf.sprintf "define another one with the argument, as in `main = %s …`" name)
+         else Printf.sprintf "define a signal function that supplies the argument, as in `main = \
+                              %s …`" name)
         "it still needs an argument, as its type `%s` shows" ty
   | Task ->
       rejected d
@@ -103,11 +105,11 @@ let diagnostic (fact : Entry_fact.t) =
   | Refused { definition; refusal } -> refused definition refusal
   | No_entry { file; name; others } ->
       Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
-        "there is no `%s` in this module to compile" name
+        "this module has no `%s` to compile" name
       |> Diagnostic.hint "%s"
            (match (Resolve.Test_file.program file, Suggest.closest name others) with
            | Some program, _ when String.equal name "main" ->
-               Printf.sprintf "this is a test file: give the name of its program, %s"
+               Printf.sprintf "this is a test file: name the program that it tests instead, %s"
                  (Printable.name program)
            | _, Some name -> Printf.sprintf "did you mean `--entry %s`?" (Printable.word name)
            | _, None ->

@@ -1,9 +1,10 @@
 (** Messages about the definition that a program is compiled from: it does not exist ([E0501]), or
-    it cannot run ([E0411]). They show its type as the user wrote it, or as it was inferred. *)
+    it cannot run ([E0411]). They show the definition's type as the user wrote it, or as it was
+    inferred. *)
 
 open Basis
 
 val diagnostic : Typing.Entry_fact.t -> Diagnostic.t
 
 val no_entry : string
-(** The code of the error that no definition has the given name. *)
+(** The code of the error for a name that no definition has. *)

@@ -3,7 +3,7 @@ open Typing
 
 let compile_time = "functions, signal functions and labels exist only at compile time"
 
-(* The reason, and a hint. *)
+(* Why the value cannot be passed to or from C, and a hint. *)
 let explain (obstacle : Declaration_fact.obstacle) =
   match obstacle with
   | Representation ->
@@ -19,7 +19,8 @@ let explain (obstacle : Declaration_fact.obstacle) =
       in
       ("a lower-case name is a type variable", Some ("write this C type as " ^ ty))
   | Several_types ->
-      ("a C function has one type", Some "import it once for each type and size that you need")
+      ("a C function has one type", Some "import a separate C function for each type and size that \
+        you need")
 
 let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusal) =
   let name = declared.name.name in
@@ -27,20 +28,20 @@ let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusa
   match refusal with
   | Signal_function_with_parameters ->
       error "the foreign signal function `%s` cannot have parameters" name
-      |> Diagnostic.hint "add them to its input"
+      |> Diagnostic.hint "move the parameters into its input"
   | Not_a_signal_function ty ->
       error "`%s` is a foreign signal function, but `%s` is not a signal function type" name
         (Show.ty ty)
       |> Diagnostic.hint "declare a function without `sf`: `foreign %s :: %s = …`" name (Show.ty ty)
   | Signal_function ->
-      error "`%s` is a signal function" name
+      error "`%s` has a signal function type, but is not declared with `sf`" name
       |> Diagnostic.hint "if it has state in C, declare it as `foreign sf %s :: …`" name
   | No_argument ty ->
-      error "`%s` has no argument, but a C function needs a function type" name
+      error "`%s` must have a function type, even if its C function takes no argument" name
       |> Diagnostic.hint "use `() -> %s`, and call it as `%s ()`" (Show.ty ty) name
   | Type_classes ->
-      error "foreign declarations cannot have type classes"
-      |> Diagnostic.hint "import it once for each type that you need"
+      error "a foreign declaration cannot have class constraints"
+      |> Diagnostic.hint "import a separate C function for each type that you need"
   | Not_passed { culprit; obstacle; to_c } ->
       let why, hint = explain obstacle in
       error "`%s` cannot %s C a value of type `%s`" name
@@ -50,7 +51,8 @@ let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusa
       |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
 
 let imported_twice symbol ~(this : Declaration_fact.imported) ~(first : Declaration_fact.imported) =
-  Diagnostic.error ~code:"E0381" ~at:this.at "C's `%s` is imported here as `%s`" symbol
+  Diagnostic.error ~code:"E0381" ~at:this.at "the C function `%s` is imported here with the type \
+                          `%s`" symbol
     (Show.ty this.ty)
-  |> Diagnostic.label ~at:first.at "and here as `%s`" (Show.ty first.ty)
+  |> Diagnostic.label ~at:first.at "and here with the type `%s`" (Show.ty first.ty)
   |> Diagnostic.note "a C function has one type"

@@ -5,7 +5,7 @@ let scale_out_of_range (unit_ : Resolve.Ir.unit_declaration) =
   Diagnostic.(
     error ~code:"E0324" ~at:unit_.span "the scale of the unit `%s` is out of range"
       unit_.unit_name.name
-    |> note "a scale must be positive, and between 1e-150 and 1e150")
+    |> note "a scale must be a positive number between 1e-150 and 1e150")
 
 let param ~at name (scheme : Ir.scheme) =
   let refuse ?hint text =
@@ -14,17 +14,18 @@ let param ~at name (scheme : Ir.scheme) =
          "a parameter must be a number or a `Bool`, so that the command line can set it"
     |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
   in
-  let cannot_be = Printf.sprintf "the parameter `%s` cannot be of %s `%s`" name in
+  let cannot_be = Printf.sprintf "the parameter `%s` cannot have the %s `%s`" name in
   let ty = Show.scheme scheme in
   match (scheme, scheme.ty) with
   | { units = _ :: _; _ }, Number _ | { representations = _ :: _; _ }, Number _ ->
-      refuse (cannot_be "every type" ty) ~hint:"name its unit, as in `Float[1/m]`"
+      refuse (cannot_be "polymorphic type" ty) ~hint:"name its unit, as in `Float[1/m]`"
   | _, (Function _ | Signal_function _) ->
       refuse (cannot_be "type" ty)
-        ~hint:"use a number as the parameter, and let the function use it"
+        ~hint:"make the parameter a number, and use it in the function"
   | _, (Tuple _ | Data _) ->
       refuse (cannot_be "type" ty)
-        ~hint:"declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`"
+        ~hint:"declare a separate parameter for each number in this value; for a \
+               choice, use a `Bool` or an `Int`"
   | _, (Variable _ | Number _ | Bool | String | Size _) -> refuse (cannot_be "type" ty)
 
 let diagnostic words (fact : Declaration_fact.t) =

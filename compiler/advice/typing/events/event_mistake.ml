@@ -42,18 +42,19 @@ let accumulated words ~name ~at (arguments : (Resolve.Ir.expr * Type.t) list) =
       Some
         (Diagnostic.error ~code:"E0301" ~at:f.span "`%s` does not take a function as an argument"
            name
-        |> Diagnostic.label ~at:e.span "the event must carry it"
+        |> Diagnostic.label ~at:e.span "the event must carry the function"
         |> Diagnostic.hint "write `%s`" fixed
         |> Diagnostic.write at fixed)
   | _ -> None
 
-(* Is it the event of a `count`, which starts at 0? *)
+(* Does the event come from `count`, which starts at 0? *)
 let counts fact =
   match Option.map (Bare_number.value fact.words) fact.subject with
   | Some e -> Plain_name.of_head e = Some "count"
   | None -> false
 
-(* `e < 0.4[m]`: an initial value with which the comparison is false until the event occurs. *)
+(* For a comparison such as `e < 0.4[m]`: an initial value that makes it false until the event
+   occurs. *)
 let false_at_first fact =
   match (fact.expected.because, other_operand fact) with
   | Operand { operator; _ }, Some other when not (counts fact) -> (
@@ -106,8 +107,8 @@ let in_place_of_a_number fact =
   | Number _ when is_an_event fact && Option.fold (content fact.found) ~none:false ~some:is_maybe ->
       Some
         (hinted fact
-           "an event has a value only when it occurs, and this one may be missing: write `hold 0 \
-            (%s)`, which is 0 at first, and for a missing value"
+           "an event has a value only when it occurs, and even then this value may be missing: \
+            write `hold 0 (%s)`, which is 0 at first and whenever the value is missing"
            (with_default fact "0"))
   | Number _ when is_an_event fact && false_at_first fact <> None ->
       let start = Option.get (false_at_first fact) in
@@ -115,7 +116,7 @@ let in_place_of_a_number fact =
       Some
         (hinted fact
            "an event has a value only when it occurs: write `hold %s %s` for its latest value; \
-            `%s` is its value at first, with which the comparison is False"
+            the initial value `%s` makes the comparison False"
            start e start)
   | Number _ when is_an_event fact ->
       Some
@@ -127,7 +128,7 @@ let in_place_of_a_number fact =
               ~some:(Printf.sprintf ", or `mapE %s` to compute with each value")))
   | _ -> None
 
-(* `hold 0 b` *)
+(* Is the value an argument of a `hold` that starts at 0 without a unit, as in `hold 0 b`? *)
 let is_held_from_zero fact =
   match fact.expected.because with
   | Parameter
@@ -139,7 +140,7 @@ let is_held_from_zero fact =
       true
   | _ -> false
 
-(* `mapE 3 e`, where the value was meant to replace that of the event *)
+(* `mapE 3 e`, where `3` was meant to replace the value of the event *)
 let mapped_to_a_value fact =
   match (fact.expected.because, fact.given) with
   | ( Parameter { callee = Some "mapE"; position = 1; given = [ first; second ]; _ },
@@ -171,7 +172,7 @@ let of_a_truth fact =
          (if carries_a_number && is_held_from_zero fact then
             Printf.sprintf
               "to count how often the condition becomes True, write `count (edge %s)` here; to \
-               hold a value of your own, `tag (edge %s) x` with your value for `x`"
+               hold another value, write `tag (edge %s) x` with that value in place of `x`"
               b b
           else if carries_a_number then
             Printf.sprintf
@@ -179,11 +180,12 @@ let of_a_truth fact =
                becomes True"
               b
           else if carries_a_truth then
-            Printf.sprintf "use `tag (edge %s) True`, which occurs when it becomes True" b
+            Printf.sprintf "use `tag (edge %s) True`, which occurs when the condition becomes \
+                            True" b
           else
             Printf.sprintf
-              "use `edge %s`, which occurs when it becomes True, or `when %s`, which occurs \
-               whenever it is True; use `tag` to add a value"
+              "use `edge %s`, which occurs when the condition becomes True, or `when %s`, which \
+               occurs whenever it is True; use `tag` to add a value"
               b b)
     |> Option.some
   else None

@@ -16,7 +16,7 @@ val event_wanted : Shape_fact.t -> bool
 (** Was an event expected? *)
 
 val with_default : Shape_fact.t -> string -> string
-(** The event with this value in place of missing ones. *)
+(** The source text of the event with this value in place of missing ones. *)
 
 (** {1 Rules} *)
 
@@ -30,7 +30,7 @@ val mapped_to_a_value : Shape_fact.rule
 (** A value in place of the function of [mapE]. *)
 
 val of_a_truth : Shape_fact.rule
-(** A truth value where an event is expected. *)
+(** A [Bool] where an event is expected. *)
 
 (** {1 Other messages} *)
 

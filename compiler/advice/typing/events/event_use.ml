@@ -9,8 +9,7 @@ let is_plain t =
   | Data _ -> not (Environment.is_event t || Environment.is_task t)
   | _ -> false
 
-(* An example of a value of this type: a record expression if it is a small record, otherwise `x`.
-   *)
+(* An example value of this type: a record expression for a small record, otherwise `x`. *)
 let value words t =
   match Wording.fields words t with
   | Some (constructor, fields) when List.compare_length_with fields 4 <= 0 ->
@@ -18,7 +17,7 @@ let value words t =
         (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
   | _ -> "x"
 
-(* Is this the type of the second component of the wanted pair, given in place of the whole pair? *)
+(* Does the type match only the second component of the wanted pair, rather than the pair? *)
 let is_beside wanted found =
   match Type.expand wanted with
   | Tuple [ _; second ] -> (
@@ -43,7 +42,7 @@ let of_numbers found =
   && Option.fold (content found) ~none:false ~some:(fun t ->
          match Type.expand t with Number _ -> true | _ -> false)
 
-(* The event and the amount it adds, for `accumHold 0 (tag e 1)`. *)
+(* The hint for an event that carries a number to be added up, as in `accumHold 0 (tag e 1)`. *)
 let added_up words (subject : Resolve.Ir.expr option) =
   let quoted = Wording.argument words in
   let event =
@@ -59,7 +58,7 @@ let added_up words (subject : Resolve.Ir.expr option) =
     "each event must carry a function of the previous value: to add up the numbers, write `%s`"
     (Option.value event ~default:"mapE (\\x n -> n + x) e")
 
-(* `hold 2[s] b`, meant to keep a truth value true for a time. *)
+(* `hold 2[s] b`, meant to keep a condition True for some time. *)
 let for_a_time words wanted found =
   Type.expand found = Bool
   &&
@@ -73,8 +72,8 @@ let is_thing t =
   | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
   | _ -> false
 
-(* How to get a value of the wanted type from a value `x` of this type. Uses the field named after
-   the wanted type, if there is one. *)
+(* An expression that gets a value of the wanted type from `x`, which has this type: the field named
+   after the wanted type, if there is one, otherwise `x` itself. *)
 let within words t wanted =
   match (Wording.fields words t, Type.expand wanted) with
   | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields
@@ -82,7 +81,7 @@ let within words t wanted =
       "x." ^ String.uncapitalize_ascii tycon.name
   | _ -> "x"
 
-(* The value that replaces a missing one: the initial value of `hold`, or a neutral one. *)
+(* The default for a missing value: the initial value of `hold`, or a neutral value. *)
 let default fact wanted =
   match fact.expected.because with
   | Parameter { callee = Some ("hold" | "dHold"); position = 2; given = start :: _; _ } ->
@@ -93,18 +92,18 @@ let default fact wanted =
 
    Each function returns its hint if it applies. *)
 
-(* `isEvent (bumped i)` *)
+(* `isEvent` applied to a condition, as in `isEvent (bumped i)`. *)
 let asked_of_a_truth fact =
   match fact.expected.because with
   | Parameter { callee = Some "isEvent"; _ } when fact.given = Bool ->
       Some
         (Printf.sprintf
-           "this is a condition already: write `%s` in place of `isEvent %s`; `edge %s` is the \
+           "this is already a condition: write `%s` in place of `isEvent %s`; `edge %s` is the \
             event that occurs when it becomes True"
            (raw fact "b") (grouped fact "b") (grouped fact "b"))
   | _ -> None
 
-(* `mergeE a b` applied to truth values, where `||` was meant. *)
+(* `mergeE a b` applied to conditions, where `||` was meant. *)
 let merged_truths fact =
   match fact.expected.because with
   | Parameter { callee = Some ("mergeE" | "mergeR" | "pairEvents"); _ }
@@ -112,8 +111,8 @@ let merged_truths fact =
       let b = grouped fact "b" in
       Some
         (Printf.sprintf
-           "for two conditions, write `a || b`; for an event, write `edge %s`, which occurs when \
-            it becomes True, or `when %s`, which occurs whenever it is True"
+           "to combine two conditions, write `a || b`; for an event, write `edge %s`, which occurs \
+            when the condition becomes True, or `when %s`, which occurs whenever it is True"
            b b)
   | _ -> None
 
@@ -158,7 +157,7 @@ let without_function fact =
             as in `tag e (\\n -> n + 1)`")
   | _ -> None
 
-(* `hold 2[s] b`, meant to keep a truth value true for a time. *)
+(* `hold 2[s] b`, meant to keep a condition True for some time. *)
 let truth_held_for_a_time fact =
   match fact.expected.because with
   | Parameter { callee = Some ("hold" | "dHold"); position = 2; _ }
@@ -170,8 +169,8 @@ let truth_held_for_a_time fact =
            (grouped fact "b"))
   | _ -> None
 
-(* `hold e x` for an event [e] without a value: the arguments are exchanged, and [x] is not an
-   event. *)
+(* `hold e x` for an event [e] without a value: the arguments are in the wrong order, and [x] is not
+   an event. *)
 let held_after_its_event fact =
   match (fact.expected.because, content fact.wanted) with
   | ( Parameter { callee = Some (("hold" | "dHold") as hold); position = 2; given = e :: _; _ },
@@ -198,14 +197,14 @@ let wrapped_twice fact =
     match (content_of_event e, Resolve.Walk.application e) with
     | Some content, _ ->
         Option.map
-          (Printf.sprintf "the content is an event already: write `%s` without `Event`")
+          (Printf.sprintf "the content is already an event: write `%s` without `Event`")
           (Wording.quote fact.words content.span)
     | None, ({ desc = Global { name = "tag"; _ }; _ }, [ e; made ]) -> (
         let value = Option.bind (content_of_event made) (Wording.argument fact.words) in
         match (Wording.argument fact.words e, value) with
         | Some e, Some value ->
             Some
-              (Printf.sprintf "`tag` makes the event: write the value alone, `tag %s %s`" e value)
+              (Printf.sprintf "`tag` creates the event: pass only the value, `tag %s %s`" e value)
         | _ -> None)
     | _ -> None
   in
@@ -220,7 +219,7 @@ let wrapped_twice fact =
       Some (Option.value (Option.bind fact.subject hint) ~default:otherwise)
   | _ -> None
 
-(* An event whose value may be missing, where it must not be. *)
+(* An event whose value may be missing, where a value is required. *)
 let of_a_maybe fact =
   match (content fact.wanted, content fact.found) with
   | Some wanted, Some found
@@ -244,7 +243,7 @@ let of_a_maybe fact =
               start m start
         | _ ->
             Printf.sprintf
-              "for the event that occurs when a value appears, write `edgeJust %s`; `fromMaybe %s \
+              "for an event that occurs when a value appears, write `edgeJust %s`; `fromMaybe %s \
                %s` is its value at every instant"
               m start m)
   | _ -> None
@@ -268,11 +267,12 @@ let value_in_place_of_event fact =
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
       Some
         (Printf.sprintf
-           "use `tag e %s`, which has this value when the event `e` occurs, or `NoEvent`"
+           "use `tag e %s`, which occurs with this value when the event `e` occurs, or `NoEvent`, \
+            which never occurs"
            (value fact.words x))
   | _ -> None
 
-(* An event without a value, that is, with `()`, where an event with a value is expected. *)
+(* An event that carries only `()`, where an event with a value is expected. *)
 let without_value fact =
   match fact.expected.because with
   | (Parameter _ | Signature _ | Output _ | Branch _)
@@ -297,10 +297,10 @@ let time_as_condition fact =
     when is_an_event fact && fact.wanted = Bool ->
       Some
         (Printf.sprintf
-           "this occurs at one instant only: write `elapsed %s ()`, which is True from then on" time)
+           "this occurs at only one instant: write `elapsed %s ()`, which is True from then on" time)
   | _ -> None
 
-(* An event as the output of a signal function, or in a field, where a truth value is expected. *)
+(* An event as the output of a signal function, or in a field, where a `Bool` is expected. *)
 let event_in_place_of_a_truth fact =
   match fact.expected.because with
   | (Output _ | Field _ | Branch _) when is_an_event fact && fact.wanted = Bool ->
@@ -324,10 +324,10 @@ let content_as_condition fact =
 let made_twice fact =
   match fact.expected.because with
   | Parameter { callee = Some (("edge" | "when" | "falling") as f); _ } when is_an_event fact ->
-      Some (Printf.sprintf "remove the `%s`: this is an event already" f)
+      Some (Printf.sprintf "remove the `%s`: this is already an event" f)
   | _ -> None
 
-(* An event as the argument of a function of truth values. *)
+(* An event as the argument of a function that takes a `Bool`. *)
 let in_place_of_a_truth fact =
   match fact.expected.because with
   | Parameter { callee = Some f; _ }

@@ -25,7 +25,7 @@ let in_place_of_the_event wanted given =
   | _ -> None
 
 let by_an_event =
-  "end it with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True"
+  "end the mode with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True"
 
 (* A function defined in the program, applied to one argument. *)
 let of_a_local_function (e : Resolve.Ir.expr option) =
@@ -72,8 +72,8 @@ let hint_for_an_output fact wanted given =
          | Some _ | None -> false
        in
        Printf.sprintf
-         "return the output and the event that ends it: `(%s &&& after 1[s])` ends it after 1 s; \
-          to end it when a condition `c` becomes True, return a pair, `(…, edge c)`"
+         "return the output and the event that ends the mode: `(%s &&& after 1[s])` ends it after \
+          1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`"
          (if is_application then raw fact "sf" else grouped fact "sf"))
   else
     match in_place_of_the_event wanted given with
@@ -85,7 +85,7 @@ let hint_for_an_output fact wanted given =
     | Some other when Type.expand other = Bool -> Some by_an_event
     | _ -> None
 
-(* A function of the program that is applied to the signal. *)
+(* The hint for a function of the program that is applied to the signal. *)
 let hint_for_a_function fact (name, argument) =
   let argument = Option.value (Wording.quote fact.words argument) ~default:"x" in
   Printf.sprintf
@@ -143,8 +143,8 @@ let next_mode fact =
       Some
         (hinted fact
            "the second argument of `%s` takes the value of the event and returns the next mode: \
-            `\\_ -> …`; the event itself is in the output of the first argument, as in `(output, \
-            edge b)`"
+            `\\_ -> …`; the event itself belongs in the output of the first argument, as in \
+            `(output, edge b)`"
            name)
   | _ -> None
 
@@ -157,16 +157,17 @@ let hint_for_a_mode fact =
   | Signal_function _, Tuple [ _; _ ], None -> Some (hint_for_a_pair fact)
   | _ -> None
 
-(* The output of a mode without the event: explains how to write both. *)
+(* The output of a mode that lacks the event: shows how to write both. *)
 let with_an_event output = Printf.sprintf "(%s, after 1[s] ())" output
 
 let ends_it output =
-  Printf.sprintf "`%s` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True"
+  Printf.sprintf "`%s` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` \
+                  becomes True"
     (with_an_event output)
 
 let needs_an_event callee output =
   Printf.sprintf
-    "the first argument of `%s` returns a pair, its output and the event that ends it: %s" callee
+    "the first argument of `%s` must return a pair of an output and an event: %s" callee
     (ends_it output)
 
 (* `switch (proc x -> x) …`: inference treated the output as the pair. *)
@@ -198,13 +199,13 @@ let input_as_pair fact =
          && is_pair given
          && match Type.expand given with Tuple [ _; e ] -> Environment.is_event e | _ -> false ->
       let text = Option.value (Wording.quote fact.words output.span) ~default:"output" in
-      error ~code:"E0301" ~at:output.span "this mode of `%s` returns no event" name
+      error ~code:"E0301" ~at:output.span "this mode of `%s` does not return an event" name
       |> hint "%s" (needs_an_event name text)
       |> write output.span (with_an_event text)
       |> Option.some
   | _ -> None
 
-(* `switch (proc x -> x + 1) …` *)
+(* A mode whose output lacks the event, as in `switch (proc x -> x + 1) …`. *)
 let output_without_event fact =
   match (fact.expected.because, fact.wanted, fact.given) with
   | ( Output
@@ -261,7 +262,7 @@ let three_arguments words ~name ~at arguments =
           let fixed = String.concat " " (name :: first' :: next :: rest) in
           let d =
             error ~code:"E0301" ~at:second.span "the event of `%s` is not a separate argument" name
-            |> label ~at:first.span "this must return it together with its output"
+            |> label ~at:first.span "this mode must return the event together with its output"
             |> hint "write `%s`" fixed
           in
           Some (if String.contains fixed '\n' then d else write at fixed d))

@@ -1,6 +1,6 @@
-(** Hints about the arguments of [switch], [dSwitch] and [mkTask]: a mode, which returns its output
-    and the event that ends it, and for switches the function from the event's value to the next
-    mode. *)
+(** Hints about the arguments of [switch], [dSwitch] and [mkTask]. The first argument is a mode,
+    which returns its output and the event that ends it. The second argument of a switch is a
+    function from the event's value to the next mode. *)
 
 open Basis
 open Typing
@@ -12,7 +12,7 @@ val with_an_event : string -> string
 (** The pair of this output and an event. *)
 
 val ends_it : string -> string
-(** The hint that says how to end a mode with this output: pair it with an event. *)
+(** The hint that shows how to end a mode: return this output paired with an event. *)
 
 val goes_on : Expected.t -> bool
 (** Does the context expect the function that returns the next mode, given the event's value? *)

@@ -17,7 +17,7 @@ let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
   | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
   | Computed at ->
       error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
-  |> Diagnostic.note "an index can be a number, a name of a number, or arithmetic with these"
+  |> Diagnostic.note "an index can be a number, the name of a constant, or arithmetic on these"
   |> Diagnostic.hint "%s"
        (let quoted = Option.bind array (fun (a : expr) -> Source.quote sources a.span) in
         let index = Option.value (Source.quote sources e.span) ~default:index in
@@ -30,22 +30,22 @@ let not_constant sources ?array (e : expr) (problem : Level_fact.problem) =
         match quoted with
         | Some array when String.length array + String.length index < 60 ->
             Printf.sprintf
-              "use `at %s %s %s`, which takes any index, and returns `%s` if there is no such \
+              "use `at %s %s %s`, which takes any index and returns `%s` if there is no such \
                element"
               (Source.grouped index) missing (Source.grouped array) missing
         | _ ->
             Printf.sprintf
-              "use `at %s x xs`, which takes any index, and returns `x` if there is no such element"
+              "use `at %s x xs`, which takes any index and returns `x` if there is no such element"
               (Source.grouped index))
 
 let outside sources ~(array : expr) ~(index : expr) value ~size =
   let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
   match size with
   | Some n ->
-      error "index %d is outside of an array of %d elements" value n
+      error "index %d is out of range for an array of %d elements" value n
       |> Diagnostic.label ~at:array.span "this is `%s`" (Show.ty array.ty)
       |> Diagnostic.hint "%s"
-           (if n = 1 then "its only element has the index 0"
+           (if n = 1 then "its only element has index 0"
             else
               let array =
                 match Source.quote sources array.span with
@@ -56,4 +56,4 @@ let outside sources ~(array : expr) ~(index : expr) value ~size =
                 (n - 1)
                 (if value = n then "; check the other indices too" else ""))
   | None ->
-      error "index %d is outside of every array" value |> Diagnostic.hint "the indices start at 0"
+      error "index %d is out of range for every array" value |> Diagnostic.hint "indices start at 0"

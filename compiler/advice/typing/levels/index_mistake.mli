@@ -6,4 +6,4 @@ open Typing
 val not_constant : Source.t -> ?array:Ir.expr -> Ir.expr -> Level_fact.problem -> Diagnostic.t
 
 val outside : Source.t -> array:Ir.expr -> index:Ir.expr -> int -> size:int option -> Diagnostic.t
-(** The index has this value, and the array this size, if it is known. *)
+(** The integer is the value of the index. [size]: the size of the array, if it is known. *)

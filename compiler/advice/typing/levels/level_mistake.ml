@@ -23,8 +23,8 @@ let for_arguments sources ~value head input =
   match Settings.hint sources ~value ~head ~input with
   | Some hint -> hint
   | None when runs_a_local head ->
-      "static values are known when it starts: pass a signal in its input, or use `initially` to \
-       start it with the first value of a signal"
+      "static values must be known when the signal function starts: pass a signal in its input, or \
+       use `initially` to start it with the first value of a signal"
   | None ->
       "a static value must be known when the signal function starts: run one signal function for \
        each of a few constant settings and choose between their outputs, pass the signal in the \
@@ -61,7 +61,8 @@ let likely sources (region : Level_fact.region) =
         "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
          `previous x`, with `import Control`"
   | Head { head = { desc = If _ | Case _; _ }; _ } ->
-      Diagnostic.hint "run each in a separate equation, and choose between their outputs"
+      Diagnostic.hint "run each signal function in a separate equation, and choose between their \
+                       outputs"
   | Head
       {
         head =
@@ -69,7 +70,7 @@ let likely sources (region : Level_fact.region) =
         _;
       }
     when name = "switch" || name = "dSwitch" ->
-      Diagnostic.hint "pass it in the event of the `%s`, or use `initially`" name
+      Diagnostic.hint "pass the value in the event of the `%s`, or use `initially`" name
   | Binding_of_task _ ->
       Diagnostic.hint
         "pass values that are known at the start as parameters of the task, and signals in its \

@@ -24,7 +24,7 @@ let own_equation sources h e =
   Diagnostic.hint "to run it at every instant, add the equation %s, and write `%s` here"
     (equation sources h e) (signal h)
 
-(* A hint for an integral that pauses while the branch is not chosen. *)
+(* The hint for pausing an integral while the branch is not chosen. *)
 let paused sources condition h input =
   match (head_name h, condition) with
   | Some "integral", Some ({ test; chosen_if } : Level_fact.condition) -> (
@@ -42,7 +42,7 @@ let paused sources condition h input =
       | _ -> Fun.id)
   | _ -> Fun.id
 
-(* A hint for restarting the signal function whenever the branch is chosen. *)
+(* The hint for restarting the signal function whenever the branch is chosen. *)
 let anew sources condition h input =
   let resets ({ test; chosen_if } : Level_fact.condition) =
     match (quote sources h, quote sources input, quote sources test) with
@@ -59,10 +59,11 @@ let anew sources condition h input =
   in
   Diagnostic.hint "%s"
     (Option.value (Option.bind condition resets)
-       ~default:"to restart it whenever this is chosen, `switch` between signal functions")
+       ~default:"to restart it whenever this alternative is chosen, use `switch` to change between \
+                 signal functions")
 
-(* The line that declares the type of this definition, with `SF a b` in place of its last `a -> b`,
-   if it has as many arrows as parameters. *)
+(* The signature of this definition with `SF a b` in place of its last `a -> b`, if it has one arrow
+   for each parameter. *)
 let as_a_signal_function sources (span : Span.t) name parameters =
   let prefix = name ^ " :: " in
   let is_plain text = not (String.exists (fun c -> c = '(' || c = ')') text) in
@@ -92,7 +93,7 @@ let as_a_signal_function sources (span : Span.t) name parameters =
   | Some text -> List.find_map of_line (String.split_on_char '\n' text)
   | None -> None
 
-(* `f d = proc i -> sf i` for `f d i = sf i`, and the line that declares its type. *)
+(* Rewrites `f d i = sf i` as `f d = proc i -> sf i`, and returns it with its new signature. *)
 let as_a_proc sources (value : expr) =
   match value.desc with
   | Lambda ((_ :: _ as patterns), _) -> (
@@ -128,13 +129,13 @@ let outside sources value head =
 
 (* {1 Messages} *)
 
-(* The value of a `test` without a run: `test "…" = ramp 0 == 0`. *)
+(* The hint for a `test` that does not say how long to run, as in `test "…" = ramp 0 == 0`. *)
 let in_a_test sources (definition : Global.t) (value : expr) =
   let value = match value.desc with Apply (_, e) -> e | _ -> value in
   match Resolve.Labels.kind_of_check definition.name with
   | Some (Test, _) ->
       Some
-        (Printf.sprintf "run it in the test for some time: `during 1[s] (proc () -> %s)`"
+        (Printf.sprintf "in the test, run it for some time: `during 1[s] (proc () -> %s)`"
            (Option.value (quote sources value) ~default:"…"))
   | Some (Trial, _) | None -> None
 
@@ -142,7 +143,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
     (obstacle : Level_fact.obstacle) (e : expr) ~head ~input =
   let run where code = Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where in
   let bound (x : Local.t) d =
-    Diagnostic.here "`%s` only has a value here" x.name d
+    Diagnostic.here "`%s` has a value only here" x.name d
     |> Diagnostic.label ~at:x.span "`%s` is bound here" x.name
   in
   let of_choice where condition =
@@ -155,7 +156,7 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
               continue"
         |> Diagnostic.hint
              "to change what runs after an event, use `switch (proc x -> (output, event)) (\\_ -> \
-              …)`; replace `…` by the signal function to run next, which may be this one"
+              …)`; replace `…` with the signal function to run next, which may be this one"
     | Depends_on_start | Lifted ->
         Diagnostic.here "its output depends on when it started" d
         |> own_equation sources head e |> anew sources condition head input
@@ -167,7 +168,8 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
               run it on events with `onEvent`"
   in
   match position with
-  | Every_instant -> Diagnostic.bug ~stage:"Advice.Misplaced_instance" "an instance that is allowed"
+  | Every_instant -> Diagnostic.bug ~stage:"Advice.Misplaced_instance" "an instance in a place \
+                                                                      where it is allowed"
   | Outside ->
       run "outside of a `proc`" "E0341"
       |> Diagnostic.here "only a `proc` can run a signal function"
@@ -201,10 +203,10 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
           |> Diagnostic.hint "%s"
                (match (f, quote sources head) with
                | "", Some h when String.equal h x.name ->
-                   "use `parB` to run an array of signal functions on one input, `parZ` to run \
+                   "use `parB` to run an array of signal functions on one input, or `parZ` to run \
                     each on its own input"
                | "", Some h ->
-                   Printf.sprintf "use `mapSF %s` to run one for each element of an array"
+                   Printf.sprintf "use `mapSF %s` to run one instance for each element of an array"
                      (Source.grouped h)
                | _, _ ->
                    Printf.sprintf "turn %s into a signal function, `proc %s -> …`"

@@ -1,5 +1,6 @@
-(** Messages about instances in places that are not evaluated at every instant, and alternatives to
-    them: outside all procs ([E0341]), in branches and guards ([E0342]), in functions ([E0343]). *)
+(** Messages about instances in places that are not evaluated at every instant, with suggested
+    alternatives. The places: outside all procs ([E0341]), in branches and guards ([E0342]), in
+    functions ([E0343]). *)
 
 open Basis
 open Typing

@@ -35,7 +35,7 @@ let rec arguments (e : expr) found =
 let names = [ "one"; "two"; "three"; "four" ]
 let all options = if List.mem None options then None else Some (List.filter_map Fun.id options)
 
-(* `f a setting b x`, where the setting replaces the argument that chooses. *)
+(* `f a setting b x`, where `setting` replaces the argument that contains the choice. *)
 let run sources f arguments ~replaced ~input setting =
   let argument a =
     Option.map Source.grouped (quote sources (if a == replaced then setting else a))
@@ -68,8 +68,8 @@ let hint sources ~value ~head ~input =
           let others = List.filteri (fun i _ -> i + 1 < List.length equations) equations in
           Some
             (Printf.sprintf
-               "run one for each setting, and choose between their outputs: add the equations %s \
-                and %s, and write `%s` here"
+               "run one instance for each setting, and choose between their outputs: add the \
+                equations %s and %s, and write `%s` here"
                (String.concat ", " others) last (output names tests))
       | _ -> None)
   | Some _ | None -> None

@@ -5,7 +5,7 @@ let words environment = Wording.of_surroundings (Surroundings.nowhere environmen
 
 let scaled_power ~at (unit_ : Ir.Global.t) exponent =
   Diagnostic.error ~code:"E0322" ~at
-    "`%s` is a scaled unit, so its power must be an integer, not %s" unit_.name
+    "`%s` is a scaled unit, so its exponent must be an integer, not %s" unit_.name
     (Rational.to_string exponent)
   |> Diagnostic.hint "write the number in base units"
 

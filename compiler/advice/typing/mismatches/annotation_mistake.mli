@@ -1,6 +1,6 @@
 (** Messages about types and units in the source. Codes: [E0321] a scaled unit in a type · [E0322] a
-    power of a scaled unit · [E0330] a size in place of a type, or the reverse · [E0333] a size out
-    of range. *)
+    non-integer power of a scaled unit · [E0330] a size in place of a type, or the reverse · [E0333]
+    a size out of range. *)
 
 open Basis
 open Typing

@@ -32,7 +32,7 @@ let is_of_a_decimal (kind : Signature_fact.kind) (mistake : Fact.t) =
       true
   | _ -> false
 
-(* The left side with the two parameters exchanged. *)
+(* The left-hand side with the two parameters swapped. *)
 let left_side sources ~name (b : Resolve.Ir.binding) i j =
   let texts = List.map (fun (p : Resolve.Ir.pattern) -> Source.quote sources p.span) b.parameters in
   match (List.nth_opt texts i, List.nth_opt texts j) with
@@ -68,13 +68,14 @@ let in_wrong_order sources
        (Option.fold others ~none:"" ~some:(Printf.sprintf ", or begin the definition with `%s =`"))
   |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits
 
-(* The definition may be wrong instead, so its message stays. *)
+(* Keeps the message about the definition, because the definition may be wrong instead of the
+   signature. *)
 let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnostic.t) =
   let is_of_a_signature text =
     String.starts_with ~prefix:"if this is the right result, write the signature as" text
   in
   let signature = Printf.sprintf "%s :: %s" name text in
-  (* A different formula is a better explanation than parameters in the wrong order. *)
+  (* A wrong formula is a better explanation than parameters in the wrong order. *)
   let keeps =
     match kind with
     | Parameters _ -> not (List.for_all is_of_a_signature d.hints)

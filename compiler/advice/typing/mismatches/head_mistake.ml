@@ -27,7 +27,7 @@ type fact = {
   position : int;  (** position of the argument, counted from 1 *)
   argument : Resolve.Ir.expr;
   at : Span.t;  (** the argument *)
-  left : Type.t;  (** the type of the head after the arguments before this one *)
+  left : Type.t;  (** the type of the head applied to the preceding arguments *)
 }
 
 let not_taken fact =
@@ -62,12 +62,13 @@ let after_a_number fact =
            (match factor with
            | Some text ->
                Printf.sprintf
-                 "for a product write `%s * %s`; between the elements of an array write commas, \
+                 "for a product, write `%s * %s`; for an array, put commas between the elements, \
                   `[%s, %s]`"
                  digits (Source.grouped text) digits text
            | None ->
                Printf.sprintf
-                 "write commas between the elements of an array, `[%s, …]`, or `*` between factors"
+                 "for an array, put commas between the elements, `[%s, …]`; for a product, put \
+                  `*` between the factors"
                  digits))
   | _ -> None
 
@@ -78,25 +79,25 @@ let after_a_field fact =
       Some
         (match (Wording.quote fact.words record.span, Wording.quote fact.words fact.at) with
         | Some record, Some value ->
-            hint "for a record with another `%s`, write `%s { %s = %s }`" field.text
+            hint "for a copy of the record with a different `%s`, write `%s { %s = %s }`" field.text
               (Source.grouped record) field.text value
         | _ -> Fun.id)
   | _ -> None
 
-(* `limit low high x` *)
+(* `limit` with two limits, as in `limit low high x`. *)
 let of_two_limits fact =
   match fact.head.desc with
   | Global { name = "limit"; module_ = "Control"; _ } when fact.position = 3 ->
       let arguments = { fact.at with start = fact.head.span.stop } in
       Option.map
         (fun arguments ->
-          (* the place of an argument excludes its parentheses *)
+          (* the span of an argument excludes its parentheses *)
           let count c = List.length (String.split_on_char c arguments) in
           let text =
             "clamp " ^ String.trim arguments ^ String.make (max 0 (count '(' - count ')')) ')'
           in
           fun d ->
-            hint "`limit` has one limit for both directions; for two, write `%s`" text d
+            hint "`limit` takes one limit for both directions; for two limits, write `%s`" text d
             |> write fact.head.span "clamp")
         (match Source.quote (Wording.sources fact.words) arguments with
         | Some text when String.length text < 90 -> Some text
@@ -110,7 +111,7 @@ let event_as_choice fact =
       Some
         (hint
            "for a choice between two values, write `if c then a else b`; for a task that runs only \
-            on a condition, write `whenT c t`")
+            if a condition holds, write `whenT c t`")
   | _ -> None
 
 let without_paren text =
@@ -128,7 +129,7 @@ let without_closing text =
   if count ')' > count '(' && text.[n - 1] = ')' then String.trim (String.sub text 0 (n - 1))
   else text
 
-(* `xs 0`, `xs(0)`, `xs [0]` or `(f x)[0]`. *)
+(* An array applied to an index, as in `xs 0`, `xs(0)`, `xs [0]` or `(f x)[0]`. *)
 let element fact =
   match Type.expand fact.left with
   | Data { tycon; _ } when tycon = Environment.array ->
@@ -152,7 +153,8 @@ let element fact =
             fix (Printf.sprintf "write `%s`" text) [ edit ]
         | _ -> Fun.id
       in
-      Some (fun d -> hint "write `%s` for that element; the first one is `! 0`" text d |> rewrite)
+      Some
+        (fun d -> hint "write `%s` for that element; the first element is `! 0`" text d |> rewrite)
   | _ -> None
 
 (* The text between the head and this argument. *)
@@ -185,15 +187,15 @@ let initial_value fact =
     when fact.position = 2 && Character.is_digit before.[0] ->
       Some
         (hint
-           "it starts at 0: for another initial value, write `%s + integral %s`; to restart it \
-            when an event occurs, write `resetOn integral (%s, e)`"
+           "`integral` starts at 0: for another initial value, write `%s + integral %s`; to \
+            restart it when an event occurs, write `resetOn integral (%s, e)`"
            before argument
            (Option.value (Wording.quote fact.words fact.at) ~default:"v"))
   | Global { name = "integral"; _ }, _, _ when fact.position = 2 && not (is_a_time fact) ->
       Some
         (hint
-           "it starts at 0: for another initial value, write `x0 + integral v`; to restart it when \
-            an event occurs, write `resetOn integral (v, e)`")
+           "`integral` starts at 0: for another initial value, write `x0 + integral v`; to restart \
+            it when an event occurs, write `resetOn integral (v, e)`")
   | _ -> None
 
 (* Splits a text into two arguments, each a name or in parentheses. *)
@@ -211,7 +213,7 @@ let two_arguments text =
   | [ i ] -> Some (String.sub text 0 i, String.sub text (i + 1) (String.length text - i - 1))
   | _ -> None
 
-(* `min a b c`. *)
+(* A function of two values applied to three, as in `min a b c`. *)
 let of_three fact =
   match fact.head.desc with
   | Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when fact.position = 3 ->
@@ -231,7 +233,8 @@ let started_afresh fact =
       Some
         (fun d ->
           match Wording.quote fact.words fact.at with
-          | Some text -> hint "remove `%s`: `%s` knows the time between two instants" text name d
+          | Some text -> hint "remove `%s`: `%s` already uses the time between two \
+                               instants" text name d
           | None -> d)
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when fact.position > 1 ->
@@ -249,10 +252,10 @@ let without_do fact =
          (match (Wording.quote fact.words fact.head.span, Wording.quote fact.words fact.at) with
          | Some head, Some next when column fact.at > column fact.head.span ->
              Printf.sprintf
-               "this line is indented further than the one above, so it continues it: start `%s` \
-                at column %d, below `%s`; tasks one below the other need a `do`"
+               "this line is indented further than the line above, so it continues that line: \
+                start `%s` at column %d, below `%s`; a sequence of tasks also needs a `do`"
                next (column fact.head.span) head
-         | _ -> "put `do` before several tasks below each other"))
+         | _ -> "put `do` before a sequence of tasks"))
   else None
 
 (* `(x + 1)(x - 1)`, a product without its operator. *)
@@ -261,7 +264,7 @@ let after_a_formula fact =
   | Global { name = "+" | "-" | "*" | "/"; _ }, Number _ when fact.position = 3 ->
       Option.map
         (fun text ->
-          hint "a formula in parentheses is not a function: for a product write `* %s` after it"
+          hint "a formula in parentheses is not a function: for a product, write `* %s` after it"
             (Source.grouped text))
         (Wording.quote fact.words fact.at)
   | _ -> None
@@ -312,12 +315,10 @@ let local fact =
               x.name operator text x.name text
         | _ -> Fun.id
       in
-      Some (fun d -> label ~at:x.span "it means this local `%s`" x.name d |> pair)
+      Some (fun d -> label ~at:x.span "the name refers to this local `%s`" x.name d |> pair)
   | _ -> None
 
-(* The first rule that applies is used. The rules for a kind of head come first, then those for
-   functions of the prelude, then those for any task, local name or definition. *)
-(* `Event x when c` *)
+(* An event with a condition, as in `Event x when c`. *)
 let event_when fact =
   match fact.head.desc with
   | Constructor { name = "Event"; module_ = "Prelude" }
@@ -328,6 +329,8 @@ let event_when fact =
             condition) x`")
   | _ -> None
 
+(* The first rule that applies is used. The rules for a kind of head come first, then those for
+   functions of the prelude, then those for any task, local name or definition. *)
 let rules =
   [
     event_when;

@@ -12,7 +12,7 @@ val not_a_function :
   Type.t ->
   Diagnostic.t
 (** The message about a head that cannot take the argument at this position. The last argument is
-    the type of the head after the preceding arguments. *)
+    the type of the head applied to the preceding arguments. *)
 
 val applied_without_parentheses :
   name:string -> runs_a_task:bool -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t

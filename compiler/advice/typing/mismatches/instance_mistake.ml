@@ -49,7 +49,7 @@ let about_foreign words t diagnostic =
   match foreign_of words t with
   | None -> diagnostic
   | Some tycon ->
-      Diagnostic.hint "only C can compare two values of type `%s`: import a function that does"
+      Diagnostic.hint "only C can compare two values of type `%s`: import a C function that does"
         tycon.name diagnostic
 
 (* Does the program itself declare the class or the type? Then a missing instance is a likely cause.
@@ -122,7 +122,7 @@ let several_outputs fact =
                "combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`")
   | _ -> None
 
-(* The body of a mode that lacks its event. *)
+(* The output of a mode without the event that ends it. *)
 let output_with_an_event fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_with_an_event fact.lack.culprit ->
@@ -148,7 +148,7 @@ let output_with_an_event fact =
             here = "";
             labels = [];
           }
-          |> Diagnostic.hint "return the output and the event that ends it: %s"
+          |> Diagnostic.hint "return a pair of the output and an event: %s"
                (Switch_mistake.ends_it output)
           |> Option.fold written ~none:Fun.id ~some:(fun (whole, output) ->
                  Diagnostic.write whole (Switch_mistake.with_an_event output)))
@@ -169,12 +169,12 @@ let output_of_numbers fact =
            (match fact.required.by with
            | Name ("roMake" | "setVelTR") ->
                Printf.sprintf
-                 "%s returns the commands for a robot: the signature, or the other outputs here, \
-                  must be `RobotOutput` too, not %s"
+                 "%s returns commands for a robot: the signature or the other outputs here must \
+                  also be `RobotOutput`, not %s"
                  (user fact) fact.culprit
            | _ ->
-               "a robot takes commands, not numbers: make an output of the speed and the turn rate \
-                with `roMake (setVelTR v omega)`"))
+               "a robot takes commands, not numbers: turn the speed and the turn rate into an \
+                output with `roMake (setVelTR v omega)`"))
   | _ -> None
 
 (* `Twist { linear = v, angular = 0 }`, the command of a robot in ROS *)
@@ -185,7 +185,8 @@ let twist fact =
         (Output_mistake.hint_for_a_twist fact.words fact.lack.culprit)
   | _ -> None
 
-(* Is this a type of a library module, and so never the programmer's own robot output? *)
+(* Is this type defined in a library module, so that it cannot be the programmer's own robot
+   output? *)
 let is_of_the_library (t : Ir.Global.t) =
   List.mem t.module_
     [
@@ -236,21 +237,21 @@ let own_output fact =
            | "RobotOutput", Some rest ->
                Printf.sprintf
                  "for a robot of your own, define its output at rest: `instance RobotOutput %s \
-                  where restingOutput = %s`; a Pioneer has the type `RobotOutput`"
+                  where restingOutput = %s`; for a Pioneer, use the type `RobotOutput`"
                  tycon.name rest
            | "RobotOutput", None ->
                Printf.sprintf
                  "for a robot of your own, define its output at rest: `instance RobotOutput %s \
-                  where restingOutput = …`; a Pioneer has the type `RobotOutput`"
+                  where restingOutput = …`; for a Pioneer, use the type `RobotOutput`"
                  tycon.name
            | _ ->
                Printf.sprintf
                  "for a robot of your own, define how it drives: `instance DiffDrive %s where \
-                  setVelTR v omega o = o { … }`; a Pioneer has the type `RobotOutput`"
+                  setVelTR v omega o = o { … }`; for a Pioneer, use the type `RobotOutput`"
                  tycon.name))
   | _ -> None
 
-(* The outputs of two tasks side by side. *)
+(* The pair of outputs that `both` returns for two tasks. *)
 let two_outputs fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput"; _ } when is_pair fact.lack.culprit ->
@@ -260,7 +261,7 @@ let two_outputs fact =
             `abortWhen`, which keep only the output of the task")
   | _ -> None
 
-(* The statement `roMake (…)`, if it is a line of its own, and its place. *)
+(* The statement `roMake (…)` and its span, if it is alone on its line. *)
 let command_line fact =
   let at = fact.required.at in
   Option.bind
@@ -289,8 +290,8 @@ let task fact =
       Some
         (fun d ->
           Diagnostic.hint
-            "a command of the robot is not a task: to give it for a time, write `%s`; until an \
-             event `e`, `mkTask (proc i -> (%s, e))`"
+            "a robot command is not a task: to give it for a fixed time, write `%s`; to give it \
+             until an event `e`, write `mkTask (proc i -> (%s, e))`"
             text command d
           |> Diagnostic.write at text)
   | Declared _, _ when Environment.is_task fact.lack.culprit ->
@@ -300,8 +301,8 @@ let task fact =
               "a robot command is not a task: in a `do`, give it for a fixed time with `sleepT \
                1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
             else
-              "an equation cannot run a task: run it with `reactimateTask`, or in a `do`, one task \
-               after the other"))
+              "an equation cannot run a task: run it with `reactimateTask`, or write the tasks one \
+               after the other in a `do`"))
   | _ -> None
 
 (* Arithmetic on signal functions, where one operand is a number. *)
@@ -344,7 +345,7 @@ let composed_without_parentheses fact =
             (setVelTR v omega)`")
   | _ -> None
 
-(* The number of parameters of a method or function of a class, including the robot. *)
+(* The number of parameters of a method or function of a capability class, including the robot. *)
 let parameters fact =
   let rec count t =
     match Type.expand t with
@@ -377,7 +378,7 @@ let takes_a_robot fact =
         by fact.culprit
   | _, None ->
       Printf.sprintf
-        "%s is for a robot's input or output, not for %s: is the robot the last argument?" by
+        "%s needs a robot's input or output, not %s: check that the robot is the last argument" by
         fact.culprit
 
 (* `mkTask cruise`, where `cruise` returns only an output *)
@@ -397,8 +398,8 @@ let mode_without_event fact =
         Some
           (fun d ->
             Diagnostic.hint
-              "`mkTask` needs an event that ends the task, beside the output: write `mkTask %s`, \
-               or another event"
+              "`mkTask` needs the output and an event that ends the task: write `mkTask %s`, or \
+               use another event"
               fixed d
             |> Diagnostic.write at fixed)
       else None
@@ -412,7 +413,7 @@ let of_no_robot fact =
       Some (Diagnostic.hint "%s" (takes_a_robot fact))
   | _ -> None
 
-(* A class or type of the program. *)
+(* A missing instance for a class or type that the program declares. *)
 let not_declared fact =
   match fact.lack.lacking with
   | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
@@ -421,7 +422,7 @@ let not_declared fact =
            (Wording.constraint_ fact.words fact.lack.lacking fact.lack.culprit))
   | _ -> None
 
-(* Lists the types that have an instance, if they are few. *)
+(* Lists the types that have an instance, if there are only a few. *)
 let other_instances fact =
   match fact.lack.lacking with
   | Eq | Ord -> None
@@ -438,8 +439,8 @@ let other_instances fact =
               |> for_others)
       | _ -> None)
 
-(* The first rule that applies is used: those for `RobotOutput` and for kinds of types come before
-   those for any class. *)
+(* The first rule that applies is used. Rules for `RobotOutput` and for particular kinds of types
+   come before the rules for any class. *)
 let rules =
   [
     several_outputs;
@@ -468,14 +469,14 @@ let no_instance words required (lack : lack) =
 
 (* {1 Other messages} *)
 
-(* An example of a condition on the asserted value, with a limit in the value's unit. *)
+(* The hint with an example of a condition on the asserted value. A limit has the value's unit. *)
 let asserted words ~(at : Span.t) culprit =
   let e = Option.fold (Wording.quote words at) ~none:"x" ~some:Source.grouped in
   match Type.expand culprit with
   | Number (_, u) when not (Units.is_open u) ->
       let unit_ = Wording.measure words u in
       let limit = if String.equal unit_ "1" then "1" else Printf.sprintf "1[%s]" unit_ in
-      Printf.sprintf "assert a condition: compare it with a limit, as in `(%s <= %s)`"
+      Printf.sprintf "assert a condition: compare the value with a limit, as in `(%s <= %s)`"
         (Option.value (Wording.quote words at) ~default:"x")
         limit
   | Data { tycon; _ } when tycon = Environment.built_in "Maybe" ->
@@ -494,8 +495,8 @@ let not_a_condition words ~at culprit =
 let undecided words (required : required) class_ =
   Diagnostic.error ~code:"E0308" ~at:required.at "nothing determines the type at which %s is used"
     (Required_label.user words required)
-  |> Diagnostic.note "it must be a type of the class `%s`" (Show.class_ class_)
-  |> Diagnostic.hint "annotate it with a type, as in `(e :: T)`"
+  |> Diagnostic.note "the type must have an instance of the class `%s`" (Show.class_ class_)
+  |> Diagnostic.hint "add a type annotation, as in `(e :: T)`"
   |> Required_label.add words required
 
 let diagnostic words (fact : Instance_fact.t) =

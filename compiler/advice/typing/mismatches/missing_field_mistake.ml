@@ -53,8 +53,9 @@ let called_with words (name : Syntax.Ir.name) =
           (fun (arguments, length) -> (List.filter (( <> ) "") arguments, Span.forward length stop))
           (go (first + 1) 0 (first + 1) []))
 
-(* The call of a function with the record as its argument, as in `hold 0 e` for `e.hold(0)`. The
-   record becomes the last argument of its own type, or else the last one. *)
+(* A function call with the record as an argument, as in `hold 0 e` for `e.hold(0)`. The record
+   becomes the argument for the last parameter of its type or, if there is none, for the last
+   parameter. *)
 let as_a_call parameters ty ~name ~record arguments =
   let is_alike p =
     match (Type.expand p, Option.map Type.expand ty) with
@@ -147,14 +148,14 @@ let has_field words t (name : Syntax.Ir.name) =
   Option.fold (Wording.fields words t) ~none:false ~some:(fun (_, fields) ->
       List.mem name.text fields)
 
-(* Names that other languages give to the test whether there is a value. *)
+(* Names that other languages use for a test whether a value is present. *)
 let is_a_test = function
   | "occurred" | "occurs" | "happened" | "fired" | "triggered" | "isSet" | "is_set" | "isPresent"
   | "is_present" | "hasValue" | "has_value" | "isSome" | "is_some" | "isJust" | "isEvent" ->
       true
   | _ -> false
 
-(* How to use the value that an event or a `Maybe` may have. *)
+(* The hint for using the value that an event or a `Maybe` may contain. *)
 let of_a_content (name : Syntax.Ir.name) ~grouped ~lacks_it t content =
   let start =
     match Option.map Type.expand content with
@@ -178,8 +179,9 @@ let of_a_content (name : Syntax.Ir.name) ~grouped ~lacks_it t content =
       grouped start
   else if is_event then
     Printf.sprintf
-      "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for the event of \
-       its `%s`; to keep the latest value, `hold x0` that event, where `x0` is the initial value"
+      "an event has a value only when it occurs: write `mapE (\\x -> x.%s) %s` for an event with \
+       its `%s`; to keep the latest value, apply `hold x0` to that event, where `x0` is the \
+       initial value"
       name.text grouped name.text
   else
     Printf.sprintf
@@ -204,7 +206,7 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
       let fixed = if has_it then Printf.sprintf "(%s).%s" applied name.text else applied in
       Some
         (Diagnostic.hint "it is a signal function; its output %s `%s`"
-           (if has_it then "has it:" else "is")
+           (if has_it then "has this field:" else "is")
            fixed d
         |>
         if String.equal text grouped then
@@ -226,8 +228,8 @@ let through words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty d =
   | Data { tycon; _ } when tycon = Environment.array && not (is_of_arrays words name) ->
       Some
         (Diagnostic.hint
-           "for the field of the first element, write `(%s ! 0).%s`; for those of all elements, \
-            write `map (\\x -> x.%s) %s`"
+           "for the field of the first element, write `(%s ! 0).%s`; for the fields of all \
+            elements, write `map (\\x -> x.%s) %s`"
            grouped name.text name.text grouped d)
   | _ -> None
 
@@ -252,7 +254,7 @@ let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
         "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import Geometry`" x
         y d
   | _ ->
-      Diagnostic.hint "a pair has no fields: take it apart by an equation, `(a, b) = %s`"
+      Diagnostic.hint "a pair has no fields: take it apart with an equation, `(a, b) = %s`"
         (Option.value (Wording.quote words record.span) ~default:"p")
         d
 
@@ -261,7 +263,7 @@ let of_an_input (record : Resolve.Ir.expr) d =
   let i = match record.desc with Local x -> x.name | _ -> "i" in
   Diagnostic.hint
     "a robot's sensors are signal functions of its input: write `frontSonar %s` for the distance \
-     in front, `sonars %s` for all sonars"
+     in front, or `sonars %s` for all sonars"
     i i d
 
 let is_input_of_a_proc words (record : Resolve.Ir.expr) =
@@ -283,7 +285,7 @@ let usual_type = function
   | "voltage" | "volts" -> Some "Float[V]"
   | _ -> None
 
-(* The only field with the type of the quantity that the name describes. *)
+(* The field whose type fits the quantity that the name describes, if there is exactly one. *)
 let of_the_same_quantity words ty name =
   match (Type.expand ty, usual_type name) with
   | Data { tycon; _ }, Some type_ ->
@@ -342,7 +344,7 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
       | _, Some text when field_within words ty name.text <> None ->
           let field = Option.get (field_within words ty name.text) in
           let fixed = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in
-          Diagnostic.hint "its field `%s` has it: write `%s`" field fixed d
+          Diagnostic.hint "its part `%s` has this field: write `%s`" field fixed d
           |> Diagnostic.fix
                (Printf.sprintf "write `%s`" fixed)
                [ (name.span, field ^ "." ^ name.text) ]

@@ -1,5 +1,5 @@
-(** Messages about fields that a value does not have, with what the user may have meant. Codes:
-    [E0310] no such field · [E0311] several types have it. *)
+(** Messages about fields that a value does not have, with suggestions of what the user may have
+    meant. Codes: [E0310] no such field · [E0311] several types have it. *)
 
 open Basis
 open Typing
@@ -22,4 +22,5 @@ val called_as_method : Wording.t -> Application_fact.method_call -> Diagnostic.t
 (** Completes the message about the missing field. *)
 
 val path : Wording.t -> Type.t -> string -> string option
-(** The field of this name in a value of the type, or in a record that is one of its fields. *)
+(** The path to the field of this name in a value of the type: the name alone, or [field.name] if
+    the field is in a record that is itself a field. *)

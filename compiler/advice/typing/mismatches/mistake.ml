@@ -40,7 +40,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
     when List.length given > takes
          && Environment.is_task expected.ty
          && Span.line (List.nth given takes).span.start > Span.line span.stop ->
-      hint "put `do` before several tasks below each other" { d with hints = []; fixes = [] }
+      hint "put `do` before a sequence of tasks" { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global { name = "atan"; _ }; _ }; given = [ y; x ]; _ } ->
       let text (e : Resolve.Ir.expr) default =
         let is_field = match e.desc with Field _ -> true | _ -> false in
@@ -136,7 +136,8 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
-           "a variable of a signature cannot depend on a type outside of it: expected %s, found %s"
+           "a variable of a signature cannot depend on a type outside the \
+            signature: expected %s, found %s"
            (Wording.described words expected.ty)
            (Wording.described words found))
   | Out_of_range -> exponent_too_large ~at
@@ -179,7 +180,8 @@ let too_large ~at (construct : Fact.construct) =
     | Definition name -> Printf.sprintf "`%s` or of something in it" name
   in
   Diagnostic.error ~code:"E0316" ~at "the type of %s is too large" what
-  |> Diagnostic.note "a type can have at most %d parts, nested at most %d deep" Final.most_parts
+  |> Diagnostic.note "a type can have at most %d parts, nested at most %d levels \
+                      deep" Final.most_parts
        Final.deepest
 
 let too_many_updates ~at (record : Ir.constructor) ~updates ~most_fields =

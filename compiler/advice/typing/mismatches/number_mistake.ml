@@ -12,8 +12,8 @@ let angle : Resolve.Ir.unit_ option -> string option = function
 let is_angular_velocity (t : Type.t) =
   match Type.repr t with Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true | _ -> false
 
-(* A time below the first value, written without a unit, is probably meant in seconds, and one from
-   the second value on in milliseconds. *)
+(* A time without a unit is probably in seconds if it is less than [many_seconds], and in
+   milliseconds if it is at least [many_milliseconds]. *)
 let many_seconds = 20.
 let many_milliseconds = 100.
 
@@ -29,7 +29,8 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   let is_a_field = match expected.because with Field _ -> true | _ -> false in
   if is_angular_velocity expected.ty then
     with_fix
-      (Printf.sprintf "write `%s[deg/s]` for degrees per second, `%s[rad/s]` for radians per second"
+      (Printf.sprintf "write `%s[deg/s]` for degrees per second, or `%s[rad/s]` for radians per \
+                       second"
          digits digits)
       [ "deg/s"; "rad/s" ]
   else if
@@ -37,16 +38,18 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
     && (is_a_field || not (is_at_least many_milliseconds))
   then
     with_fix
-      (Printf.sprintf "write `%s[s]` for seconds, `%s[ms]` if these are milliseconds" digits digits)
+      (Printf.sprintf "write `%s[s]` if these are seconds, or `%s[ms]` if these are \
+                       milliseconds" digits digits)
       [ "s"; "ms" ]
   else if String.equal text "s" && is_at_least many_seconds then
     with_fix
-      (Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits)
+      (Printf.sprintf "write `%s[ms]` if these are milliseconds, or `%s[s]` if these are \
+                       seconds" digits digits)
       [ "ms"; "s" ]
   else with_fix (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
 
-(* The number literals that an expression chooses from. Zero is left out, because it has every unit.
-   *)
+(* The number literals that an expression chooses from. Omits zero, because zero can have every
+   unit. *)
 let rec chosen (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; _ } when float_of_string_opt digits = Some 0. -> []
@@ -60,7 +63,7 @@ let rec chosen (e : Resolve.Ir.expr) =
         branches
   | _ -> []
 
-(* The number literal, if the expression is one or a name defined as one. *)
+(* The number literal, if the expression is a literal or a name that is defined as a literal. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Local x -> (
@@ -139,24 +142,26 @@ let by_time words ~(expected : Expected.t) diagnostic =
              n.Bare_number.unit_ <> None) -> (
       let explained =
         hint
-          "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
+          "`delay x0` delays by one instant, not by a fixed time; `x0` is its output at the first \
+           instant"
       in
       match (Wording.quote words time.span, Wording.quote words signal.span) with
       | Some time, Some signal ->
           hint
-            "to delay by a time, write `delayBy %s %s`, with `import Control`; `delay x0` delays \
-             by one instant, and `x0` is its value at the first one"
+            "to delay by a fixed time, write `delayBy %s %s`, with `import Control`; `delay x0` \
+             delays by one instant, and `x0` is its output at the first instant"
             time (Source.grouped signal) diagnostic
       | _ -> explained diagnostic)
   | Parameter { callee = Some "delay"; position = 2; _ } ->
-      hint "`delay x0` delays by one instant, not by a time; `x0` is its value at the first instant"
+      hint "`delay x0` delays by one instant, not by a fixed time; `x0` is its output at the first \
+            instant"
         diagnostic
   | _ -> diagnostic
 
 (* Does the unit have only integer exponents? *)
 let is_whole u = List.for_all (fun (_, power) -> Rational.is_integer power) (Units.base_powers u)
 
-(* A literal with a decimal point and without a unit among the factors, if there is one. *)
+(* A decimal literal without a unit among the factors, if there is one. *)
 let rec plain_factor (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; unit_ = None; decimal = true } -> Some digits
@@ -168,7 +173,8 @@ let rec plain_factor (e : Resolve.Ir.expr) =
 let factor_without_unit words ~subject (wanted, given) diagnostic =
   match Option.bind subject plain_factor with
   | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
-      hint "perhaps a number lacks its unit: with `%s` as it is, the unit is `%s`" digits
+      hint "perhaps a number lacks its unit: if `%s` has no unit, the unit of the result is \
+            `%s`" digits
         (Wording.measure words given) diagnostic
   | _ -> diagnostic
 
@@ -205,7 +211,7 @@ let hint_for_signature words ~(expected : Expected.t) ~found d =
             (Wording.type_ words found) d)
   | _ -> d
 
-(* The result may be correct and the signature wrong. *)
+(* Suggests a different signature, because the result may be right and the signature wrong. *)
 let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   match expected.because with
   | Signature { name; _ } when runs words subject <> None && Wording.inputs words = [] ->
@@ -255,7 +261,7 @@ let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
            (Wording.measure words (Units.multiply wanted wanted))
   | _ -> d
 
-(* The signature is suggested first if the definition is consistent by itself. *)
+(* Suggests a different signature first, if the definition is consistent in itself. *)
 let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, given) d =
   match (expected.because, subject) with
   | (Signature _ | Output (Signature _)), Some e

@@ -1,5 +1,5 @@
-(** Messages about definitions whose parameters do not fit their signature ([E0301], [E0302]). Their
-    arguments are those of {!Typing.Inference_fact.t}. *)
+(** Messages about definitions whose parameters do not fit their signature ([E0301], [E0302]). The
+    functions take the arguments of the facts in {!Typing.Inference_fact.t}. *)
 
 open Basis
 open Typing

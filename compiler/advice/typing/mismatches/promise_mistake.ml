@@ -5,7 +5,7 @@ open Instance_fact
 let owner words missing = Wording.owner words missing.variable
 let constraint_ words (m : promise) = Wording.constraint_ words m.class_ m.of_
 
-(* The corrected context, if the context promises all needed classes, only for the wrong
+(* The corrected context, if the context promises all needed classes, but for the wrong
    variables. *)
 let of_other_variables needed promised =
   let class_of text = List.hd (String.split_on_char ' ' (String.trim text)) in
@@ -34,7 +34,7 @@ let promised words ~by (place : Span.t) needed d =
   let insert whole edits =
     Diagnostic.hint "write `%s`" whole d |> Diagnostic.fix (Printf.sprintf "write `%s`" whole) edits
   in
-  (* The place of an instance covers only its head, not its context. *)
+  (* The span of an instance covers only its head, not its context. *)
   let is_whole =
     match (by : Surroundings.construct option) with
     | Some (Class _ | Instance _) -> false
@@ -51,7 +51,7 @@ let promised words ~by (place : Span.t) needed d =
           insert ("(" ^ joined ^ ", " ^ rest) [ (at 1, joined ^ ", ") ]
       | true, _ -> (
           match String.index_opt text '=' with
-          (* a context in parentheses; the place starts inside them *)
+          (* a context in parentheses; the span starts inside them *)
           | Some i when String.contains (String.sub text 0 i) ')' -> (
               let close = String.rindex_from text i ')' in
               let rest = String.sub text close (String.length text - close) in
@@ -71,7 +71,8 @@ let promised words ~by (place : Span.t) needed d =
                 [ (at 0, "("); (at (String.length before), ", " ^ joined ^ ")") ]
           | None -> d))
   | _ ->
-      Diagnostic.hint "start %s with `%s =>`, or add it to the existing context: `(…, %s) =>`"
+      Diagnostic.hint "start %s with `%s =>`, or add the constraint to the existing \
+                       context: `(…, %s) =>`"
         (name by) alone joined d
 
 (* `smaller :: float -> float`, where the variable was meant as a type *)

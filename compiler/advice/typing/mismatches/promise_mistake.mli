@@ -1,6 +1,6 @@
-(** Messages about definitions that require a class of a type variable although the context of their
-    signature does not promise it ([E0309]). There is one message per signature, because the fix
-    changes one line. *)
+(** Messages about definitions that need a class constraint on a type variable, although the context
+    of their signature does not declare it ([E0309]). There is one message per signature, because
+    the fix changes one line. *)
 
 open Basis
 open Typing

@@ -105,7 +105,7 @@ let pattern_of_another_type (fact : Shape_fact.t) =
   | _ -> None
 
 (* Rules that depend on the reason for the expected type. A rule for events or enumerations comes
-   before the general one for a condition or a truth value. *)
+   before the general rule for a condition or a `Bool`. *)
 let of_reasons =
   [
     Task_mistake.unlike;

@@ -37,7 +37,7 @@ let variable_like_a_type words ~at (variable : Ir.variable) type_ =
 (* Suggests the signature with the variable replaced by the required type. The head of an instance
    is not a signature. *)
 let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.variable) needed d =
-  (* a context can only constrain variables *)
+  (* a context can only constrain variables, so a variable in it cannot become a type *)
   let is_constrained text =
     match String.index_opt text '=' with
     | Some i when i + 1 < String.length text && text.[i + 1] = '>' ->
@@ -109,7 +109,7 @@ let general_unit words ~at (r : Units.rigid) u =
   too_general words ~at ~kind:"unit" ~instead r.variable
     (Printf.sprintf "it to be `%s`" (Wording.measure words u))
   |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
-         hint "`%s` is a variable here: write a power as `%s`" r.variable.name power)
+         hint "`%s` is a variable here: for a power, write `%s`" r.variable.name power)
 
 let general_representation words ~at (r : Units.rigid) n =
   let instead =
@@ -144,15 +144,15 @@ let unknown_size ~at ~of_ ~variable =
   |> (match variable with
      | Some variable ->
          note
-           "`%s` in the signature of `%s` is a variable for any size: write a number instead, or a \
-            name for it, as in `type Size = 4`"
+           "`%s` in the signature of `%s` is a variable for any size: write a number instead, or \
+            name the size, as in `type Size = 4`"
            variable of_
      | None -> Fun.id)
   |> hint
-       "annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature"
+       "add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature"
 
 let polymorphic_value words ~name ~at ~signature ty =
   let name = match name with Some name -> "`" ^ name ^ "`" | None -> "this" in
-  error ~code:"E0314" ~at "only a local function can be polymorphic, and %s is %s" name
+  error ~code:"E0314" ~at "only a local function can be polymorphic, but %s is %s" name
     (Wording.quoted words ty)
-  |> label ~at:signature "its signature has its own variables"
+  |> label ~at:signature "this signature has type variables of its own"

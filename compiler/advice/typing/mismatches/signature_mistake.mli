@@ -27,7 +27,7 @@ val variable_like_a_type : Wording.t -> at:Span.t -> Ir.variable -> string -> Di
 
 (** {1 Other mistakes}
 
-    Their arguments are those of {!Typing.Inference_fact.t}. *)
+    The functions take the arguments of the facts in {!Typing.Inference_fact.t}. *)
 
 val idle_constraint : at:Span.t -> Ir.variable -> ty:Span.t -> Diagnostic.t
 val constraint_on_type : Wording.t -> at:Span.t -> Type.t -> Diagnostic.t

@@ -47,7 +47,7 @@ let written sources ~below:(at : Span.t) ~column lines d =
   let line text = Printf.sprintf "\n%s%s" (String.make (max 0 (column - 1)) ' ') text in
   let stop = end_of_line sources at in
   let at = { at with start = stop; stop } in
-  Diagnostic.fix "name the missing cases" [ (at, String.concat "" (List.map line lines)) ] d
+  Diagnostic.fix "add the missing cases" [ (at, String.concat "" (List.map line lines)) ] d
 
 (* If not all missing patterns can be listed, adds a `_` branch. *)
 let with_branches sources (case : Pattern_fact.case) (all : Pattern_fact.missing option) d =
@@ -78,7 +78,7 @@ let too_complex (case : Pattern_fact.case) =
     error ~code:"E0413" ~at:case.scrutinee.span
       "this `case` is too complex to check that it covers every value"
     |> note "its patterns have too many combinations"
-    |> hint "add a last branch `_ -> …`, or split it into a `case` within a branch")
+    |> hint "add a last branch `_ -> …`, or split it into nested `case` expressions")
 
 let missing sources (case : Pattern_fact.case) missing ~guarded_only ~listed:all =
   let d =
@@ -108,7 +108,8 @@ let unreachable (case : Pattern_fact.case) (branch : branch) =
     match taken_for_a_constructor case with
     | Some (name, (at : Span.t)) when Span.compare at branch.pattern.span < 0 ->
         fun d ->
-          label ~at "this starts with a lower-case letter, so it is a name for any value" d
+          label ~at "this starts with a lower-case letter, so it is a variable that matches any \
+                     value" d
           |> hint "for the constructor, write `%s`" name
           |> write at name
     | Some _ | None -> Fun.id)
@@ -140,7 +141,7 @@ let matched_twice (constructor : Ir.Global.t) ~(first : Resolve.Ir.pattern)
     ~(second : Resolve.Ir.pattern) ~missing =
   Diagnostic.error ~code:"E0301" ~at:second.span "`%s` is matched twice, and `%s` is never matched"
     constructor.name missing
-  |> Diagnostic.label ~at:first.span "this branch matches all of them"
+  |> Diagnostic.label ~at:first.span "this branch already matches every such value"
   |> Diagnostic.hint "if this branch is for the other values, write `%s`" missing
 
 let diagnostic sources (fact : Pattern_fact.t) =

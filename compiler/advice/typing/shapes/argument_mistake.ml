@@ -34,7 +34,7 @@ let missing_in_definition fact ~missing d =
       let e = Option.get (Wording.definition fact.words x) in
       let text = Option.get (start_lacking fact ~missing e) in
       label ~at:e.span "this is `%s`; it lacks its second argument" x.name d
-      |> hint "`foldl` begins with a value: write `%s`" text
+      |> hint "`foldl` needs an initial value: write `%s`" text
       |> write e.span text |> Option.some
   | Some { desc = Local x; _ } -> (
       match Option.map (fun e -> (e, Plain_name.of_head e)) (Wording.definition fact.words x) with
@@ -170,7 +170,7 @@ let missing_by_name fact ~missing d =
       in
       let kept = if is_signal && not is_at_its_place then n - 1 else n in
       let lacking = List.filteri (fun i _ -> i >= kept && i < kept + missing) names in
-      (* a text is a label, which must be written in quotes *)
+      (* a string is a label, which must be written in quotes *)
       let written i name =
         match Option.map Type.expand (List.nth_opt types (kept + i)) with
         | Some Type.String -> Printf.sprintf "%S" name
@@ -243,7 +243,8 @@ let more_missing_than_expected fact =
   let wanted = missing_arguments fact.expected.ty and given = missing_arguments fact.found in
   match (fact.wanted, fact.given, Option.bind fact.subject Plain_name.of_head) with
   | Function _, Function _, Some head when given > wanted ->
-      error ~code:"E0301" ~at:fact.at "expected a function of %s, found one of %d: %s"
+      error ~code:"E0301" ~at:fact.at "expected a function that takes %s, found one that takes %d: \
+                                       %s"
         (count wanted) given (found_text fact)
       |> hint "%s"
            (match (given - wanted, fact.given, Option.map arguments_of fact.subject) with
@@ -351,7 +352,7 @@ let one_too_many fact =
   | Function _, (Number _ | Bool | Data _ | Tuple _), _ -> Some (different fact)
   | _ -> None
 
-(* {1 A value where the argument before it is expected} *)
+(* {1 A value where the preceding argument is expected} *)
 
 let fits_next fact head ~position =
   match List.nth_opt (parameters_of fact.words (Some head)) position with

@@ -34,7 +34,7 @@ let with_each fact =
       Printf.sprintf "(\\x -> x %s %s) %s" operator b a)
     (arithmetic fact.expected)
 
-(* The type of the second operand, if it is a local name, or a function with all its arguments. *)
+(* The type of the second operand, if it is a local name or a fully applied function. *)
 let second_operand fact =
   let rec result arguments t =
     match (arguments, Type.expand t) with
@@ -59,7 +59,7 @@ let second_operand fact =
   | Parameter { given = [ _; b ]; position = 1; _ } -> type_of b
   | _ -> None
 
-(* Is it the field of a robot's input, such as `i.sonar`? *)
+(* Is the expression the field `sonar` of a robot's input, as in `i.sonar`? *)
 let is_a_reading fact =
   match fact.subject with
   | Some { desc = Field { record = { desc = Local x; _ }; field = { text = "sonar"; _ }; _ }; _ } ->
@@ -121,11 +121,12 @@ let computed fact =
   | Number _ when is_array fact.found && is_a_reading fact ->
       Some
         (hinted fact
-           "this field has all readings: for the distance ahead, write `frontSonar i`; for one of \
-            the sonars, `sonars i ! 3`")
+           "this field contains all readings: for the distance ahead, write `frontSonar i`; for a \
+            single sonar, write, for example, `sonars i ! 3`")
   | _ -> None
 
-(* The counterpart of `map` for this type, a description, and the place of `map`. *)
+(* The function to write in place of `map` or `mapE`, what it applies a function to, and the place
+   to change. *)
 let counterpart fact =
   match (fact.expected.because, fact.given) with
   | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t when Environment.is_event t
@@ -145,7 +146,7 @@ let mapped_over_a_value fact =
       match (Wording.quote fact.words f.span, Wording.quote fact.words x.span) with
       | Some f, Some x ->
           Some
-            (hinted fact "`map` is for arrays: apply the function itself, as in `%s %s`"
+            (hinted fact "`map` is for arrays: apply the function directly, as in `%s %s`"
                (Source.grouped f) (Source.grouped x))
       | _ -> None)
   | _ -> None
@@ -225,7 +226,8 @@ let of_another_size fact =
                      "this has %d elements: change the size in its type, %s, or add or remove \
                       elements"
                      given (found_text fact))
-           | _ -> "use `take` or `drop` to change the size of an array; its type gives the new size")
+           | _ -> "use `take` or `drop` to change the size of an array; the type of the result \
+                   gives the new size")
       |> Option.some
   | _ -> None
 

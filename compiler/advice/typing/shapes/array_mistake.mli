@@ -25,7 +25,7 @@ val mapped : Shape_fact.rule
     an array. *)
 
 val of_records : Shape_fact.rule
-(** An array of records where an array of numbers or truth values is expected. *)
+(** An array of records where an array of numbers or [Bool] values is expected. *)
 
 val of_several_types : Shape_fact.rule
 (** An array literal with an element whose type differs from that of the first. *)
@@ -35,7 +35,8 @@ val of_several_types : Shape_fact.rule
 val is_array : Type.t -> bool
 
 val with_each : Shape_fact.t -> string option
-(** The function that applies the operator to each element, and its left operand. *)
+(** The two arguments of a [map] that applies the operator to each element: a function, and the left
+    operand. *)
 
 val of_one_number : Shape_fact.rule
 (** A number in place of an array of numbers, as in [sum v]. *)

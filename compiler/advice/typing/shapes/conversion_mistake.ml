@@ -7,7 +7,7 @@ let of_a_number fact =
       Option.map (hinted fact "%s") (Representation_mistake.makes name (grouped fact "x"))
   | _ -> None
 
-(* `seeds = [1, 2, 3]` *)
+(* An array of seeds, as in `seeds = [1, 2, 3]`. *)
 let of_seeds fact =
   let number (e : Resolve.Ir.expr) =
     match e.desc with Number { digits; unit_ = None; _ } -> int_of_string_opt digits | _ -> None

@@ -10,7 +10,7 @@ val of_a_text : Shape_fact.rule
 (** A string where a number is expected: strings are only labels. *)
 
 val by_a_constructor : Shape_fact.rule
-(** A value for which a constructor of the expected type has a field. *)
+(** A value that a constructor of the expected type takes as a field. *)
 
 val capital_choice : Shape_fact.rule
 (** A name in place of a constructor that differs from it only in the case of the first letter. *)

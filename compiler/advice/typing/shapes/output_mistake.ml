@@ -64,7 +64,7 @@ let rec output_of (e : Resolve.Ir.expr) =
   | Apply { argument; _ } -> output_of argument
   | _ -> None
 
-(* The expression to make into the robot's output, and its source text. *)
+(* The expression to turn into the robot's output, and its source text. *)
 let to_make (fact : Shape_fact.t) =
   Option.bind fact.subject (fun (e : Resolve.Ir.expr) ->
       let e = Option.value (output_of e) ~default:e in
@@ -90,7 +90,7 @@ let not_made (fact : Shape_fact.t) =
 
 let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false
 
-(* `reactimateRobot (proc i -> (v, omega))` *)
+(* A speed and a turn rate as a program's output, as in `reactimateRobot (proc i -> (v, omega))`. *)
 let speeds_of_a_program (fact : Shape_fact.t) =
   match
     ( program_output fact.expected.ty,
@@ -105,13 +105,13 @@ let speeds_of_a_program (fact : Shape_fact.t) =
             Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v) (Source.grouped omega)
           in
           Some
-            (Shape_fact.hinted fact "write `%s` for a robot's output: its speed and its turn rate"
+            (Shape_fact.hinted fact "write `%s` for a robot's output with this speed and turn rate"
                text
             |> Diagnostic.write span text)
       | _ -> None)
   | _ -> None
 
-(* `reactimateRobot (proc i -> forward 1[m])` *)
+(* A task as a program's output, as in `reactimateRobot (proc i -> forward 1[m])`. *)
 let task_of_a_program (fact : Shape_fact.t) =
   match
     (program_output fact.expected.ty, program_output fact.found, Option.bind fact.subject output_of)
@@ -143,12 +143,12 @@ let speeds (fact : Shape_fact.t) =
         Printf.sprintf "roMake (setVelTR %s %s)" (Source.grouped v') (Source.grouped omega')
       in
       Some
-        (Shape_fact.hinted fact "write `%s` for a robot's output: its speed and its turn rate" text
+        (Shape_fact.hinted fact "write `%s` for a robot's output with this speed and turn rate" text
         |> Diagnostic.write fact.at text)
   | _ -> speeds_of_a_program fact
 
-(* `sleepT 2[s] (setVelTR v omega)`, and `sleepT` with its arguments exchanged, in a task for any
-   output *)
+(* `sleepT 2[s] (setVelTR v omega)`, or `sleepT` with its arguments swapped, in a task whose
+   signature allows any output *)
 let of_sleeping words ~(subject : Resolve.Ir.expr option) other =
   match Option.map (fun (e : Resolve.Ir.expr) -> (e.span, Resolve.Walk.application e)) subject with
   | Some (span, ({ desc = Global { name = "sleepT"; _ }; _ }, [ time; output ])) -> (

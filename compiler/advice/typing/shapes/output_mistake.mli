@@ -13,8 +13,8 @@ val task_of_a_program : Shape_fact.rule
 (** A task as the output of the signal function that a robot runs. *)
 
 val of_sleeping : Wording.t -> subject:Resolve.Ir.expr option -> Type.t -> Basis.Diagnostic.t option
-(** The message for [sleepT 2[s] (setVelTR v omega)], and for [sleepT] with its arguments exchanged,
-    whose output has this type in place of any output. *)
+(** The message for [sleepT 2[s] (setVelTR v omega)], or for [sleepT] with its arguments swapped, in
+    a task whose signature allows any output. The type is the one found in place of that output. *)
 
 val statement : Shape_fact.rule
 (** Applies if the function is a statement of a [do]. *)

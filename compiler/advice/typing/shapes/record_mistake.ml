@@ -3,7 +3,8 @@ open Shape_fact
 
 let with_each fields = String.concat ", " (List.map (Printf.sprintf "%s = …") fields)
 
-(* How to build the record that is the first of two arguments, if only the second one is given. *)
+(* The hint for building the record that is the first of two arguments, if only the second one is
+   given. *)
 let before fact ~callee ~(next : Resolve.Ir.expr) whole =
   match Wording.quote fact.words next.span with
   | Some next ->
@@ -14,7 +15,7 @@ let before fact ~callee ~(next : Resolve.Ir.expr) whole =
 let is_number words (e : Resolve.Ir.expr) =
   match e.desc with Number _ -> true | _ -> Bare_number.literal words e <> None
 
-(* `pid 0.5 0.1 0 e`: the values of the fields, and then the signal. *)
+(* The corrected call for `pid 0.5 0.1 0 e`, which has numbers in place of the record. *)
 let from_numbers fact ~callee constructor fields (given : Resolve.Ir.expr list) =
   let numbers, rest = List.partition (is_number fact.words) given in
   let quote (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
@@ -49,8 +50,8 @@ let how_to_build fact constructor fields =
   | Signature _ | Output _ | Branch _ | Field _ ->
       Some
         (Printf.sprintf
-           "write the whole record, `%s`, or a copy of a record `r` with another `%s`: `r { %s = … \
-            }`"
+           "write the whole record, `%s`, or a copy of a record `r` with a different \
+            `%s`: `r { %s = … }`"
            whole (List.hd fields) (List.hd fields))
   | _ -> None
 

@@ -1,7 +1,7 @@
 (** Rules for a record where one of its fields is expected, and the reverse. *)
 
 val built : Shape_fact.rule
-(** A number or truth value where a record is expected; the hint shows how to build the record. *)
+(** A number or a [Bool] where a record is expected; the hint shows how to build the record. *)
 
 val in_place_of_a_number : Shape_fact.rule
 (** A record where a number is expected; the hint lists the fields of the record. *)

@@ -5,7 +5,7 @@ type t = { word : Span.t; equation : string option }
 let word = "= return"
 let longest = 90
 
-(* Does a signature in the text give this name the type of a task? *)
+(* Does a signature in the text declare this name as a task? *)
 let is_a_task text name =
   let declares line =
     String.starts_with ~prefix:(name ^ " ::") (String.trim line) && Other_type.mentions "Task" line
@@ -16,7 +16,7 @@ let balanced text =
   let count c = List.length (String.split_on_char c text) in
   count '(' = count ')'
 
-(* The text inside of the parentheses around it, if there are some. *)
+(* The text without the parentheses that enclose it, if any. *)
 let without_parentheses text =
   let n = String.length text in
   let inside = String.sub text 1 (max 0 (n - 2)) in

@@ -30,8 +30,7 @@ val first : (t -> 'a option) list -> t -> 'a option
 (** {1 Properties of the mismatch} *)
 
 val other_operand : t -> Resolve.Ir.expr option
-(** The other operand of an operator, if only the type of that operand determines the expected type.
-*)
+(** The operator's other operand, if its type is the type that is expected of the subject. *)
 
 val is_statement : t -> bool
 (** Is the subject a statement of a [do]? *)
@@ -57,7 +56,8 @@ val source : t -> string option
 (** The source text of the subject, if it is short. *)
 
 val raw : t -> string -> string
-(** The source text of the subject, or this text if there is none or it is too long. *)
+(** The source text of the subject, or the given text if there is no subject or its text is too
+    long. *)
 
 val grouped : t -> string -> string
 (** Like {!raw}, with parentheses around the subject if it needs them as an argument. *)

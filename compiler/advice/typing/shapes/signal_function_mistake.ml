@@ -39,13 +39,14 @@ let condition_of_an_event fact =
         | Some text ->
             let text = Printf.sprintf "(%s >>> edge)" (Source.grouped text) in
             hint
-              "its output is a condition: for an event that occurs when it becomes True, write `%s`"
+              "its output is a condition: write `%s` for an event that occurs when the condition \
+               becomes True"
               text d
             |> write fact.at text
         | None ->
             hint
-              "its output is a condition: for an event that occurs when it becomes True, write \
-               `edge` before the condition"
+              "its output is a condition: write `edge` before the condition for an event that \
+               occurs when it becomes True"
               d)
   | Signal_function (_, wanted), Function (_, given)
     when Environment.is_event wanted && Type.expand given = Bool ->
@@ -54,12 +55,14 @@ let condition_of_an_event fact =
            (match name fact with
            | Some name ->
                Printf.sprintf
-                 "use `proc x -> edge (%s x)`, which occurs when the condition becomes True" name
-           | None -> "use `proc x -> edge (f x)`, which occurs when `f x` becomes True")
+                 "use `proc x -> edge (%s x)`: its event occurs when the condition becomes \
+                  True" name
+           | None -> "use `proc x -> edge (f x)`: its event occurs when `f x` becomes True")
       |> Option.some
   | _ -> None
 
-(* A function of the program that runs a signal function, as in `drive i = f (frontSonar i)`. *)
+(* The hint for a function of the program that runs signal functions and so must be a `proc`, such
+   as `drive i = f (frontSonar i)`. *)
 let as_a_proc fact =
   let rec runs (e : Resolve.Ir.expr) =
     match e.desc with
@@ -89,8 +92,8 @@ let as_a_proc fact =
           Option.map
             (fun x ->
               Printf.sprintf
-                "`%s` runs signal functions, so it must be one itself: write `%s :: SF %s %s`, and \
-                 `%s = proc %s -> …`"
+                "`%s` runs signal functions, so it must be a signal function itself: write `%s :: \
+                 SF %s %s` and `%s = proc %s -> …`"
                 g.name g.name (type_ a) (type_ b) g.name x)
             (Wording.quote fact.words p.span)
       | Some _ | None -> None)
@@ -133,7 +136,7 @@ let value fact t =
   | [], Tuple [] -> "()"
   | [], _ -> "…"
 
-(* Is the head a definition whose type only inference knows? In a wrong program, that type may be
+(* Is the head a definition without a signature? In a program with errors, its inferred type may be
    wrong, too. *)
 let rec is_inferred fact (e : Resolve.Ir.expr) =
   match e.desc with
@@ -179,14 +182,14 @@ let function_not_lifted fact =
       |> hint "%s"
            (match Wording.quote fact.words fact.at with
            | Some text when text.[0] = '\\' ->
-               "use `proc x -> …`, with `proc` instead of `\\`, or use `arr` to turn a function \
+               "write `proc x -> …` with `proc` instead of `\\`, or use `arr` to turn a function \
                 into a signal function"
            | _ -> "use `arr` to turn a function into a signal function")
       |> Option.some
   | _ -> None
 
-(* The hint for a signal function that is passed to a function that expects another function. The
-   hint depends on the function called. *)
+(* The hint for a signal function in a place that requires a function. If it is an argument, the
+   hint depends on the callee. *)
 let by_its_use fact =
   match (fact.expected.because, fact.wanted) with
   | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"
@@ -203,15 +206,16 @@ let by_its_use fact =
       Some "use `>>>` to compose signal functions, from left to right"
   | Parameter { callee = Some name; _ }, _ ->
       Some
-        (Printf.sprintf "if `%s` should run it, write an `SF` type in the signature of `%s`" name
+        (Printf.sprintf "if `%s` should run the signal function, give the parameter an `SF` type \
+                         in the signature of `%s`" name
            name)
   | Signature _, Function (input, output) ->
       Some
-        (Printf.sprintf "for a signal function, write the type %s"
+        (Printf.sprintf "if you want a signal function, change the type to %s"
            (Wording.described fact.words (Signal_function (input, output))))
   | _ -> None
 
-(* `drive = switch go drive`, whose last argument decides the type of `drive`. *)
+(* `drive = switch go drive`, where the last argument determines the inferred type of `drive`. *)
 let next_mode fact =
   match (fact.expected.because, fact.subject) with
   | ( Uses { name; _ },

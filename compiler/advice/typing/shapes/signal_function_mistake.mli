@@ -1,11 +1,12 @@
 (** Rules for mismatches between signal functions, functions and constant values. *)
 
 val in_place_of_a_test : Shape_fact.rule
-(** A signal function that outputs truth values where a test is expected; a test also states how
-    long the condition must be true. *)
+(** A value or signal function where a test is expected. A test of a signal function also states how
+    long to run it. *)
 
 val condition_of_an_event : Shape_fact.rule
-(** A function that returns truth values where a signal function that outputs events is expected. *)
+(** A function or signal function with Boolean results where a signal function that outputs events
+    is expected. *)
 
 val function_not_lifted : Shape_fact.rule
 (** A function where a signal function is expected; [arr] converts it. *)

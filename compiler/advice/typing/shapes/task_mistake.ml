@@ -11,7 +11,7 @@ let parts words (e : Resolve.Ir.expr) =
       Some (quote input.span "x", quote output.span "output")
   | _ -> None
 
-(* The argument of a `delay(1000)` that was meant to wait. *)
+(* The argument of `delay` in a statement such as `delay(1000)`, which was meant to wait. *)
 let waits (expected : Expected.t) (e : Resolve.Ir.expr) =
   match (expected.because, e.desc) with
   | ( (Statement _ | Last_statement _),
@@ -48,11 +48,11 @@ let to_task words (subject : Resolve.Ir.expr option) output =
             input output
       | None ->
           hint
-            "to run it for a time, write `mkTask (%s &&& after 5[s])`; to run it without end, \
+            "to run it for a fixed time, write `mkTask (%s &&& after 5[s])`; to run it forever, \
              `mkTask (%s &&& never)`"
             name name)
 
-(* Is it probably the output of a robot? *)
+(* Is this probably the type of a robot's output? *)
 let is_an_output words t =
   Wording.needs_class words t
   ||
@@ -83,18 +83,18 @@ let of_a_switch fact given ~position =
   match (position, List.map quote given) with
   | 1, [ Some first; Some second ] ->
       Printf.sprintf
-        "`switch` changes between signal functions: to run one task after the other, write a `do`, \
-         and below it each task on a line of its own, `%s` and `%s`"
+        "`switch` changes between signal functions: to run one task after the other, write `%s` \
+         and `%s` on separate lines below a `do`"
         first second
   | 2, _ ->
       Printf.sprintf
-        "`switch` goes on with a signal function: to go on with a task, write a `do` with two \
-         lines, `mkTask (…)` around the first argument of `switch`, and `%s`; `reactimateTask` \
-         turns it into a program"
+        "`switch` continues with a signal function: to continue with a task, write a `do` with two \
+         lines: first `mkTask (…)` around the first argument of `switch`, then `%s`; \
+         `reactimateTask` turns the `do` into a program"
         (raw fact "the task")
   | _ ->
-      "`switch` changes between signal functions: to run one task after the other, write a `do`, \
-       and below it each task on a line of its own"
+      "`switch` changes between signal functions: to run one task after the other, write each task \
+       on its own line below a `do`"
 
 let in_place_of_a_signal_function fact =
   let name = Option.value (name fact) ~default:"t" in
@@ -108,8 +108,8 @@ let in_place_of_a_signal_function fact =
            of_a_switch fact given ~position
        | _ ->
            Printf.sprintf
-             "use `runTask %s`, a signal function that returns `Left` and the output while the \
-              task runs, then `Right` and the result"
+             "use `runTask %s`, a signal function that returns `Left` with the output while the \
+              task runs, then `Right` with the result"
              name)
 
 let task_or_signal_function fact =
@@ -149,7 +149,8 @@ let statement_without_task fact =
            | Some name ->
                Printf.sprintf "use `return %s` for a task that returns it immediately" name
            | None ->
-               "use `let x = …` to name a value, `return x` for a task that returns it immediately")
+               "use `let x = …` to name a value, or `return x` for a task that returns it \
+                immediately")
       |> Option.some
   | _ -> None
 
@@ -179,12 +180,11 @@ let of_an_array fact =
            (match tasks with
            | Some (first :: second :: _) ->
                Printf.sprintf
-                 "to run tasks one after the other, write a `do`, and below it each task on a line \
-                  of its own: `%s`, `%s`"
+                 "to run tasks one after the other, write each task on its own line below a `do`: \
+                  `%s`, `%s`"
                  first second
            | _ ->
-               "to run tasks one after the other, write a `do`, and below it each task on a line \
-                of its own"))
+               "to run tasks one after the other, write each task on its own line below a `do`"))
   | _ -> None
 
 let beside_each_other fact =
@@ -292,7 +292,7 @@ let only_returned fact =
               "`return` is only for tasks: write the value after the `=`, without `return`")
   | _ -> None
 
-(* Is it an argument of a function that also takes a task, such as `timeOut`? *)
+(* Is the subject an argument of a function that also takes a task, such as `timeOut`? *)
 let is_beside_a_task fact =
   let rec takes_a_task t =
     match Type.expand t with
@@ -330,7 +330,7 @@ let in_a_proc fact (e : Resolve.Ir.expr) =
   | Apply _ | Global _ -> task (Wording.quote fact.words e.span)
   | _ -> None
 
-(* `let d = ask frontSonar`, or the task itself, where its result is meant *)
+(* a task where its result is meant, written out or named as in `let d = ask frontSonar` *)
 let in_place_of_its_result fact =
   match (fact.wanted, fact.subject) with
   | (Number _ | Bool | Tuple (_ :: _) | Data _), Some e
@@ -354,7 +354,8 @@ let in_place_of_its_result fact =
       | Apply _ | Global _ ->
           Option.map
             (fun text ->
-              hinted fact "in a `do`, run the task on the line before, `%s`, and use `x` here"
+              hinted fact "in a `do`, run the task with `%s` on the line before this one, and use \
+                           `x` here"
                 (run "x" text))
             (Wording.quote fact.words e.span)
       | _ -> None)
@@ -375,7 +376,7 @@ let without_count fact =
       let d =
         different fact
         |> hint "the number of times comes first: write `%s (…)`%s" counted
-             (if String.equal f "repeatT" then "; to repeat without end, use `forever`" else "")
+             (if String.equal f "repeatT" then "; to repeat endlessly, use `forever`" else "")
         |> write at counted
       in
       Some d
@@ -398,7 +399,8 @@ let condition fact =
                Printf.sprintf "run the task: write `%s <- %s` in place of `let %s = %s`" name task
                  name task
            | None ->
-               Printf.sprintf "run the task on the line before, `ok <- %s`, and write `ok` here"
+               Printf.sprintf "run the task with `ok <- %s` on the line before this one, and write \
+                               `ok` here"
                  (raw fact "t"))
       |> Option.some
   | _ -> None
@@ -426,7 +428,8 @@ let of_another_result fact result result' =
   else if returns_nothing then
     match (Type.expand result, Wording.choices fact.words result) with
     | Bool, _ -> "return a `Bool` here: `return True` or `return False`"
-    | _, choice :: _ -> Printf.sprintf "return one here, such as `return %s`" choice
+    | _, choice :: _ -> Printf.sprintf "return a value of that type here, such as `return \
+                                        %s`" choice
     | _ -> "write the result in place of `()`: `return x`"
   else if nothing result' then "to return `x` instead, write a `do` with `return x` below the task"
   else "to apply a function `f` to the result of a task `t`, write `mapT f t`"
@@ -435,8 +438,8 @@ let of_another_input fact d =
   match fact.expected.because with
   | Parameter { callee = Some "watching"; _ } ->
       hint
-        "`watching` adds a value to the input, so the task must accept any input with its \
-         capabilities: `(HasSonar i, DiffDrive o) => Task i o Bool`"
+        "`watching` adds a value to the input, so the task must accept any input with the \
+         capabilities that it uses: `(HasSonar i, DiffDrive o) => Task i o Bool`"
         d
   | _ -> d
 

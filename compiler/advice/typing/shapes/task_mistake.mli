@@ -3,10 +3,10 @@
     whose types differ in one part ([E0301]). *)
 
 val task_or_signal_function : Shape_fact.rule
-(** One of the two is a task and the other a signal function. *)
+(** A task where a signal function is expected, or the reverse. *)
 
 val function_of_the_input : Shape_fact.rule
-(** A statement that is a function, which may be applied to the robot's input. *)
+(** A function as a statement, probably meant to be applied to the robot's input. *)
 
 val statement_without_task : Shape_fact.rule
 (** A statement of a [do] whose expression is a value, not a task. *)
@@ -27,7 +27,7 @@ val without_count : Shape_fact.rule
 (** A task in place of the number of repetitions. *)
 
 val returned : Shape_fact.rule
-(** A value after [return] in an equation. *)
+(** An equation with [return] before its value, such as [near d e = return d < e]. *)
 
 val only_returned : Shape_fact.rule
 (** [return x] as the value of a function or an equation. *)

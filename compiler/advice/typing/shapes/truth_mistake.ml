@@ -24,8 +24,7 @@ let comparison fact =
         (Printf.sprintf "a number is neither True nor False: write a comparison, as in `%s`" text)
   | _ -> None
 
-(* The condition in `edge b`. The event may also be given by a name that is defined as such an
-   expression. *)
+(* The condition `b` if the subject is `edge b` or a name that is defined as such an expression. *)
 let condition_of_edge fact =
   match Option.map (Bare_number.value fact.words) fact.subject with
   | Some
@@ -41,8 +40,8 @@ let is_now fact otherwise =
   match condition_of_edge fact with
   | Some b ->
       Printf.sprintf
-        "for the whole time that the condition is True, write `%s`; for the one instant at which \
-         it becomes True, `isEvent %s`"
+        "to test whether the condition is True, write `%s`; to test whether it becomes True in \
+         this instant, write `isEvent %s`"
         b (grouped fact otherwise)
   | None -> occurs
 
@@ -73,10 +72,10 @@ let event_function fact =
   | Parameter { callee = Some "||"; given = [ a; b ]; _ } ->
       let text (e : Resolve.Ir.expr) name = Wording.argument_or name fact.words e in
       Some
-        (Printf.sprintf "use `mergeE %s %s`, which occurs when one of two events does" (text a "a")
+        (Printf.sprintf "use `mergeE %s %s`, which occurs when either event does" (text a "a")
            (text b "b"))
   | Parameter { callee = Some "||"; _ } ->
-      Some "use `mergeE a b`, which occurs when one of two events does"
+      Some "use `mergeE a b`, which occurs when either event does"
   | Parameter { callee = Some "&&"; _ } ->
       Some
         "use `pairEvents a b`, which occurs when both events do, or `gate e b`, which occurs only \
@@ -92,13 +91,14 @@ let of_events fact =
 (* The hint for `not x > 0`. *)
 let hint_to_group ~left name operator =
   Printf.sprintf
-    "put parentheses around the argument, because application binds tighter than `%s`: `%s (%s %s \
+    "put parentheses around the argument, because function application binds tighter than \
+     `%s`: `%s (%s %s \
      …)`"
     operator name left operator
 
 let grouped_with_an_argument fact =
   match (fact.wanted, fact.expected.because) with
-  (* a function between backquotes, as in "near `implies` v == 0" *)
+  (* a function in backquotes, as in "near `implies` v == 0" *)
   | ( Bool,
       Parameter
         { before = Some operator; callee = Some name; head = Some head; given = [ left; _ ]; _ } )
@@ -112,7 +112,7 @@ let grouped_with_an_argument fact =
       Some (no_truth fact (hint_to_group ~left:(raw fact "…") name operator))
   | _ -> None
 
-(* `when frontSonar i < 1[m]`, whose `when` has two arguments *)
+(* `when frontSonar i < 1[m]`, which applies `when` to two arguments *)
 let part_of_a_comparison fact =
   match (fact.wanted, fact.given, fact.expected.because) with
   | ( Bool,
@@ -135,9 +135,9 @@ let equal_to_a_truth fact =
       let itself truth =
         let negated = Printf.sprintf "not %s" (Source.grouped truth) in
         match (raw fact "1", operator) with
-        | "1", "==" | "0", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" truth
-        | "0", "==" | "1", "/=" -> Printf.sprintf "this is a `Bool` already: write `%s`" negated
-        | _ -> Printf.sprintf "this is a `Bool` already: write `%s` or `%s`" truth negated
+        | "1", "==" | "0", "/=" -> Printf.sprintf "this is already a `Bool`: write `%s`" truth
+        | "0", "==" | "1", "/=" -> Printf.sprintf "this is already a `Bool`: write `%s`" negated
+        | _ -> Printf.sprintf "this is already a `Bool`: write `%s` or `%s`" truth negated
       in
       Option.map (fun truth -> no_truth fact (itself truth)) (Wording.quote fact.words other.span)
   | _ -> None

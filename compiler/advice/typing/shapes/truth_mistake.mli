@@ -1,7 +1,7 @@
-(** Rules for values of other types where a truth value is expected. *)
+(** Rules for values of other types where a truth value is expected, and the reverse. *)
 
 val condition : Shape_fact.rule
-(** The condition of an [if]. *)
+(** A condition of an [if] that is not a truth value. *)
 
 val of_events : Shape_fact.rule
 (** A Boolean operator that is applied to an event. *)
@@ -16,11 +16,11 @@ val equal_to_a_truth : Shape_fact.rule
 (** [b == 1], where [b] is a truth value. *)
 
 val grouped_with_an_operand : Shape_fact.rule
-(** Like {!grouped_with_an_argument}, reported at the operator whose left operand is the
-    application. *)
+(** Like {!grouped_with_an_argument}, if the mismatch is between the application and the other
+    operand of the operator. *)
 
 val compared : Shape_fact.rule
-(** A number where its comparison with another number was probably meant. *)
+(** A number where a comparison was probably meant. *)
 
 val in_place_of_a_number : Shape_fact.rule
 (** A truth value where a number is expected. *)

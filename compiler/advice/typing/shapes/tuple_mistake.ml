@@ -3,7 +3,7 @@ open Typing
 open Diagnostic
 open Shape_fact
 
-(* The text as an argument. Calls in the C notation, [f(x, y)], are rewritten in Frob's. *)
+(* The text as an argument. A call in C notation, [f(x, y)], is converted to Frob notation. *)
 let argument_of text = Source.grouped (Option.value (Other_notation.expression text) ~default:text)
 
 let selected fact =
@@ -13,8 +13,8 @@ let selected fact =
       let p = raw fact "p" in
       Some
         (hinted fact
-           "for the parts of a tuple, write an equation, `(a, b) = %s`; for those of a pair, also \
-            `fst %s` and `snd %s`"
+           "to get the elements of a tuple, write an equation: `(a, b) = %s`; for a pair, you can \
+            also write `fst %s` and `snd %s`"
            p p p)
   | _ -> None
 
@@ -29,9 +29,8 @@ let of_an_input fact =
         |> label ~at:x.span "this is one name for the whole tuple")
   | _ -> None
 
-(* The call with the arguments from the mismatch onwards combined into one tuple of this length. The
-   tuple consists of the source texts of these arguments if there are enough of them, otherwise of
-   generated names. *)
+(* The call with the mismatched argument and all later ones combined into one tuple of this length.
+   If there are more or fewer arguments, generated names replace the later ones. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with
@@ -68,7 +67,7 @@ let second_part fact =
           let input = Unrun_mistake.signal_for fact.words first in
           let pair = Printf.sprintf "(%s, %s)" input event in
           Some
-            (hinted fact "write the input, and then the event: `%s`"
+            (hinted fact "pass the input and the event as a pair: `%s`"
                (String.concat " " ((f :: before) @ [ pair ]))
             |> write fact.at pair)
       | _ -> None)
@@ -80,7 +79,7 @@ let parameter fact =
   | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _) when is_a_parameter fact ->
       let length = List.length wanted in
       Some
-        (hinted fact "`%s` takes one tuple of %d: write `%s`" (callee fact) length
+        (hinted fact "`%s` takes one tuple with %d elements: write `%s`" (callee fact) length
            (gathered fact length))
   | _ -> None
 
@@ -89,7 +88,7 @@ let taken_apart fact given =
   let names = String.concat ", " (names (List.length given)) in
   match fact.expected.because with
   | Parameter { callee = Some ("fst" | "snd"); _ } ->
-      hint "for its parts, write an equation: `(%s) = %s`" names (raw fact "p")
+      hint "to get its elements, write an equation: `(%s) = %s`" names (raw fact "p")
   | Pattern _ -> hint "write the pattern as `(%s)`" names
   | (Signature _ | Annotation _ | Parameter _) when fact.subject = None ->
       let names =
@@ -107,8 +106,8 @@ let ordinal n =
 
 let without i list = List.filteri (fun j _ -> i <> j) list
 
-(* Describes the part that only the longer list contains, if the types of the parts show which one
-   it is. *)
+(* Describes the element that only the longer list contains, if the types of the elements show which
+   one it is. *)
 let odd_part fact wanted given =
   let text t =
     match Type.expand t with
@@ -122,12 +121,14 @@ let odd_part fact wanted given =
     in
     match places with
     | [ (i, t, _) ] ->
-        Some (Some i, Printf.sprintf "the %s part, %s," (ordinal i) (Wording.described fact.words t))
+        Some
+          ( Some i,
+            Printf.sprintf "the %s element, %s," (ordinal i) (Wording.described fact.words t) )
     | (_, t, _) :: _ ->
         Some
           ( None,
             if Wording.is_any_number t then "a number"
-            else Printf.sprintf "a part of type %s" (Wording.described fact.words t) )
+            else Printf.sprintf "an element of type %s" (Wording.described fact.words t) )
     | [] -> None
   in
   match List.compare_lengths wanted given with
@@ -147,7 +148,8 @@ let odd_part fact wanted given =
 let of_another_length fact =
   match (fact.wanted, fact.given) with
   | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given) when List.compare_lengths wanted given <> 0 ->
-      error ~code:"E0301" ~at:fact.at "expected a tuple of %d, found one of %d" (List.length wanted)
+      error ~code:"E0301" ~at:fact.at "expected a tuple with %d elements, found one with \
+                   %d" (List.length wanted)
         (List.length given)
       |> (match fact.subject with
          | Some { desc = Tuple _; _ } -> Fun.id
@@ -166,7 +168,7 @@ let written_as_an_array fact =
     when Array_mistake.is_array fact.given && List.compare_lengths elements parts = 0 ->
       let message texts =
         let tuple = "(" ^ String.concat ", " texts ^ ")" in
-        hinted fact "put a tuple in parentheses: `%s`" tuple |> write span tuple
+        hinted fact "use parentheses for a tuple: `%s`" tuple |> write span tuple
       in
       List.map (fun (e : Resolve.Ir.expr) -> Wording.quote fact.words e.span) elements
       |> all |> Option.map message
@@ -182,7 +184,7 @@ let side_by_side fact components =
   in
   String.concat " " (List.mapi argument components)
 
-(* The call, if the expression is one or a name defined as one. *)
+(* The subject, or its definition if it is a local name. *)
 let call fact =
   match fact.subject with
   | Some { desc = Local x; _ } -> Wording.definition fact.words x
@@ -259,12 +261,12 @@ let of_all_arguments fact =
         (match all (List.map quote es) with
         | Some texts ->
             let text = String.concat " " (name :: List.map argument_of texts) in
-            hint "write the arguments without parentheses and commas: `%s`" text d
+            hint "write the arguments without parentheses or commas: `%s`" text d
             |> fix (Printf.sprintf "write `%s`" text) [ (span, "(" ^ text ^ ")") ]
-        | None -> hint "write the arguments without parentheses and commas, as in `f x y`" d)
+        | None -> hint "write the arguments without parentheses or commas, as in `f x y`" d)
   | _ -> None
 
-(* `map(x, 0, 1023, 0, 5)` of Arduino *)
+(* Arduino's `map(x, 0, 1023, 0, 5)` *)
 let mapped_range fact =
   match (fact.given, fact.expected.because, fact.subject) with
   | ( Tuple [ _; _; _; _; _ ],
@@ -289,7 +291,8 @@ let without_winner fact =
       Some { desc = Tuple _; span } ) ->
       let text = Option.value (Wording.quote fact.words span) ~default:"(set, reset)" in
       let d =
-        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of 2" (expected_text fact)
+        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with 2 \
+                     elements" (expected_text fact)
         |> hint
              "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins %s`"
              text text
@@ -312,22 +315,24 @@ let separated_by_commas fact =
       Parameter { position = 1; callee = Some name; takes; _ } )
     when is_a_letter name.[0] ->
       let arguments = side_by_side fact components in
-      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d \
+                   elements" (expected_text fact)
         (List.length components)
       |> hint "%s"
            (match (takes, name) with
            | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
            | 1, ("integral" | "derivative") when List.find_map signal_of (elements fact) <> None ->
-               Printf.sprintf "`%s` takes one argument, and starts at 0: write `%s %s`" name name
+               Printf.sprintf "`%s` takes one argument and starts at 0: write `%s %s`" name name
                  (argument_of (Option.get (List.find_map signal_of (elements fact))))
            | 1, _ -> Printf.sprintf "`%s` takes one argument, not a tuple" name
            | _ ->
-               Printf.sprintf "write the arguments without parentheses and commas: `%s %s`" name
+               Printf.sprintf "write the arguments without parentheses or commas: `%s %s`" name
                  arguments)
       |> Option.some
   | _ -> None
 
-(* The text with a point in place of its only comma, if that is between two whole numbers. *)
+(* The text with its only comma replaced by a decimal point, if the comma is between two whole
+   numbers. *)
 let with_decimal_point text =
   let starts_with_a_whole_number text =
     let rec after i =
@@ -356,7 +361,7 @@ let of_a_decimal_comma fact =
   | Number _, Tuple [ _; _ ], Some { desc = Tuple [ _; { desc = Number _; _ } ]; span } ->
       Option.map
         (fun text ->
-          hinted fact "a decimal number has a point, and a comma makes a tuple: write `%s`" text
+          hinted fact "use a decimal point, because a comma makes a tuple: write `%s`" text
           |> write span text)
         (Option.bind (Wording.quote fact.words span) with_decimal_point)
   | _ -> None
@@ -373,7 +378,7 @@ let of_a_function_and_its_argument fact =
       | Function _, Some head, Some arguments ->
           let text = String.concat " " (head :: List.map Source.grouped arguments) in
           Some
-            (hinted fact "a comma makes a tuple: write the arguments without it, `(%s)`" text
+            (hinted fact "a comma makes a tuple: separate the arguments with spaces, `(%s)`" text
             |> write span ("(" ^ text ^ ")"))
       | _ -> None)
   | _ -> None

@@ -19,7 +19,7 @@ val of_all_arguments : Shape_fact.rule
 (** [max(x, 0)], where [max] also accepts a tuple as its first argument. *)
 
 val mapped_range : Shape_fact.rule
-(** [map(x, 0, 1023, 0, 5)], as in the language of Arduino. *)
+(** [map(x, 0, 1023, 0, 5)], as in an Arduino program. *)
 
 val without_winner : Shape_fact.rule
 (** [latch (set, reset)] without its first argument. *)

@@ -17,14 +17,14 @@ let rec arguments_of (e : Resolve.Ir.expr) =
   | Apply { head; argument; style = Juxtaposed } -> arguments_of head @ [ argument ]
   | _ -> []
 
-(* The signal to run it on. *)
+(* The signal to suggest as the input of a signal function. *)
 let signal_for words input =
   match Type.expand input with
   | Tuple [] -> "()"
   | Flexible _ when not (Wording.needs_class words input) -> "()"
   | _ -> Option.value (Wording.signal words input) ~default:"x"
 
-(* Does the expression mention a local name, other than in arguments to an operator? *)
+(* Does the expression mention a local name outside the operands of operators? *)
 let rec is_a_signal (e : Resolve.Ir.expr) =
   match e.desc with
   | Local _ -> true
@@ -62,8 +62,8 @@ let instead (e : Resolve.Ir.expr option) text d =
   | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
   | None -> d
 
-(* The application of a signal function that defines a local name, such as `hysteresis 1 x` for
-   `far` in `far = hysteresis 1 x`. *)
+(* The definition of a local name, if it is the application of a signal function, such as
+   `hysteresis 1 x` for `far` in `far = hysteresis 1 x`. Otherwise the subject itself. *)
 let meant words (subject : Resolve.Ir.expr option) =
   match subject with
   | Some { desc = Local x; _ } -> (
@@ -75,7 +75,7 @@ let meant words (subject : Resolve.Ir.expr option) =
       | _ -> subject)
   | _ -> subject
 
-(* An input of the enclosing proc that is not an event. *)
+(* Is this an input of the enclosing proc, and not an event? *)
 let is_no_event words (x : Resolve.Ir.Local.t) =
   match List.assoc_opt x.name (Wording.inputs words) with
   | Some t -> ( match Type.expand t with Number _ | Bool | Tuple _ -> true | _ -> false)
@@ -89,7 +89,7 @@ let rec initial t =
   | Data { arguments = [ value ]; _ } when Environment.is_event t -> initial value
   | _ -> "x0"
 
-(* The argument in the notation of Frob *)
+(* The argument in Frob notation *)
 let rewritten words (e : Resolve.Ir.expr) =
   match Wording.quote words e.span with
   | Some text -> Source.grouped (Option.value (Other_notation.expression text) ~default:text)
@@ -119,7 +119,7 @@ let hint_to_run words subject ~wanted input d =
           name name x.name (argument only)
     | Some _, _ when Option.bind subject in_one_tuple <> None ->
         let name, parts = Option.get (Option.bind subject in_one_tuple) in
-        Printf.sprintf "write the arguments without parentheses and commas: `%s`"
+        Printf.sprintf "write the arguments without parentheses or commas: `%s`"
           (String.concat " " (name :: List.map (rewritten words) parts))
     | Some name, [ only ] when has_initial_value name ->
         let start =
@@ -138,10 +138,11 @@ let hint_to_run words subject ~wanted input d =
               (String.concat " " (name :: List.map argument arguments))
               signal)
     | Some name, [] when where <> None ->
-        Printf.sprintf "run it on `%s` in its definition: `%s = %s %s`" signal (Option.get where)
+        Printf.sprintf "run the signal function on `%s` in its definition: `%s = %s \
+                        %s`" signal (Option.get where)
           name signal
-    | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
-    | None, _ -> Printf.sprintf "run it on `%s`" signal)
+    | Some name, [] -> Printf.sprintf "run the signal function on `%s`: `%s %s`" signal name signal
+    | None, _ -> Printf.sprintf "run the signal function on `%s`" signal)
     d
   |>
   match (Option.bind subject Plain_name.of_head, arguments) with
@@ -161,8 +162,9 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
       | _ -> Some (Printf.sprintf "isEvent (%s %s)" text signal))
   | _ -> None
 
-(* A name defined as a signal function that is not applied to a signal, as in `let x = frontSonar`.
-   The definition is probably in a task. *)
+(* The hint for a signal function of the robot, such as `frontSonar`, that is not applied to a
+   signal, or for a name defined as one, as in `let x = frontSonar`. Either the `proc` has no name
+   for its input, or the code is probably in a task. *)
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
   let is_robot = Wording.needs_class words input in
   match subject with
@@ -176,13 +178,14 @@ let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
       | Some sf ->
           Some
             (Printf.sprintf
-               "in a task, read its current value first: `%s <- ask %s` in place of `let %s = %s`"
+               "in a task, first read the current value: write `%s <- ask %s` in place of `let %s \
+                = %s`"
                x.name sf x.name sf)
       | None -> None)
   | Some { desc = Global { name; _ }; _ } when Wording.inputs words = [] && is_robot ->
       Some
         (Printf.sprintf
-           "in a task, read its current value first, with `x <- ask %s`, and write `x` here" name)
+           "in a task, first read the current value with `x <- ask %s`, then write `x` here" name)
   | _ -> None
 
 let message words ~subject ~at ~wanted ~input ~found =
@@ -193,7 +196,8 @@ let message words ~subject ~at ~wanted ~input ~found =
   in
   match truth_of_event words ~subject ~wanted ~found with
   | Some fixed ->
-      hint "its output is an event: for a condition, write `%s`" fixed d |> instead subject fixed
+      hint "its output is an event: to use the event as a condition, write \
+            `%s`" fixed d |> instead subject fixed
   | None -> (
       let d =
         match (subject, meant words subject) with
@@ -291,7 +295,7 @@ let program_in_place_of_a_signal_function (fact : Shape_fact.t) =
   | Signal_function _, _ when is_program fact.found ->
       let maker =
         match Option.bind fact.subject Plain_name.of_head with
-        | Some maker -> Printf.sprintf ", or remove `%s` for the signal function" maker
+        | Some maker -> Printf.sprintf ", or remove `%s` to leave only the signal function" maker
         | None -> ""
       in
       Some

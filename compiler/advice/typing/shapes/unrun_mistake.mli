@@ -19,7 +19,7 @@ val count : int -> string
 (** [two arguments] *)
 
 val signal_for : Wording.t -> Typing.Type.t -> string
-(** An expression for a signal of this type: `()` if it can be anything. *)
+(** An expression for a signal of this type, or `()` if the type can be anything. *)
 
 val instead : Resolve.Ir.expr option -> string -> Diagnostic.t -> Diagnostic.t
 (** Adds the fix that replaces the expression with this text. *)
@@ -28,4 +28,4 @@ val program_without_input : Shape_fact.rule
 (** [reactimateRobot (proc () -> …)] where the program has an input. *)
 
 val program_in_place_of_a_signal_function : Shape_fact.rule
-(** A program with the type of a signal function. *)
+(** A program where a signal function is expected. *)

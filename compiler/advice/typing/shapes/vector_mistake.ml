@@ -32,7 +32,7 @@ let vector words ?(elements = []) wanted =
   | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> built "Vec3" [ "x"; "y"; "z" ]
   | _ -> None
 
-let by_name text = "write a vector with the names of its fields: " ^ text
+let by_name text = "write a vector with its field names: " ^ text
 
 let of_a_number fact =
   match fact.given with
@@ -55,7 +55,7 @@ let of_a_tuple fact =
   | Data { tycon = { name = "Vec2"; _ }; _ }, Tuple ([ _; _ ] as types)
   | Data { tycon = { name = "Vec3"; _ }; _ }, Tuple ([ _; _; _ ] as types) ->
       let message text =
-        Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d"
+        Diagnostic.error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements"
           (expected_text fact) (List.length types)
         |> Diagnostic.hint "%s" (by_name text)
       in

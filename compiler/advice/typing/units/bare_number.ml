@@ -10,8 +10,8 @@ type t = {
   of_record : bool;
 }
 
-(* The definition of a name without parameters, and its signature. Constants of other files are left
-   out, because a fix edits one file. *)
+(* The definition of a name without parameters, and its signature. Constants from other files are
+   excluded, because a fix can edit only one file. *)
 let definition words (e : Resolve.Ir.expr) =
   match e.desc with
   | Local x -> Option.map (fun e -> (x.name, e, None)) (Wording.definition words x)
@@ -63,7 +63,7 @@ let literal words (e : Resolve.Ir.expr) =
             (number value)
       | None -> None)
 
-(* The literal that is the field of a constant record, as in `gains.kp`. *)
+(* The literal in a field of a constant record, as in `gains.kp`. *)
 let field words (e : Resolve.Ir.expr) =
   match e.desc with
   | Field { record; field; _ } -> (
@@ -84,11 +84,11 @@ let field words (e : Resolve.Ir.expr) =
       | Some _ | None -> None)
   | _ -> None
 
-(* Maximum length of a chain of names. *)
+(* Maximum length of a chain of names to follow. *)
 let deepest = 6
 
-(* A function or signal function whose result has the unit of its last argument, while no other
-   argument has that unit. *)
+(* Is this a function or signal function whose result has the unit of its last argument and of no
+   other argument? *)
 let keeps_the_unit (head : Resolve.Ir.expr) =
   match head.desc with
   | Global { name = "abs" | "previous"; _ } -> true
@@ -203,16 +203,17 @@ let give_literals numbers d =
   let quoted (number, unit_) = "`" ^ snd (with_unit number unit_) ^ "`" in
   let edit (number, unit_) = (number.at, fst (with_unit number unit_)) in
   let texts = String.concat " and " (List.map quoted numbers) in
-  Diagnostic.hint "write %s if that is their unit" texts d
+  Diagnostic.hint "write %s if these are the right units" texts d
   |> Diagnostic.fix (Printf.sprintf "write %s" texts) (List.map edit numbers)
 
 let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
   let literal, text = with_unit number unit_ in
   let float = Printf.sprintf "Float[%s]" unit_ in
   match name with
-  | None -> Diagnostic.hint "write `%s` if that is its unit" text d |> Diagnostic.write at literal
+  | None ->
+      Diagnostic.hint "write `%s` if that is the right unit" text d |> Diagnostic.write at literal
   | Some name when of_record ->
-      Diagnostic.label ~at "`%s` is this number without a unit" name d
+      Diagnostic.label ~at "`%s` is this number, which has no unit" name d
       |> Diagnostic.hint
            "give the field `%s` its unit: `%s = %s`, and `%s :: %s` in the declaration of the \
             record"
@@ -228,6 +229,6 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
               [ (place, float) ] )
         | Some _ | None -> (Printf.sprintf "`%s = %s`" name text, [])
       in
-      Diagnostic.label ~at "`%s` is this number without a unit" name d
+      Diagnostic.label ~at "`%s` is this number, which has no unit" name d
       |> Diagnostic.hint "give `%s` its unit: %s" name fixed
       |> Diagnostic.fix (Printf.sprintf "write `%s`" text) (edits @ [ (at, literal) ])

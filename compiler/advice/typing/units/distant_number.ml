@@ -13,8 +13,7 @@ let rec applied (e : Resolve.Ir.expr) =
 let all_of results =
   if List.mem None results then None else Some (List.concat (List.filter_map Fun.id results))
 
-(* The numbers other than zero that this choice selects from; [None] if it may select anything
-   else. *)
+(* The nonzero numbers that this choice can select; [None] if it can select anything but numbers. *)
 let rec numbers words depth (e : Resolve.Ir.expr) : Bare_number.t list option =
   let right (r : Resolve.Ir.right) =
     all_of (List.map (fun (g : Resolve.Ir.guarded) -> numbers words depth g.value) r.guards)
@@ -89,8 +88,7 @@ let give words ~given ~wanted ~where numbers d =
   let texts = Enumeration.all (List.map (fun n -> Printf.sprintf "`%s`" (text n)) numbers) in
   let if_meant =
     if is_one wanted then ""
-    else if is_one given then
-      match numbers with [ _ ] -> " if that is its unit" | _ -> " if that is their unit"
+    else if is_one given then " if that is the right unit"
     else " if you meant that unit"
   in
   List.fold_left label d numbers
@@ -153,8 +151,8 @@ let beside words (x : Resolve.Ir.Local.t) visit =
   visit visitor;
   List.rev !found
 
-(* The variable of the parameter at this position, which may be the input of a `proc`, and a
-   function that visits its definition. *)
+(* The variable of the parameter at this position, and a function that visits the definition that
+   binds it. The parameter may also be the input of a `proc`. *)
 let parameter words (f : Resolve.Ir.expr) position =
   let bound (p : Resolve.Ir.pattern) = match p.desc with Bound x -> Some x | _ -> None in
   let of_value (value : Resolve.Ir.expr) =

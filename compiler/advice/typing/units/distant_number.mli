@@ -1,8 +1,8 @@
-(** Numbers far from the place where their unit does not fit: in the definition of a function
-    without a signature, or in the branches of a choice.
+(** Numbers that cause a unit mismatch elsewhere: in the definition of a function without a
+    signature, or in the branches of a choice.
 
-    [subject] and the pair of units are those of {!Number_mistake.units}. A result changes the
-    message: it labels the numbers and suggests their units. *)
+    [subject] and the pair of units are those of {!Number_mistake.units}. The function returned
+    labels the numbers in a message and suggests their units. *)
 
 open Basis
 open Typing
@@ -18,9 +18,9 @@ val chosen :
 
 val scaled :
   Wording.t -> Resolve.Ir.expr -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
-(** The value is a product of one number, which has its unit, and plain numbers: [0.4[m/s] * side].
-*)
+(** The value is the product of a number, which determines the unit, and plain numbers:
+    [0.4[m/s] * side]. *)
 
 val compared :
   Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
-(** The function compares its parameter with a number, or adds them: [near d = d < 0.4]. *)
+(** The function compares its parameter with a number or adds a number to it: [near d = d < 0.4]. *)

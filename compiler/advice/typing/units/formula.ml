@@ -34,7 +34,7 @@ let rec result t =
 let is_zero (e : Resolve.Ir.expr) =
   match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
 
-(* The unit that the variable of the parameter's unit has, if the argument's unit is known. *)
+(* Solves for the variable in the parameter's unit, given the argument's unit. *)
 let solution ~parameter ~argument =
   match Units.rigid_powers parameter with
   | [ (r, power) ] when not (Rational.is_zero power) ->

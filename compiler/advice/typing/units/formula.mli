@@ -31,7 +31,7 @@ val as_factor : Wording.t -> Resolve.Ir.expr -> string option
 (** The text with parentheses if it needs them as a factor of a product. *)
 
 val with_parts : Wording.t -> Resolve.Ir.expr -> (Span.t * string) list -> string option
-(** The text of the expression with other texts in place of some parts, which do not overlap. *)
+(** The text of the expression with these texts in place of the parts, which must not overlap. *)
 
 val with_part : Wording.t -> Resolve.Ir.expr -> part:Span.t -> string -> string option
 (** The text of the expression with another text in place of one part. *)

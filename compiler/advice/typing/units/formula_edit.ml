@@ -6,18 +6,18 @@ let is_open (wanted, given) = Units.is_open wanted || Units.is_open given
 
 (* {1 The changes} *)
 
-type kind = Operation of string  (** the function that replaces the other *) | Without_power
+type kind = Operation of string  (** the function that replaces the current one *) | Without_power
 
 type edit = {
   part : Resolve.Ir.expr;  (** the part of the formula that changes *)
   at : Span.t;  (** the text to replace *)
   text : string;
   whole : string;  (** the part after the change *)
-  factor : Units.t;  (** the unit of the formula is multiplied by this one *)
+  factor : Units.t;  (** the change multiplies the unit of the formula by this one *)
   kind : kind;
 }
 
-(* Longest chain of names that is followed. *)
+(* Maximum length of a chain of names to follow. *)
 let deepest = 4
 
 let second words =
@@ -63,7 +63,8 @@ let of_power words ~power (e : Resolve.Ir.expr) =
       | _ -> None)
   | _ -> None
 
-(* All changes of the factors of a product, and of the definitions of the names among them. *)
+(* All possible changes to the factors of a product and to the definitions of the names among
+   them. *)
 let rec edits words ~depth ~power (e : Resolve.Ir.expr) =
   let of_factor ((e : Resolve.Ir.expr), exponent) =
     let power = power * exponent in
@@ -204,7 +205,7 @@ let exchanged_angle words ~(subject : Resolve.Ir.expr option) ~(expected : Expec
 
 (* {1 Records} *)
 
-(* The change of another field that gives it the unit of this field. *)
+(* A change to another field that gives that field the unit of this one. *)
 let of_a_field words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
   let record =
     List.find_map

@@ -1,4 +1,4 @@
-(** Small changes of a formula, such as [integral] for [derivative], that give it the expected unit.
+(** Small changes to a formula, such as [integral] for [derivative], that give it the expected unit.
     A change is suggested only if it is the only one that does so. Each pair of units contains the
     expected unit and the actual one. *)
 
@@ -12,10 +12,10 @@ val suggest :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** [integral x] for [derivative x] or the reverse, or a base without its power, also in the
-    definitions of the names in the formula. If [elsewhere], only operations that are part of a
-    larger formula or of a definition, because then the operation is very likely the mistake;
-    otherwise, only the other changes. *)
+(** Suggests [integral x] for [derivative x] or the reverse, or the base in place of its power, also
+    in the definitions of the names in the formula. If [elsewhere], considers only an integral or a
+    derivative that is part of a larger formula or of a definition, because it is then very likely
+    the mistake. Otherwise, considers only the other changes. *)
 
 val exchanged_angle :
   Wording.t ->
@@ -31,11 +31,11 @@ val of_a_field :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** The field of a record where another field, which determines the unit, has a power too many. *)
+(** A field of a record whose expected unit comes from another field, which has an extra power. *)
 
 val of_a_record :
   Wording.t ->
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A record of the wrong unit, of which some fields have the expected unit. *)
+(** A record with the wrong unit in one field and the expected unit in the others. *)

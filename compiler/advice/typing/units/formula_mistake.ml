@@ -19,7 +19,7 @@ let sqrt_of words (e : Resolve.Ir.expr) d =
   | Some text ->
       let fixed = "sqrt " ^ text in
       hint "for the square root, write `%s`" fixed d |> replace e fixed
-  | None -> hint "for the square root, write `sqrt (…)` around it" d
+  | None -> hint "for the square root, write `sqrt (…)` around the expression" d
 
 (* The exponent, from 2 to 4, that turns the second unit into the first one. *)
 let exponent u v =
@@ -42,7 +42,7 @@ let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.ex
           |> replace lower fixed
     | None -> Fun.id
   in
-  (* a sum of squares, whose root is taken later *)
+  (* in a sum of squares, the root is usually taken of the whole sum *)
   let is_sum = List.mem operator [ "+"; "-" ] in
   (if k = 2 && not is_sum then sqrt_of words higher d else d) |> raised
 
@@ -81,8 +81,8 @@ let root words ~subject ~(expected : Expected.t) (wanted, given) =
 
 let is_rate words u = List.mem (Wording.measure words u) [ "s"; "1/s"; "Hz" ]
 
-(* The wanted unit of such a field comes from another field, which may be the wrong one. The fields
-   of a vector have the same unit. *)
+(* Does the expected unit of the field come from another field, which may be the wrong one? The
+   fields of a vector have the same unit. *)
 let depends_on_another_field (expected : Expected.t) =
   match expected.because with
   | Field { constructor = Some _; _ } | Field { name = "x" | "y" | "z"; _ } -> true
@@ -124,7 +124,8 @@ let power words ~subject ~expected units =
               Option.map
                 (fun text d ->
                   hint
-                    "the missing factor `%s` is the unit of `%s`: write `%s` if its square is meant"
+                    "the missing factor `%s` is the unit of `%s`: write `%s` if you meant its \
+                     square"
                     (Wording.measure words missing) name text d
                   |> write x.span (grouped ^ " ^ 2"))
                 (Formula.with_part words formula ~part:x.span (grouped ^ " ^ 2"))
@@ -134,7 +135,7 @@ let power words ~subject ~expected units =
   if depends_on_another_field expected || not (closed units) then None
   else List.find_map of_side (Lacking_unit_mistake.sides words ~subject ~expected units)
 
-(* `Vec2 { x = d ^ 2 * cos a, y = d * sin a }`, where a field has a power too much *)
+(* `Vec2 { x = d ^ 2 * cos a, y = d * sin a }`, where one field has an extra power *)
 let of_fields words ~subject (wanted, given) =
   let lower ((name : Syntax.Ir.name), (e : Resolve.Ir.expr)) =
     let is_square ((e : Resolve.Ir.expr), power) =
@@ -158,8 +159,7 @@ let of_fields words ~subject (wanted, given) =
       List.find_map lower fields
   | _ -> None
 
-(* The text of the expression as a factor of a product. If it is a product, it needs no
-   parentheses. *)
+(* The text of the expression as a factor of a product. A product needs no parentheses. *)
 let as_a_factor words (e : Resolve.Ir.expr) =
   match Formula.binary e with
   | Some ("*", _, _) -> Formula.text words e
@@ -205,7 +205,7 @@ let within_root words ~subject (wanted, given) =
         let unit_ = Wording.measure words missing in
         Option.map
           (fun inside ->
-            hint "a factor in `%s`%s is missing inside the root, as in `sqrt (1[%s] * %s)`" unit_
+            hint "multiply by a factor in `%s`%s inside the root, as in `sqrt (1[%s] * %s)`" unit_
               (if unit_ = "m/s^2" then ", an acceleration," else "")
               unit_ inside)
           (as_a_factor words argument)
@@ -257,7 +257,7 @@ let rate_for_angle words ~subject (wanted, given) =
       | Some (Unit_variable _, _) | None -> None)
   | _ -> None
 
-(* The gain in `kp * e + kd * derivative e`, declared with the unit of another gain *)
+(* The gain `kd` in `kp * e + kd * derivative e`, which is declared with the unit of another gain *)
 let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
   let has_derivative factors =
     let is_it ((e : Resolve.Ir.expr), _) =
@@ -280,8 +280,8 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
       Option.map
         (fun (name, u) ->
           hint
-            "the gain of a rate of change has another unit: write `Float[%s]` for `%s` in the \
-             signature"
+            "the gain of a rate of change needs a different unit: write `Float[%s]` for `%s` in \
+             the signature"
             (Wording.measure words u) name)
         (List.find_map gain factors)
   in
@@ -307,7 +307,7 @@ let upside_down words ~subject (wanted, given) =
           let whole = (Option.get subject).span in
           Some
             (fun d ->
-              hint "the quotient the other way round has the unit `%s`: `%s`"
+              hint "swap the operands to get the unit `%s`: write `%s`"
                 (Wording.measure words wanted) quotient d
               |> write whole quotient)
       | _ -> None)

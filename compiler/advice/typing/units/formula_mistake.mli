@@ -37,7 +37,7 @@ val of_fields :
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A record with a field that contains the square of what was meant. *)
+(** A record with a field that contains the square of the intended value. *)
 
 val within_root :
   Wording.t ->

@@ -5,8 +5,8 @@ open Diagnostic
 let text words (e : Resolve.Ir.expr) = Wording.quote words e.span
 let grouped words e = Option.map Source.grouped (text words e)
 
-(* Is the value the same at every instant? Equations may be recursive, so the function keeps the
-   names that it has already visited. *)
+(* Is the value the same at every instant? Equations may be recursive, so the function keeps track
+   of the names that it has already visited. *)
 let is_fixed words e =
   let rec go followed (e : Resolve.Ir.expr) =
     match e.desc with
@@ -32,7 +32,7 @@ let as_factor words (e : Resolve.Ir.expr) =
       text words e
   | _ -> grouped words e
 
-(* A rate as an angle, as in [sin (2 * pi * freq)]. *)
+(* A rate used as an angle: [sin (2 * pi * freq)]. *)
 let angle_of_a_rate words ~subject ~(expected : Expected.t) (_, given) =
   match (expected.because, subject) with
   | Parameter { callee = Some (("sin" | "cos" | "tan") as f); _ }, Some (e : Resolve.Ir.expr)
@@ -61,7 +61,7 @@ let power words ~(expected : Expected.t) ?unit_ () =
           let k = Printf.sprintf "%.0f" k in
           Some
             (fun d ->
-              hint "for a power with a whole exponent, write `%s ^ %s`" base k d
+              hint "for a power with an integer exponent, write `%s ^ %s`" base k d
               |> fix (Printf.sprintf "write `%s ^ %s`" base k) [ (at, "^"); (exponent.span, k) ])
       | Some b, Some 0.5 ->
           let fixed = "sqrt " ^ b in
@@ -74,8 +74,8 @@ let power words ~(expected : Expected.t) ?unit_ () =
       | Some base, _ ->
           let plain unit_ =
             hint
-              "the base of `**` is a plain number: divide by the unit, `(%s / 1[%s])`, or, for a \
-               whole exponent, write `%s ^ 2`"
+              "the base of `**` must be a plain number: divide by the unit, `(%s / 1[%s])`, or, \
+               for an integer exponent, write `%s ^ 2`"
               base unit_ base
           in
           Option.map plain unit_
@@ -106,7 +106,8 @@ let whole_numbers words ~(expected : Expected.t) ~found =
           Some
             (hint
                "`mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle %s`, \
-                with `import Geometry`; for one from 0 on, `%s - %s * floorFloat (%s / %s)`"
+                with `import Geometry`; for an angle that is never negative, write `%s - %s \
+                * floorFloat (%s / %s)`"
                x x y x y)
       | "mod", Some x, Some y ->
           Some
@@ -132,7 +133,7 @@ let quotient words ~(expected : Expected.t) =
               |> fix (Printf.sprintf "write `%s`" fixed) [ (a.span, "(" ^ fixed ^ ")") ])
       | Some x, Some y ->
           let fixed = Printf.sprintf "div %s %s" x y in
-          (* A literal can be a Float; a variable of this function is probably an Int, too. *)
+          (* A literal can be a Float, but a divisor with a name is probably an Int, too. *)
           let divisor = match b.desc with Number _ -> y | _ -> Printf.sprintf "toFloat %s" y in
           Some
             (fun d ->

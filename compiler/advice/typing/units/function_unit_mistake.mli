@@ -10,8 +10,8 @@ val complete :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** Adds the hint for the function that takes this argument, if the module has one. The pair
-    contains the expected unit and the actual one. *)
+(** Adds the hint for the function that takes this argument, if there is one for that function. The
+    pair contains the expected unit and the actual one. *)
 
 val power :
   Wording.t -> expected:Expected.t -> ?unit_:string -> unit -> (Diagnostic.t -> Diagnostic.t) option

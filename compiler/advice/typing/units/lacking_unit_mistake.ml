@@ -25,7 +25,8 @@ let unit_of_the_sum words =
   | Some (Number (_, u)) when not (Units.is_open u) -> Some (Units.resolve u)
   | Some _ | None -> None
 
-(* The operands whose constants would correct the units, each with its expected and its actual unit.
+(* The operands in which a unit for a constant could correct the mismatch, each with its expected
+   and its actual unit.
    *)
 let sides words ~subject ~(expected : Expected.t) (wanted, given) =
   let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
@@ -57,7 +58,8 @@ let rec mentions names (e : Resolve.Ir.expr) =
   | Negate e -> mentions names e
   | _ -> false
 
-(* Is it the product of a number and another value, rather than a formula of numbers alone? *)
+(* Is the expression the product of a number and another value, rather than a formula of numbers
+   alone? *)
 let is_product_with_value words e =
   match Formula.factors (Bare_number.value words e) with
   | [ (a, _); (b, _) ] -> (
@@ -72,11 +74,11 @@ let is_unit_of_a_gain u =
   let is_negative (_, power) = Rational.is_negative power in
   powers <> [] && List.for_all is_negative powers
 
-(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes 0.5, and formulas that
-   contain `pi` or `time`, because their numbers usually have no unit. *)
+(* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes a divisor of 2 and
+   formulas that contain `pi`, `time` or `sqrt`, because their numbers usually have no unit. *)
 let of_a_literal words ~likely ~subject ~expected (wanted, given) =
   let all = sides words ~subject ~expected (wanted, given) in
-  (* in a sum, the other operand is right, or its gain has a unit *)
+  (* in a sum, the literal is a gain if the other operand is right or has a gain with a unit *)
   let is_gain e unit_ =
     is_unit_of_a_gain unit_
     &&
@@ -233,7 +235,7 @@ let gain_without_unit words ~(subject : Resolve.Ir.expr option) ~(expected : Exp
       | None -> of_side (other, (given, wanted)) e)
   | _ -> None
 
-(* `v + t`, where the product of the operands is a plain quantity. *)
+(* `v + t`, where the product or the quotient of the operands has a simple unit. *)
 let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
   let simple u =
     match (Units.base_powers u, Units.is_open u, Units.rigid_powers u) with
@@ -368,7 +370,7 @@ let of_the_inverse words ~(subject : Resolve.Ir.expr option) (wanted, given) =
           in
           Some
             (fun d ->
-              hint "write `%s`, which has that unit" text d
+              hint "write `%s`, which has the expected unit" text d
               |> Option.fold subject ~none:Fun.id ~some:(fun (e : Resolve.Ir.expr) ->
                      write e.span text))
       | _ -> None)

@@ -4,7 +4,8 @@ open Basis
 open Typing
 
 val needed : Units.t * Units.t -> int -> Units.t
-(** The unit by which a factor with this exponent must be multiplied to correct the unit. *)
+(** The unit by which a factor with this exponent must be multiplied to correct the unit of the
+    product. *)
 
 val sides :
   Wording.t ->
@@ -12,9 +13,9 @@ val sides :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Resolve.Ir.expr * (Units.t * Units.t)) list
-(** The expression, and the other operand of a sum or a comparison, each with the unit that it
-    should have and the unit that it has. If the context determines the unit of a sum, the list
-    contains only the operand with another unit. *)
+(** The expression, and the other operand of a sum or a comparison, each with its expected and its
+    actual unit. If the context determines the unit of a sum, the list contains only the operand
+    with the wrong unit. *)
 
 val complete :
   Wording.t ->
@@ -22,8 +23,8 @@ val complete :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** Points to the constants that would correct the expression's unit, and suggests their units. The
-    pair contains the expected unit and the actual one. *)
+(** Points to the constants whose missing units may cause the mismatch, and suggests their units.
+    The pair contains the expected unit and the actual one. *)
 
 val is_unit_of_a_gain : Units.t -> bool
 (** Does the unit have only negative exponents? *)
@@ -53,7 +54,7 @@ val gain_without_unit :
   expected:Expected.t ->
   Units.t * Units.t ->
   (Diagnostic.t -> Diagnostic.t) option
-(** A sum of two products with gains, only one of which has a unit. *)
+(** A sum of two products with gains, where only one of the gains has a unit. *)
 
 val of_a_difference :
   Wording.t ->

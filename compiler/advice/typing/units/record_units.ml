@@ -51,7 +51,7 @@ let completed words (constructor : Environment.constructor)
         (String.concat ", " (List.map fst all))
     in
     let text =
-      Printf.sprintf "give all its numbers their units: for a %s%s, write `%s`"
+      Printf.sprintf "give all numbers in the record their units: for a %s%s, write `%s`"
         (with_unit_variables words constructor ty units)
         (if is_example then ", for example" else "")
         record

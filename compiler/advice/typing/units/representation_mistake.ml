@@ -46,8 +46,8 @@ let unit_of_count measure (number : Bare_number.t) =
   | "s", Some x when x >= 20. -> "ms"
   | _ -> measure
 
-(* An `Int` where a quantity with a unit is expected. If it is a name for a literal, the fix adds
-   the unit to the literal. Otherwise it multiplies the `Int` by a unit. *)
+(* An `Int` where a quantity with a unit is expected. If the expression is a name for a literal, the
+   fix adds the unit to the literal. Otherwise the fix multiplies the `Int` by a unit. *)
 let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr option) =
   let wanted =
     match (expected.because, Type.expand expected.ty, Type.expand found) with
@@ -68,7 +68,7 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
           Some
             (fun d ->
-              label ~at "`%s` is this number without a unit" name d
+              label ~at "`%s` is this number, which has no unit" name d
               |> hint "give `%s` its unit: `%s :: Float[%s]` and `%s = %s`" name name measure name
                    text
               |> fix
@@ -78,7 +78,7 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
           let fixed = Printf.sprintf "toFloat %s * 1[%s]" (Source.grouped text) measure in
           Some
             (fun d ->
-              hint "if it counts the unit `%s`, write `%s`" measure fixed d
+              hint "if the number is in `%s`, write `%s`" measure fixed d
               |> fix (Printf.sprintf "write `%s`" fixed) [ (e.span, "(" ^ fixed ^ ")") ])
       | _, None -> None)
   | _ -> None
@@ -97,7 +97,7 @@ let to_int words ~found (e : Resolve.Ir.expr option) =
   | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None ->
       fun d ->
         let text = Option.get (whole digits) in
-        hint "write a whole number without a point: `%s`" text d |> write span text
+        hint "write a whole number without a decimal point: `%s`" text d |> write span text
   | _ -> (
       match for_each found with
       | Some (("map " | "mapE ") as each) ->
@@ -124,7 +124,7 @@ let superfluous words ~(expected : Expected.t) (e : Resolve.Ir.expr option) =
   | Parameter { callee = Some "toFloat"; at; _ }, Some e ->
       Option.map
         (fun text d ->
-          hint "remove `toFloat`: `%s` is a `Float` already" text d
+          hint "remove `toFloat`: `%s` is already a `Float`" text d
           |> fix (Printf.sprintf "write `%s`" text) [ (Span.merge at e.span, Source.grouped text) ])
         (Wording.quote words e.span)
   | _ -> None
@@ -173,6 +173,6 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
 
 let makes name x =
   match name with
-  | "Mark" -> Some (Printf.sprintf "use `number \"name\" %s` for the mark of a number" x)
-  | "Seeds" -> Some (Printf.sprintf "write a first and a last seed: ``1 `to` %s``" x)
+  | "Mark" -> Some (Printf.sprintf "to make a mark from a number, write `number \"name\" %s`" x)
+  | "Seeds" -> Some (Printf.sprintf "write the first and the last seed: ``1 `to` %s``" x)
   | _ -> None

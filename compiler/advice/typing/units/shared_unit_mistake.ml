@@ -20,7 +20,7 @@ let rec parameters (t : Type.t) =
   | Signal_function (input, _) -> [ input ]
   | _ -> []
 
-(* The declared types of the parameters, if the function has one. *)
+(* The parameter types in the function's signature, or an empty list if it has no signature. *)
 let declared words (head : Resolve.Ir.expr option) =
   match head with
   | Some { desc = Global g; _ } ->
@@ -106,7 +106,7 @@ let suspects words ~head ~given ~decided ~position units =
   in
   List.filter_map Fun.id (List.mapi suspect given)
 
-(* Does some other earlier argument determine the unit, too? A zero does not. *)
+(* Does another earlier argument also determine the unit? A zero does not. *)
 let has_other_reason words ~given ~decided =
   let is_zero (e : Resolve.Ir.expr) =
     match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
@@ -159,7 +159,7 @@ let give words { number; unit_; _ } d =
             |> write number.at text
           else Fun.id)
 
-(* `min 0.3[m/s] (d - 0.4[m])` more likely lacks a gain than a unit of the number. *)
+(* In `min 0.3[m/s] (d - 0.4[m])`, a missing gain is more likely than a wrong unit. *)
 let gain words ~(subject : Resolve.Ir.expr) { number; current; unit_; _ } =
   match (number, Wording.quote words subject.span) with
   | { unit_ = Some _; name = None; _ }, Some text
@@ -208,7 +208,7 @@ let agrees_with_a_later words ~given ~position unit_ =
   in
   List.exists Fun.id (List.mapi agrees given)
 
-(* `delay 0.5[s] v`, meant as a delay by a time. *)
+(* `delay 0.5[s] v`, meant to delay `v` by 0.5 s. *)
 let is_a_time words ~callee { number; current; _ } =
   String.equal callee "delay" && number.unit_ <> None
   && String.equal (Wording.measure words current) "s"

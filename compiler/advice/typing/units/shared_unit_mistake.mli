@@ -1,4 +1,4 @@
-(** A number whose unit differs from that of the other arguments of a function with one unit
+(** A number whose unit differs from the unit of the other arguments of a function with one unit
     variable, as in [min 0.3 v] for a velocity [v]. *)
 
 open Basis

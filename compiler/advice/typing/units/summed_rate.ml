@@ -2,7 +2,7 @@ open Basis
 open Typing
 open Diagnostic
 
-(* The name whose previous value this is: `delay 0 x` or `previous x`. *)
+(* The name `x` if the expression is its previous value: `delay 0 x` or `previous x`. *)
 let previous (e : Resolve.Ir.expr) =
   match Resolve.Walk.application e with
   | { desc = Global { name = "delay"; _ }; _ }, [ _; { desc = Local x; _ } ]
@@ -10,7 +10,7 @@ let previous (e : Resolve.Ir.expr) =
       Some x
   | _ -> None
 
-(* The sum's name and its other operand. *)
+(* For the sum of a name's previous value and another operand: the name and that operand. *)
 let parts (a : Resolve.Ir.expr) (b : Resolve.Ir.expr) =
   match (previous a, previous b) with
   | Some x, None -> Some (x, b)
@@ -59,8 +59,8 @@ let complete words ~subject ~(expected : Expected.t) (wanted, given) =
         (fun text d ->
           label ~at:change.span "this is added to `%s` at every instant" x.name d
           |> hint
-               "for the sum over time, write `%s = integral %s`, which knows the time between two \
-                instants"
+               "for the sum over time, write `%s = integral %s`, which accounts for the time \
+                between two instants"
                x.name text)
         (rate words change)
   | Some _ | None -> None

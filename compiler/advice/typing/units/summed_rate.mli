@@ -1,5 +1,4 @@
-(** A rate that an equation adds up by itself, such as [x = delay 0 x + 0.02 * v], where [integral]
-    was meant. *)
+(** An equation that adds up a rate without [integral], such as [x = delay 0 x + 0.02 * v]. *)
 
 open Basis
 open Typing

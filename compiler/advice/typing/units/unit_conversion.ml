@@ -19,7 +19,7 @@ let numbers_without_units words (e : Resolve.Ir.expr option) =
       List.filter_map plain es
   | _ -> []
 
-(* The source text of the application, with this unit added to its numbers other than zero. *)
+(* The source text of the application, with this unit added to its nonzero numbers. *)
 let with_units words (e : Resolve.Ir.expr option) unit_ =
   let rec numbers (e : Resolve.Ir.expr) =
     match e.desc with
@@ -92,11 +92,11 @@ let operands words ~subject ~(expected : Expected.t) (wanted, given) d =
         d
   | _ -> d
 
-(* Is it the signal of a `delay`? Then its initial value is the likely mistake. *)
+(* Is the expression the signal of a `delay`? Then the initial value is probably the mistake. *)
 let is_delayed (expected : Expected.t) =
   match expected.because with Parameter { callee = Some "delay"; _ } -> true | _ -> false
 
-(* One of the units is 1, and the expression is not a literal. *)
+(* Adds the hint for an expression that is not a literal, if one of the units is 1. *)
 let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
   if
     Units.equal given Units.one
@@ -104,7 +104,7 @@ let with_a_unit words ~subject ~expected (wanted, given) diagnostic =
     && subject <> None
   then
     let unit_ = Wording.measure words wanted in
-    hint "if it is a number of `%s`, multiply by the unit: `%s`" unit_
+    hint "if the number is in `%s`, multiply by the unit: `%s`" unit_
       (changed words subject (fun e -> Printf.sprintf "%s * 1[%s]" e unit_))
       diagnostic
   else operands words ~subject ~expected (wanted, given) diagnostic
@@ -140,14 +140,14 @@ let power words ~(subject : Resolve.Ir.expr option) ~expected (wanted, given) di
   in
   if Units.equal (Units.multiply given given) wanted && is_operand expected then
     let text = with_e "%s ^ 2" in
-    Some (hint "write `%s`, which has that unit" text diagnostic |> write text)
+    Some (hint "write `%s`, which has the expected unit" text diagnostic |> write text)
   else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
     let text = with_e "sqrt %s" in
     let is_product = Option.fold subject ~none:false ~some:(Formula.is_product words) in
     Some
       (hint "%s"
          (if is_product then Printf.sprintf "for the square root, write `%s`" text
-          else Printf.sprintf "write `%s`, which has that unit" text)
+          else Printf.sprintf "write `%s`, which has the expected unit" text)
          diagnostic
       |> write text)
   else None
@@ -158,7 +158,7 @@ let is_of_a_signal words (expected : Expected.t) =
   | Signature _ -> Wording.inputs words <> []
   | _ -> false
 
-(* `way < 2[m]`, where `way` is a velocity: it may lack an [integral]. *)
+(* `way < 2[m]`, where `way` is a velocity: an `integral` may be missing. *)
 let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
   match expected.because with
   | Operand { operator; other; _ } when Wording.inputs words <> [] ->
@@ -168,7 +168,7 @@ let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
           (fun text ->
             let text = f ^ " " ^ Source.grouped text in
             fun d ->
-              hint "for its %s, write `%s` before the `%s`" what text operator d
+              hint "for the %s, write `%s` before the `%s`" what text operator d
               |> write other.span text)
           (Wording.quote words other.span)
       in
@@ -178,7 +178,7 @@ let of_the_other_operand words ~(expected : Expected.t) (wanted, given) =
       else None
   | _ -> None
 
-(* `min (d - 0.4[m]) 0.3[m/s]` more likely lacks a gain than a unit of the number. *)
+(* In `min (d - 0.4[m]) 0.3[m/s]`, a missing gain is more likely than a wrong unit. *)
 let gain_of_an_earlier_argument words ~(expected : Expected.t) (wanted, given) =
   match expected.because with
   | Parameter { given = arguments; position; decided_by; _ }
@@ -205,7 +205,7 @@ let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
   let integral = with_e "integral %s" in
   match subject with
   | Some e when is_of_a_signal words expected && not (is_of_time subject) ->
-      (* this rule comes before the hint for the signature *)
+      (* this hint comes before the one about the signature *)
       let text =
         Printf.sprintf "for the sum over time, write `%s`; for a fixed time, `%s`" integral times
       in
@@ -223,7 +223,8 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
   in
   if is_of_a_filter expected && not (String.equal (Wording.measure words wanted) "Hz") then
     let cutoff = with_e "(1 / (2 * pi * %s))" in
-    hint "this is a time constant: for the cutoff frequency `%s`, write `%s`" (with_e "%s") cutoff d
+    hint "this argument must be a time constant: for the cutoff frequency `%s`, write \
+          `%s`" (with_e "%s") cutoff d
     |> replace cutoff
   else
     hint "to convert between a rate and a time, write `%s`"
@@ -237,8 +238,8 @@ let of_numbers words ~subject ~wanted d =
   let unit_ = Wording.measure words wanted in
   hint "%s"
     (match with_units words subject unit_ with
-    | Some text -> Printf.sprintf "give its numbers the unit: `%s`" text
-    | None -> Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_)
+    | Some text -> Printf.sprintf "give the numbers their unit: `%s`" text
+    | None -> Printf.sprintf "give the numbers their unit, as in `%s[%s]`" digits unit_)
     d
   |>
   match subject with
@@ -285,7 +286,7 @@ let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
     else diagnostic
   else if gravities words subject wanted <> None then
     let text, at = Option.get (gravities words subject wanted) in
-    hint "`g` is the gram: for a multiple of the gravitational acceleration, write `%s`" text
+    hint "`g` means gram: for a multiple of the gravitational acceleration, write `%s`" text
       diagnostic
     |> write at text
   else if written <> None then

@@ -7,7 +7,8 @@ val is_per_second : Wording.t -> Units.t -> bool
 val is_operand : Expected.t -> bool
 
 val is_of_a_signal : Wording.t -> Expected.t -> bool
-(** Must a signal have this type: the output of a signal function, or a local signal of a proc? *)
+(** Is the expected type the type of a signal: the output of a signal function, or a local signal of
+    a proc? *)
 
 val of_the_other_operand :
   Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option

@@ -13,7 +13,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
     | Number { digits; unit_ = Some u; _ } when float_of_string_opt digits = Some 1. -> (
         match (Wording.unit_written words u, Wording.quote words e.span) with
         | Some unit_, Some text ->
-            (* do not write `1[km]`, which would also change the number *)
+            (* `1[km]` does not count, because removing it would also change the number *)
             String.ends_with ~suffix:(Printf.sprintf "[%s]" (Wording.measure words unit_)) text
             && Units.equal (Units.power unit_ (Rational.of_int power)) excess
         | _ -> false)
@@ -41,7 +41,7 @@ let superfluous_factor words ~subject ~(expected : Expected.t) (wanted, given) =
               let is_multiplied = String.equal operator "" in
               Some
                 (fun d ->
-                  hint "remove `%s%s%s`: `%s` is %s already" operator factor
+                  hint "remove `%s%s%s`: `%s` is already %s" operator factor
                     (if is_multiplied then " *" else "")
                     text
                     (if is_one wanted then "a plain number"
@@ -68,7 +68,7 @@ let superfluous_function words ~subject ~(expected : Expected.t) (wanted, given)
         | Some u, Some text when Units.equal u wanted ->
             Some
               (fun d ->
-                hint "remove `%s`: `%s` is in `%s` already" name text (Wording.measure words wanted)
+                hint "remove `%s`: `%s` is already in `%s`" name text (Wording.measure words wanted)
                   d
                 |> fix (Printf.sprintf "write `%s`" text) [ (e.span, Source.grouped text) ])
         | _ -> None)
@@ -144,8 +144,8 @@ let gain words ~subject ~(expected : Expected.t) (wanted, given) =
                 ( Bare_number.value words e,
                   fun d ->
                     label_number number d
-                    |> hint "if the gain `%s` has %s unit, write %s" what
-                         (if is_one unit_ then "no" else "another")
+                    |> hint "if the gain `%s` should have %s unit, write %s" what
+                         (if is_one unit_ then "no" else "a different")
                          shown
                     |> fix (Printf.sprintf "write %s" shown) edits )
         | None -> None)
@@ -194,7 +194,7 @@ let constant words ~subject ~(expected : Expected.t) (wanted, given) =
               |> hint "%s"
                    (if is_one wanted then
                       Printf.sprintf "write `%s`, without a unit, if it is a plain number" shown
-                    else Printf.sprintf "write `%s` if that is its unit" shown)
+                    else Printf.sprintf "write `%s` if that is the right unit" shown)
               |> fix (Printf.sprintf "write `%s`" shown) edits
             in
             { d with hints = d.hints @ others })

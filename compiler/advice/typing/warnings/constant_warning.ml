@@ -4,7 +4,7 @@ open Typing.Ir
 
 let not_a_number (e : expr) =
   Diagnostic.(
-    warning ~code:"W0307" ~at:e.span "this is never a number: it is NaN"
+    warning ~code:"W0307" ~at:e.span "this is always NaN (not a number)"
     |> note "every comparison with NaN is False, and every result computed from NaN is NaN")
 
 let wraps_around (e : expr) n =
@@ -30,7 +30,7 @@ let unmet ~of_ (e : expr) (unmet : Warning_fact.unmet) =
   | Below x -> out_of_range "small" "of at least" x
   | Not_above x -> out_of_range "small" "above" x
   | Above x -> out_of_range "large" "of at most" x
-  | Zero_sum -> refused "these numbers add up to 0: `%s` needs another sum" of_
+  | Zero_sum -> refused "these numbers add up to 0: `%s` needs a different sum" of_
 
 let swapped_limits ~of_ ~(low : expr) ~(high : expr) =
   Diagnostic.(

@@ -1,4 +1,4 @@
-(** Warnings about constants: NaN ([W0307]), Ints that wrap around ([W0308]), and those that a
+(** Warnings about constants: NaN ([W0307]), Ints that wrap around ([W0308]), and constants that a
     function or a record does not accept ([W0309], [W0316]). *)
 
 open Basis

@@ -7,4 +7,4 @@ val idle_return : Resolve.Ir.expr -> is_choice:bool -> next:Span.t option -> Dia
 (** See {!Typing.Inference_fact.Idle_return}. *)
 
 val unreachable : at:Span.t -> Resolve.Ir.expr -> Diagnostic.t
-(** A statement, and the head of the endless task before it. *)
+(** [at] is the unreachable statement; the expression is the head of the endless task before it. *)

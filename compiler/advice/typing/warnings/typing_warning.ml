@@ -6,7 +6,7 @@ let step_division (e : expr) =
   Diagnostic.(
     warning ~code:"W0314" ~at:e.span
       "this divides by the length of the step, which is 0 at the first instant"
-    |> note "there the quotient is infinite, or NaN if the dividend is 0 too"
+    |> note "at that instant the quotient is infinite, or NaN if the dividend is also 0"
     |> hint
          "for the slope of a signal, use `derivative`; otherwise divide only in a branch where the \
           step is longer than 0")
@@ -17,7 +17,7 @@ let unreachable_threshold (comparison : expr) result ~robot ~sensor ~reach =
       (if result then "True" else "False")
       robot sensor reach
     |> note "when nothing is in range, the reading is `sonarReach i`"
-    |> hint "compare it with a smaller distance")
+    |> hint "compare the reading with a smaller distance")
 
 let diagnostic (fact : Warning_fact.t) =
   match fact with

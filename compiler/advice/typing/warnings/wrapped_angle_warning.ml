@@ -9,7 +9,8 @@ let is_atom (e : expr) =
 let after (e : expr) = Span.make ~file:e.span.file ~start:e.span.stop ~stop:e.span.stop
 let before (e : expr) = Span.make ~file:e.span.file ~start:e.span.start ~stop:e.span.start
 
-(* Adds the import of a library module to a fix at this place, unless the module is imported. *)
+(* Adds the import of a library module to a fix at this place, unless the module is already
+   imported. *)
 let with_import (resolved : Resolve.Ir.program) (at : Span.t) library_module edits =
   let is_here (m : Resolve.Ir.module_) = String.equal m.file at.file in
   match List.find_opt is_here resolved.modules with
@@ -24,7 +25,8 @@ let difference resolved (e : expr) (a : expr) (b : expr) =
   Diagnostic.(
     warning ~code:"W0315" ~at:e.span "this difference of angles can be more than half a turn"
     |> note
-         "from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees"
+         "from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation \
+          is -2 degrees"
     |> hint "write `angleDiff a b` (module Geometry) instead of `a - b`"
     |> fix "use `angleDiff`"
          (with_import resolved e.span "Geometry"
@@ -41,7 +43,7 @@ let unwrapped resolved head (unwrap : Typing.Warning_fact.unwrap) =
   match unwrap with
   | Around None -> Fun.id
   | Around (Some angle) ->
-      (* other arguments have parentheses already, outside their span *)
+      (* other arguments already have parentheses, outside their span *)
       let opening, closing = if is_atom angle then ("(unwrap ", ")") else ("unwrap (", ")") in
       use_unwrap resolved head [ (before angle, opening); (after angle, closing) ]
   | Before f -> use_unwrap resolved head [ (before f, "unwrap >>> ") ]
@@ -53,9 +55,9 @@ let wrapped resolved ~name ~(head : expr) ~(angle : expr) ~scaled ~instead ~modu
     unwrap =
   let d =
     Diagnostic.(
-      warning ~code:"W0315" ~at:head.span "`%s` of an angle that wraps" name
+      warning ~code:"W0315" ~at:head.span "`%s` is applied to an angle that wraps" name
       |> label ~at:angle.span "this angle is between -pi and pi"
-      |> note "where the angle jumps from pi to -pi, `%s` sees a rotation by 360 degrees" name)
+      |> note "when the angle jumps from pi to -pi, `%s` sees a rotation of 360 degrees" name)
   in
   if scaled || String.equal instead "unwrap" then
     Diagnostic.hint "%s" ("make the angle continuous with " ^ of_module "unwrap" "Angles") d

@@ -17,4 +17,4 @@ val wrapped :
   same_arguments:bool ->
   Warning_fact.unwrap ->
   Diagnostic.t
-(** See {!Warning_fact.Wrapped_angle}; [name] is the function's. *)
+(** See {!Warning_fact.Wrapped_angle}; [name] is the name of the function. *)
