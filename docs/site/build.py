@@ -1,8 +1,8 @@
 """Assembles the pages of the website: build.py REPOSITORY FROBC PAGES.
 
-The website contains the pages of the repository at the same paths, so that their links stay
-valid. A linked file that is not a page, such as a program, becomes a page. The reference
-pages, which reference.py generates, go to docs/reference/.
+The website keeps the Markdown pages of the repository at the same paths, so that their links
+stay valid. Any other file that a page links to, such as a program, becomes a page. The
+reference pages, which reference.py generates, go to docs/reference/.
 """
 
 import os
@@ -68,14 +68,14 @@ class Site:
         self.made = {}
 
     def target(self, page, link):
-        """The target of a link on the website, as a path relative to the page's folder."""
+        """Returns the target of a link on the website, as a path relative to the page's folder."""
         whole = os.path.normpath(os.path.join(page.parent, link))
         path = Path(whole)
         there = self.repository / path
         if path in self.pages or path in self.made:
             goal = path
         elif not there.exists():
-            sys.exit(f"{page}: there is no {link}")
+            sys.exit(f"{page}: the file {link} does not exist")
         elif path.suffix in PICTURES:
             self.copy(path)
             goal = path
@@ -98,7 +98,7 @@ class Site:
         (self.out / path).write_text(text)
 
     def page(self, page, text):
-        """The page with translated links, and with code fences that the highlighter supports."""
+        """Adapts the page's links to the website, and its code fences to the highlighter."""
         lines, code = [], False
         for line in text.splitlines():
             if line.lstrip().startswith("```"):

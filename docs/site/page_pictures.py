@@ -1,7 +1,7 @@
 """usage: page_pictures.py FROBC ROOT TO
 
-Takes pictures of the page of `frobc view` for the documentation: runs the wall follower and programs
-with cameras, and writes what the page shows at some instants to TO/docs."""
+Takes screenshots of `frobc view` for the documentation: runs the wall follower and programs that
+use a camera, and saves what the page shows at some instants in TO/docs."""
 
 import base64
 import os
@@ -19,7 +19,7 @@ from selenium.webdriver.common.keys import Keys
 import viewer
 from journey import Page, start
 
-# Returns the image in the camera pane, with the marks on it.
+# JavaScript that returns the image in the camera pane, including the marks on it.
 pane = """
 const canvas = document.querySelector("#camera canvas");
 const { width, height } = canvas, copy = new OffscreenCanvas(width, height).getContext("2d");
@@ -40,7 +40,7 @@ return out.toDataURL("image/png").split(",")[1];"""
 
 
 class Run:
-    """An example's run, and its page."""
+    """A recorded run of an example, opened in `frobc view`."""
 
     def __init__(self, driver, folder, example, seconds, shown=""):
         program = os.path.join(root, f"examples/{example}/{example}.frob")
@@ -64,7 +64,7 @@ class Run:
         self.page.at(0)
 
     def go(self, instant):
-        """Moves with the page's keys: by seconds (50 instants), then by 10 instants."""
+        """Moves to the instant with the page's keys, in steps of 50 and then of 10 instants."""
         self.page.press(Keys.HOME)
         self.page.at(0)
         for k in range(50, instant + 1, 50):
@@ -75,7 +75,7 @@ class Run:
                 Keys.SHIFT
             ).perform()
             self.page.at(k)
-        time.sleep(0.5)  # until the frame has arrived
+        time.sleep(0.5)  # gives the frame time to arrive
 
     def seen(self, instant, path):
         self.go(instant)
@@ -109,7 +109,7 @@ def main():
 
         driver = start(1280, 1100)
         try:
-            driver.set_window_size(1280, 863)  # 1280×720 without the browser's own parts
+            driver.set_window_size(1280, 863)  # leaves 1280×720 pixels for the page
             plots = "&plots=out.forward;out.turn;probe.wallFollow.s"
             follower = Run(driver, folder, "wall_follow", 60, plots)
             follower.page.press("f", "out.forward < 0.2[m/s]", Keys.ENTER)

@@ -1,6 +1,6 @@
 """Generates the reference pages from their sources: reference.py REPOSITORY FROBC OUT.
 
-library.md       the names of the library, with comment and signature, from stdlib/
+library.md       the names in the library, with their comments and signatures, from stdlib/
 messages.md      the messages, from their pages in compiler/explain/
 commands.md      the commands and options, from frobc --help
 """
@@ -47,7 +47,7 @@ def entries(text):
 
 
 def names_of(declaration):
-    """The names that a declaration declares: one or, for a signature, several."""
+    """Returns the names that a declaration declares; a signature may have several."""
     keyword = re.match(
         r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]
     ).group(1)
@@ -60,7 +60,7 @@ def names_of(declaration):
 
 
 def entry(module, comment, declaration, depth):
-    """An entry of the reference, followed by the entries of a class's methods."""
+    """Returns the entry of a declaration; for a class, the entries of its methods follow."""
     names = names_of(declaration)
     heading = ", ".join(f"`{name}`" for name in names)
     # callers do not need the name of the C function
@@ -92,7 +92,7 @@ def library(repository):
     out = [
         "# The library, name by name",
         "",
-        "This page lists every name of the library with its type and documentation. You can "
+        "This page lists every name in the library with its type and documentation. You can "
         "use the names of the prelude without an import. The appendices of the "
         "[language reference](../language.md) list the names by subject.",
         "",

@@ -21,10 +21,10 @@
  *     frob_robot_halt has the same effect.
  *   - If the reading that the program used is older than the patience when the command arrives, the
  *     command is dropped and the robot stopped.
- *   - If the caller has not polled for longer than the patience (for example
- * because its process was stopped), the line contains old readings. Readings that arrive within one
- * more patience are ignored; the robot is stopped until then. No function waits, allocates or makes
- * a system call. */
+ *   - If the caller has not polled for longer than the patience (for example because its process was
+ *     stopped), the line contains old readings. The robot stays stopped until a reading arrives later
+ *     than one more patience; earlier ones are ignored.
+ *   - No function waits, allocates or makes a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
 

@@ -4,7 +4,7 @@ let outside ~at ~index ~size =
   Diagnostic.error ~code:"E0418" ~at "index %d is out of range for an array of %d elements" index
     size
   |> Diagnostic.note "%s"
-       (if size = 1 then "its only element has the index 0"
+       (if size = 1 then "its only element has index 0"
         else Printf.sprintf "the indices are 0 to %d" (size - 1))
 
 let stored ~at ty by =

@@ -46,7 +46,7 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
       (Printf.sprintf "write `%s[ms]` if these are milliseconds, or `%s[s]` if these are \
                        seconds" digits digits)
       [ "ms"; "s" ]
-  else with_fix (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
+  else with_fix (Printf.sprintf "write `%s[%s]` if that is the right unit" digits text) [ text ]
 
 (* The number literals that an expression chooses from. Omits zero, because zero can have every
    unit. *)

@@ -187,7 +187,7 @@ let extreme fact =
 let written_as_a_tuple fact =
   match (fact.wanted, fact.given) with
   | Data _, Tuple (_ :: _ as given) when is_array fact.expected.ty ->
-      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple of %d" (expected_text fact)
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements" (expected_text fact)
         (List.length given)
       |> hint "%s"
            (match all (elements fact) with

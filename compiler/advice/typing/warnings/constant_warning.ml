@@ -10,8 +10,8 @@ let not_a_number (e : expr) =
 let wraps_around (e : expr) n =
   Diagnostic.(
     warning ~code:"W0308" ~at:e.span
-      "this is %d, which is out of the range of Int: it wraps around to %ld" n (Int32.of_int n)
-    |> note "an Int must be from -2147483648 to 2147483647"
+      "this is %d, which is out of range for an `Int`: it wraps around to %ld" n (Int32.of_int n)
+    |> note "an `Int` must be between -2147483648 and 2147483647"
     |> hint "use Floats, or a larger unit")
 
 let unmet ~of_ (e : expr) (unmet : Warning_fact.unmet) =
