@@ -54,8 +54,7 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
   match result with
   | Some result -> Layout.ty result
   | None ->
-      bug "`%s` in `%s` is applied to %d operands of type %s"
-        (Flow.Print.operator operator)
+      bug "`%s` in `%s` is applied to %d operands of type %s" (Flow.Print.operator operator)
         c.node.name (List.length arguments) (show c ty)
 
 let variable c known (v : Ir.variable) =

@@ -7,8 +7,8 @@ let as_a_field (t : Unknown.t) owners =
   let owners = List.filteri (fun i _ -> i < 3) (List.sort_uniq String.compare owners) in
   let name = t.name.text in
   Diagnostic.note
-    "`%s` is a field of %s: write `r.%s`, or `\\r -> r.%s` if you need a function, or \
-     `proc r -> r.%s` if you need a signal function"
+    "`%s` is a field of %s: write `r.%s`, or `\\r -> r.%s` if you need a function, or `proc r -> \
+     r.%s` if you need a signal function"
     name (Enumeration.all owners) name name name
 
 let explained (t : Unknown.t) =

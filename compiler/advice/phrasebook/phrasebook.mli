@@ -1,5 +1,5 @@
-(** Words of other languages, from the table [words.txt]. The head of that file explains the
-    rows. *)
+(** Words of other languages, from the table [words.txt]. The head of that file explains the rows.
+*)
 
 type place =
   | Value

@@ -30,8 +30,7 @@ let diagnostic : Resolve.Fact.in_foreign_code -> Diagnostic.t = function
         "your function cannot be called `%s` in C: that name is %s" name.text (meaning of_c)
       |> Diagnostic.hint "give the function another name in C"
   | Header_elsewhere text ->
-      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside this module's folder"
-        text.text
+      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside this module's folder" text.text
       |> Diagnostic.hint "move the header to the folder of this module, or to a folder inside it"
   | State_without_header { name; symbol } ->
       needs_header name (Printf.sprintf "`struct %s_state`" symbol)

@@ -104,8 +104,7 @@ let diagnostic : Fact.in_modules -> Diagnostic.t = function
       |> Diagnostic.hint "give your own module another name"
   | No_program { tests; program; reason } -> no_program ~tests ~program reason
   | Header_in_tests at ->
-      in_tests ~at "`module` header"
-        "remove the header: the tests belong to the program's module"
+      in_tests ~at "`module` header" "remove the header: the tests belong to the program's module"
   | Main_in_tests at ->
       in_tests ~at "`main`"
         "a program is compiled without its test file: define `main` in the program, or give this \

@@ -76,8 +76,8 @@ let one_equation name ~before ~after =
         name value
   | Some (1, value) -> Printf.sprintf "write one equation, `%s = %s`, because %s" name value because
   | None when is_constant before && not (is_constant after) ->
-      Printf.sprintf "remove `%s = %s`: the other equation defines `%s` at every instant"
-        name before name
+      Printf.sprintf "remove `%s = %s`: the other equation defines `%s` at every instant" name
+        before name
   | None when String.length before + String.length after < 60 ->
       Printf.sprintf
         "write one equation, because %s; to choose between the two values, write `%s = if c then \
@@ -118,8 +118,7 @@ let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
   |> Diagnostic.hint "%s"
        (match pattern.desc with
        | Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]) ->
-           Printf.sprintf
-             "write `%s = …`; to declare its type, write `%s :: %s` on the line above"
+           Printf.sprintf "write `%s = …`; to declare its type, write `%s :: %s` on the line above"
              x.text x.text name.text
        | Constructed ({ qualifier = None; name; _ }, { desc = Bound f; _ } :: parameters)
          when typed_parameters parameters <> [] ->

@@ -224,8 +224,7 @@ let closes_nothing found closer =
   let opener = match closer with ")" -> "(" | "]" -> "[" | _ -> "{" in
   Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` has no opening bracket" closer
   |> Diagnostic.hint
-       "remove it, or add a `%s` before it: all other brackets in this definition are closed"
-       opener
+       "remove it, or add a `%s` before it: all other brackets in this definition are closed" opener
   |> Diagnostic.fix "remove it" [ (span found.token, "") ]
 
 let report found =

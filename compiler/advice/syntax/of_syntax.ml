@@ -15,8 +15,8 @@ let start t text =
 
 let tabs ~at count =
   let more = if count = 1 then "" else Printf.sprintf " (%d tabs in this file)" count in
-  Diagnostic.error ~code:"E0102" ~at
-    "tabs are not allowed, because indentation is significant%s" more
+  Diagnostic.error ~code:"E0102" ~at "tabs are not allowed, because indentation is significant%s"
+    more
   |> Diagnostic.hint "set up your editor to insert spaces instead of tabs"
 
 let lexical t fact =

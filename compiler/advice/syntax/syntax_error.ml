@@ -41,8 +41,9 @@ let compares_instead found =
   let of_line line =
     match String.split_on_char ' ' (String.trim line) with
     | name :: "==" :: _ :: _ ->
-        Some (Printf.sprintf "write a single `=` to define a name, as in `%s = …`; `==` compares \
-                              two values" name)
+        Some
+          (Printf.sprintf
+             "write a single `=` to define a name, as in `%s = …`; `==` compares two values" name)
     | _ -> None
   in
   let bol = found.token.start.pos_bol in
@@ -289,8 +290,8 @@ let command_in_a_branch found ~command ~(block : Lexing.position) =
         "choose the input, and run the command at every instant: `%s <- %s -< if %s then %s else 0`"
         name sf condition input d
       |> Diagnostic.hint
-           "to restart the signal function whenever the condition becomes \
-            True: `%s <- resetOn %s -< (%s, edge %s)`"
+           "to restart the signal function whenever the condition becomes True: `%s <- resetOn %s \
+            -< (%s, edge %s)`"
            name (Source.grouped sf) input (Source.grouped condition)
   | _, sf :: _ :: _ when String.equal (String.trim sf) "returnA" ->
       Diagnostic.hint "choose the value: `returnA -< if c then a else b`" d

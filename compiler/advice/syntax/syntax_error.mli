@@ -7,8 +7,8 @@ open Basis
 open Syntax
 
 val command : text:string -> command:Span.t -> block:Lexing.position -> Layout.token -> Diagnostic.t
-(** The error for a command in the [do] at [block], which is a [do] of tasks. The token is
-    the first one after the part of the [do] that contains the command. *)
+(** The error for a command in the [do] at [block], which is a [do] of tasks. The token is the first
+    one after the part of the [do] that contains the command. *)
 
 val unexpected :
   told:Diagnostic.t list ->

@@ -83,8 +83,8 @@ let of_the_input (t : Unknown.t) =
   | "i" | "input" | "sensors" ->
       Some
         (plain
-           "only a `proc` can name the robot's input, as in `proc i -> …`; in a task, write \
-            `d <- ask frontSonar` to read a sensor once")
+           "only a `proc` can name the robot's input, as in `proc i -> …`; in a task, write `d <- \
+            ask frontSonar` to read a sensor once")
   | _ -> None
 
 let rules = [ of_the_input; of_a_reading; of_a_previous_value; of_an_index; of_speeds; of_a_word ]

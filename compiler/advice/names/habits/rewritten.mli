@@ -1,6 +1,6 @@
 (** Rewrites in Frob an unknown name from another language, together with the words around it in the
-    source text. A result with a {!Basis.Span.t} is a place in the text with the replacement for
-    it. *)
+    source text. A result with a {!Basis.Span.t} is a place in the text with the replacement for it.
+*)
 
 open Basis
 

@@ -88,8 +88,7 @@ let element_by_element found (point : Layout.token) operator =
     in
     Some
       (Printf.sprintf
-         "operators take numbers, not arrays: write `%s %s %s` for numbers, or `%s` for arrays"
-         left
+         "operators take numbers, not arrays: write `%s %s %s` for numbers, or `%s` for arrays" left
          (if operator = '^' && not (Basis.Character.is_digit right.[0]) then "**"
           else String.make 1 operator)
          right text)

@@ -11,5 +11,5 @@ val foreign : Found.t -> (string * Basis.Span.t) option
 (** The word or operator of another language at which the parser stops, and its place. *)
 
 val other_place : Found.t -> Basis.Diagnostic.t -> Basis.Diagnostic.t
-(** Adds a label at the token that the found token should match, if the two are on different
-    lines. *)
+(** Adds a label at the token that the found token should match, if the two are on different lines.
+*)

@@ -182,8 +182,7 @@ let misplaced found =
         ~none:
           (if Basis.Character.is_upper prefix.[0] then
              Printf.sprintf "write a name from a module as `%s.name`, or just `name`" prefix
-           else
-             Printf.sprintf "remove `%s::`: write a name from a module as `Module.name`" prefix)
+           else Printf.sprintf "remove `%s::`: write a name from a module as `Module.name`" prefix)
         ~some:(fun text ->
           Printf.sprintf "write `%s`, without `%s::`%s" text prefix
             (if String.starts_with ~prefix:"clamp " text then "; it needs `import Control`" else ""))

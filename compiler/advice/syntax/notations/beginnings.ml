@@ -23,8 +23,8 @@ let fixes =
     ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
     ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],
-      "declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> \
-       Float = \"cbrt\"`" );
+      "declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> Float \
+       = \"cbrt\"`" );
     ([ "pass"; "break"; "continue" ], "remove this line: Frob has no loops");
     ( [ "global"; "nonlocal" ],
       "remove this line: an equation can use any name in the module without declaring it" );

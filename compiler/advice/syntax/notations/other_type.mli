@@ -1,8 +1,8 @@
 (** Frob equivalents of types in C++, Java and Python notation. *)
 
 val known : string -> string option
-(** The Frob type for this name, which may be a type of another language or differ in case:
-    [Float] for [double], and [Distance] for [distance]. *)
+(** The Frob type for this name, which may be a type of another language or differ in case: [Float]
+    for [double], and [Distance] for [distance]. *)
 
 val is_of_elements : string -> bool
 (** Is this the name of an array or list type, such as [vector]? *)

@@ -14,8 +14,8 @@ let constrained_variable (c : Resolve.Ir.constraint_) (variable : Ir.variable) =
 let built_in_class (instance : Resolve.Ir.instance) =
   Diagnostic.error ~code:"E0366" ~at:instance.span "you cannot declare an instance of `%s`"
     instance.class_.name
-  |> Diagnostic.note "the compiler already compares all values by structure, except those that \
-                      contain functions"
+  |> Diagnostic.note
+       "the compiler already compares all values by structure, except those that contain functions"
   |> Diagnostic.hint "remove the instance"
 
 let instance_head words (instance : Resolve.Ir.instance) head =

@@ -62,8 +62,8 @@ let value (d : Ir.definition) ~name =
     if String.equal name "main" then
       "use `constant e` for a signal function that always outputs the value `e`, or `main = \
        reactimateRobot (constant e)` for a robot program"
-    else Printf.sprintf "use `constant %s` for a signal function that always outputs this \
-                         value" name
+    else
+      Printf.sprintf "use `constant %s` for a signal function that always outputs this value" name
   in
   match d.scheme.ty with
   | Number _ | Variable _ -> rejected d hint "it is a value, not a signal function"
@@ -85,8 +85,9 @@ let refused (d : Ir.definition) (refusal : Entry_fact.refusal) =
       rejected d
         (if String.equal name "main" then
            "give it another name, such as `run`, and write `main = run …`"
-         else Printf.sprintf "define a signal function that supplies the argument, as in `main = \
-                              %s …`" name)
+         else
+           Printf.sprintf "define a signal function that supplies the argument, as in `main = %s …`"
+             name)
         "it still needs an argument, as its type `%s` shows" ty
   | Task ->
       rejected d

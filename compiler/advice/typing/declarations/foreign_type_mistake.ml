@@ -19,8 +19,8 @@ let explain (obstacle : Declaration_fact.obstacle) =
       in
       ("a lower-case name is a type variable", Some ("write this C type as " ^ ty))
   | Several_types ->
-      ("a C function has one type", Some "import a separate C function for each type and size that \
-        you need")
+      ( "a C function has one type",
+        Some "import a separate C function for each type and size that you need" )
 
 let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusal) =
   let name = declared.name.name in
@@ -51,8 +51,7 @@ let refused (declared : Resolve.Ir.primitive) (refusal : Declaration_fact.refusa
       |> Option.fold ~none:Fun.id ~some:(Diagnostic.hint "%s") hint
 
 let imported_twice symbol ~(this : Declaration_fact.imported) ~(first : Declaration_fact.imported) =
-  Diagnostic.error ~code:"E0381" ~at:this.at "the C function `%s` is imported here with the type \
-                          `%s`" symbol
-    (Show.ty this.ty)
+  Diagnostic.error ~code:"E0381" ~at:this.at
+    "the C function `%s` is imported here with the type `%s`" symbol (Show.ty this.ty)
   |> Diagnostic.label ~at:first.at "and here with the type `%s`" (Show.ty first.ty)
   |> Diagnostic.note "a C function has one type"

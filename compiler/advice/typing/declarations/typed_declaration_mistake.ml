@@ -20,12 +20,12 @@ let param ~at name (scheme : Ir.scheme) =
   | { units = _ :: _; _ }, Number _ | { representations = _ :: _; _ }, Number _ ->
       refuse (cannot_be "polymorphic type" ty) ~hint:"name its unit, as in `Float[1/m]`"
   | _, (Function _ | Signal_function _) ->
-      refuse (cannot_be "type" ty)
-        ~hint:"make the parameter a number, and use it in the function"
+      refuse (cannot_be "type" ty) ~hint:"make the parameter a number, and use it in the function"
   | _, (Tuple _ | Data _) ->
       refuse (cannot_be "type" ty)
-        ~hint:"declare a separate parameter for each number in this value; for a \
-               choice, use a `Bool` or an `Int`"
+        ~hint:
+          "declare a separate parameter for each number in this value; for a choice, use a `Bool` \
+           or an `Int`"
   | _, (Variable _ | Number _ | Bool | String | Size _) -> refuse (cannot_be "type" ty)
 
 let diagnostic words (fact : Declaration_fact.t) =

@@ -115,8 +115,8 @@ let in_place_of_a_number fact =
       let e = grouped fact "e" in
       Some
         (hinted fact
-           "an event has a value only when it occurs: write `hold %s %s` for its latest value; \
-            the initial value `%s` makes the comparison False"
+           "an event has a value only when it occurs: write `hold %s %s` for its latest value; the \
+            initial value `%s` makes the comparison False"
            start e start)
   | Number _ when is_an_event fact ->
       Some
@@ -180,8 +180,8 @@ let of_a_truth fact =
                becomes True"
               b
           else if carries_a_truth then
-            Printf.sprintf "use `tag (edge %s) True`, which occurs when the condition becomes \
-                            True" b
+            Printf.sprintf "use `tag (edge %s) True`, which occurs when the condition becomes True"
+              b
           else
             Printf.sprintf
               "use `edge %s`, which occurs when the condition becomes True, or `when %s`, which \

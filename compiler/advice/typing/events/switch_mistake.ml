@@ -161,14 +161,13 @@ let hint_for_a_mode fact =
 let with_an_event output = Printf.sprintf "(%s, after 1[s] ())" output
 
 let ends_it output =
-  Printf.sprintf "`%s` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` \
-                  becomes True"
+  Printf.sprintf
+    "`%s` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` becomes True"
     (with_an_event output)
 
 let needs_an_event callee output =
-  Printf.sprintf
-    "the first argument of `%s` must return a pair of an output and an event: %s" callee
-    (ends_it output)
+  Printf.sprintf "the first argument of `%s` must return a pair of an output and an event: %s"
+    callee (ends_it output)
 
 (* `switch (proc x -> x) …`: inference treated the output as the pair. *)
 let input_as_pair fact =

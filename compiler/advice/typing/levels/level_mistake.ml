@@ -61,8 +61,8 @@ let likely sources (region : Level_fact.region) =
         "write a constant, as in `delay 0 x`; to start with the first value of `x` instead, write \
          `previous x`, with `import Control`"
   | Head { head = { desc = If _ | Case _; _ }; _ } ->
-      Diagnostic.hint "run each signal function in a separate equation, and choose between their \
-                       outputs"
+      Diagnostic.hint
+        "run each signal function in a separate equation, and choose between their outputs"
   | Head
       {
         head =

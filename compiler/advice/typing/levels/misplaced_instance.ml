@@ -59,8 +59,9 @@ let anew sources condition h input =
   in
   Diagnostic.hint "%s"
     (Option.value (Option.bind condition resets)
-       ~default:"to restart it whenever this alternative is chosen, use `switch` to change between \
-                 signal functions")
+       ~default:
+         "to restart it whenever this alternative is chosen, use `switch` to change between signal \
+          functions")
 
 (* The signature of this definition with `SF a b` in place of its last `a -> b`, if it has one arrow
    for each parameter. *)
@@ -168,8 +169,8 @@ let diagnostic sources ~definition ~within (position : Level_fact.position)
               run it on events with `onEvent`"
   in
   match position with
-  | Every_instant -> Diagnostic.bug ~stage:"Advice.Misplaced_instance" "an instance in a place \
-                                                                      where it is allowed"
+  | Every_instant ->
+      Diagnostic.bug ~stage:"Advice.Misplaced_instance" "an instance in a place where it is allowed"
   | Outside ->
       run "outside of a `proc`" "E0341"
       |> Diagnostic.here "only a `proc` can run a signal function"

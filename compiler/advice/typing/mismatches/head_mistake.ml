@@ -67,8 +67,8 @@ let after_a_number fact =
                  digits (Source.grouped text) digits text
            | None ->
                Printf.sprintf
-                 "for an array, put commas between the elements, `[%s, …]`; for a product, put \
-                  `*` between the factors"
+                 "for an array, put commas between the elements, `[%s, …]`; for a product, put `*` \
+                  between the factors"
                  digits))
   | _ -> None
 
@@ -233,8 +233,8 @@ let started_afresh fact =
       Some
         (fun d ->
           match Wording.quote fact.words fact.at with
-          | Some text -> hint "remove `%s`: `%s` already uses the time between two \
-                               instants" text name d
+          | Some text ->
+              hint "remove `%s`: `%s` already uses the time between two instants" text name d
           | None -> d)
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when fact.position > 1 ->

@@ -136,8 +136,8 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
-           "a variable of a signature cannot depend on a type outside the \
-            signature: expected %s, found %s"
+           "a variable of a signature cannot depend on a type outside the signature: expected %s, \
+            found %s"
            (Wording.described words expected.ty)
            (Wording.described words found))
   | Out_of_range -> exponent_too_large ~at
@@ -180,9 +180,8 @@ let too_large ~at (construct : Fact.construct) =
     | Definition name -> Printf.sprintf "`%s` or of something in it" name
   in
   Diagnostic.error ~code:"E0316" ~at "the type of %s is too large" what
-  |> Diagnostic.note "a type can have at most %d parts, nested at most %d levels \
-                      deep" Final.most_parts
-       Final.deepest
+  |> Diagnostic.note "a type can have at most %d parts, nested at most %d levels deep"
+       Final.most_parts Final.deepest
 
 let too_many_updates ~at (record : Ir.constructor) ~updates ~most_fields =
   Diagnostic.error ~code:"E0413" ~at

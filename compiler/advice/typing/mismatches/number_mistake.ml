@@ -29,22 +29,22 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
   let is_a_field = match expected.because with Field _ -> true | _ -> false in
   if is_angular_velocity expected.ty then
     with_fix
-      (Printf.sprintf "write `%s[deg/s]` for degrees per second, or `%s[rad/s]` for radians per \
-                       second"
-         digits digits)
+      (Printf.sprintf
+         "write `%s[deg/s]` for degrees per second, or `%s[rad/s]` for radians per second" digits
+         digits)
       [ "deg/s"; "rad/s" ]
   else if
     String.equal text "s" && is_at_least many_seconds
     && (is_a_field || not (is_at_least many_milliseconds))
   then
     with_fix
-      (Printf.sprintf "write `%s[s]` if these are seconds, or `%s[ms]` if these are \
-                       milliseconds" digits digits)
+      (Printf.sprintf "write `%s[s]` if these are seconds, or `%s[ms]` if these are milliseconds"
+         digits digits)
       [ "s"; "ms" ]
   else if String.equal text "s" && is_at_least many_seconds then
     with_fix
-      (Printf.sprintf "write `%s[ms]` if these are milliseconds, or `%s[s]` if these are \
-                       seconds" digits digits)
+      (Printf.sprintf "write `%s[ms]` if these are milliseconds, or `%s[s]` if these are seconds"
+         digits digits)
       [ "ms"; "s" ]
   else with_fix (Printf.sprintf "write `%s[%s]` if that is the right unit" digits text) [ text ]
 
@@ -153,8 +153,9 @@ let by_time words ~(expected : Expected.t) diagnostic =
             time (Source.grouped signal) diagnostic
       | _ -> explained diagnostic)
   | Parameter { callee = Some "delay"; position = 2; _ } ->
-      hint "`delay x0` delays by one instant, not by a fixed time; `x0` is its output at the first \
-            instant"
+      hint
+        "`delay x0` delays by one instant, not by a fixed time; `x0` is its output at the first \
+         instant"
         diagnostic
   | _ -> diagnostic
 
@@ -173,9 +174,8 @@ let rec plain_factor (e : Resolve.Ir.expr) =
 let factor_without_unit words ~subject (wanted, given) diagnostic =
   match Option.bind subject plain_factor with
   | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
-      hint "perhaps a number lacks its unit: if `%s` has no unit, the unit of the result is \
-            `%s`" digits
-        (Wording.measure words given) diagnostic
+      hint "perhaps a number lacks its unit: if `%s` has no unit, the unit of the result is `%s`"
+        digits (Wording.measure words given) diagnostic
   | _ -> diagnostic
 
 (* The name of the signal function that is applied, if the expression is such an application. *)

@@ -71,8 +71,8 @@ let promised words ~by (place : Span.t) needed d =
                 [ (at 0, "("); (at (String.length before), ", " ^ joined ^ ")") ]
           | None -> d))
   | _ ->
-      Diagnostic.hint "start %s with `%s =>`, or add the constraint to the existing \
-                       context: `(…, %s) =>`"
+      Diagnostic.hint
+        "start %s with `%s =>`, or add the constraint to the existing context: `(…, %s) =>`"
         (name by) alone joined d
 
 (* `smaller :: float -> float`, where the variable was meant as a type *)

@@ -148,8 +148,7 @@ let unknown_size ~at ~of_ ~variable =
             name the size, as in `type Size = 4`"
            variable of_
      | None -> Fun.id)
-  |> hint
-       "add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature"
+  |> hint "add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature"
 
 let polymorphic_value words ~name ~at ~signature ty =
   let name = match name with Some name -> "`" ^ name ^ "`" | None -> "this" in

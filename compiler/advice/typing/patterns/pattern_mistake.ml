@@ -108,8 +108,8 @@ let unreachable (case : Pattern_fact.case) (branch : branch) =
     match taken_for_a_constructor case with
     | Some (name, (at : Span.t)) when Span.compare at branch.pattern.span < 0 ->
         fun d ->
-          label ~at "this starts with a lower-case letter, so it is a variable that matches any \
-                     value" d
+          label ~at
+            "this starts with a lower-case letter, so it is a variable that matches any value" d
           |> hint "for the constructor, write `%s`" name
           |> write at name
     | Some _ | None -> Fun.id)

@@ -243,9 +243,9 @@ let more_missing_than_expected fact =
   let wanted = missing_arguments fact.expected.ty and given = missing_arguments fact.found in
   match (fact.wanted, fact.given, Option.bind fact.subject Plain_name.of_head) with
   | Function _, Function _, Some head when given > wanted ->
-      error ~code:"E0301" ~at:fact.at "expected a function that takes %s, found one that takes %d: \
-                                       %s"
-        (count wanted) given (found_text fact)
+      error ~code:"E0301" ~at:fact.at
+        "expected a function that takes %s, found one that takes %d: %s" (count wanted) given
+        (found_text fact)
       |> hint "%s"
            (match (given - wanted, fact.given, Option.map arguments_of fact.subject) with
            | 1, Function (parameter, _), Some (_ :: _ as written) ->

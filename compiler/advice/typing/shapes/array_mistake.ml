@@ -187,8 +187,8 @@ let extreme fact =
 let written_as_a_tuple fact =
   match (fact.wanted, fact.given) with
   | Data _, Tuple (_ :: _ as given) when is_array fact.expected.ty ->
-      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements" (expected_text fact)
-        (List.length given)
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements"
+        (expected_text fact) (List.length given)
       |> hint "%s"
            (match all (elements fact) with
            | Some elements ->
@@ -226,8 +226,9 @@ let of_another_size fact =
                      "this has %d elements: change the size in its type, %s, or add or remove \
                       elements"
                      given (found_text fact))
-           | _ -> "use `take` or `drop` to change the size of an array; the type of the result \
-                   gives the new size")
+           | _ ->
+               "use `take` or `drop` to change the size of an array; the type of the result gives \
+                the new size")
       |> Option.some
   | _ -> None
 

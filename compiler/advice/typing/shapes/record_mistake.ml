@@ -50,8 +50,8 @@ let how_to_build fact constructor fields =
   | Signature _ | Output _ | Branch _ | Field _ ->
       Some
         (Printf.sprintf
-           "write the whole record, `%s`, or a copy of a record `r` with a different \
-            `%s`: `r { %s = … }`"
+           "write the whole record, `%s`, or a copy of a record `r` with a different `%s`: `r { %s \
+            = … }`"
            whole (List.hd fields) (List.hd fields))
   | _ -> None
 

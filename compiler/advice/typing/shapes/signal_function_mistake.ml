@@ -55,8 +55,8 @@ let condition_of_an_event fact =
            (match name fact with
            | Some name ->
                Printf.sprintf
-                 "use `proc x -> edge (%s x)`: its event occurs when the condition becomes \
-                  True" name
+                 "use `proc x -> edge (%s x)`: its event occurs when the condition becomes True"
+                 name
            | None -> "use `proc x -> edge (f x)`: its event occurs when `f x` becomes True")
       |> Option.some
   | _ -> None
@@ -206,9 +206,10 @@ let by_its_use fact =
       Some "use `>>>` to compose signal functions, from left to right"
   | Parameter { callee = Some name; _ }, _ ->
       Some
-        (Printf.sprintf "if `%s` should run the signal function, give the parameter an `SF` type \
-                         in the signature of `%s`" name
-           name)
+        (Printf.sprintf
+           "if `%s` should run the signal function, give the parameter an `SF` type in the \
+            signature of `%s`"
+           name name)
   | Signature _, Function (input, output) ->
       Some
         (Printf.sprintf "if you want a signal function, change the type to %s"

@@ -183,8 +183,7 @@ let of_an_array fact =
                  "to run tasks one after the other, write each task on its own line below a `do`: \
                   `%s`, `%s`"
                  first second
-           | _ ->
-               "to run tasks one after the other, write each task on its own line below a `do`"))
+           | _ -> "to run tasks one after the other, write each task on its own line below a `do`"))
   | _ -> None
 
 let beside_each_other fact =
@@ -354,8 +353,8 @@ let in_place_of_its_result fact =
       | Apply _ | Global _ ->
           Option.map
             (fun text ->
-              hinted fact "in a `do`, run the task with `%s` on the line before this one, and use \
-                           `x` here"
+              hinted fact
+                "in a `do`, run the task with `%s` on the line before this one, and use `x` here"
                 (run "x" text))
             (Wording.quote fact.words e.span)
       | _ -> None)
@@ -399,8 +398,8 @@ let condition fact =
                Printf.sprintf "run the task: write `%s <- %s` in place of `let %s = %s`" name task
                  name task
            | None ->
-               Printf.sprintf "run the task with `ok <- %s` on the line before this one, and write \
-                               `ok` here"
+               Printf.sprintf
+                 "run the task with `ok <- %s` on the line before this one, and write `ok` here"
                  (raw fact "t"))
       |> Option.some
   | _ -> None
@@ -428,8 +427,8 @@ let of_another_result fact result result' =
   else if returns_nothing then
     match (Type.expand result, Wording.choices fact.words result) with
     | Bool, _ -> "return a `Bool` here: `return True` or `return False`"
-    | _, choice :: _ -> Printf.sprintf "return a value of that type here, such as `return \
-                                        %s`" choice
+    | _, choice :: _ ->
+        Printf.sprintf "return a value of that type here, such as `return %s`" choice
     | _ -> "write the result in place of `()`: `return x`"
   else if nothing result' then "to return `x` instead, write a `do` with `return x` below the task"
   else "to apply a function `f` to the result of a task `t`, write `mapT f t`"

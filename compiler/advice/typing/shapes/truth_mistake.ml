@@ -91,9 +91,8 @@ let of_events fact =
 (* The hint for `not x > 0`. *)
 let hint_to_group ~left name operator =
   Printf.sprintf
-    "put parentheses around the argument, because function application binds tighter than \
-     `%s`: `%s (%s %s \
-     …)`"
+    "put parentheses around the argument, because function application binds tighter than `%s`: \
+     `%s (%s %s …)`"
     operator name left operator
 
 let grouped_with_an_argument fact =

@@ -122,8 +122,7 @@ let odd_part fact wanted given =
     match places with
     | [ (i, t, _) ] ->
         Some
-          ( Some i,
-            Printf.sprintf "the %s element, %s," (ordinal i) (Wording.described fact.words t) )
+          (Some i, Printf.sprintf "the %s element, %s," (ordinal i) (Wording.described fact.words t))
     | (_, t, _) :: _ ->
         Some
           ( None,
@@ -148,9 +147,8 @@ let odd_part fact wanted given =
 let of_another_length fact =
   match (fact.wanted, fact.given) with
   | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given) when List.compare_lengths wanted given <> 0 ->
-      error ~code:"E0301" ~at:fact.at "expected a tuple with %d elements, found one with \
-                   %d" (List.length wanted)
-        (List.length given)
+      error ~code:"E0301" ~at:fact.at "expected a tuple with %d elements, found one with %d"
+        (List.length wanted) (List.length given)
       |> (match fact.subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here "this is %s" (found_text fact))
@@ -291,8 +289,8 @@ let without_winner fact =
       Some { desc = Tuple _; span } ) ->
       let text = Option.value (Wording.quote fact.words span) ~default:"(set, reset)" in
       let d =
-        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with 2 \
-                     elements" (expected_text fact)
+        error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with 2 elements"
+          (expected_text fact)
         |> hint
              "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins %s`"
              text text
@@ -315,9 +313,8 @@ let separated_by_commas fact =
       Parameter { position = 1; callee = Some name; takes; _ } )
     when is_a_letter name.[0] ->
       let arguments = side_by_side fact components in
-      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d \
-                   elements" (expected_text fact)
-        (List.length components)
+      error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements"
+        (expected_text fact) (List.length components)
       |> hint "%s"
            (match (takes, name) with
            | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments

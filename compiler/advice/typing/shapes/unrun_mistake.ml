@@ -138,9 +138,8 @@ let hint_to_run words subject ~wanted input d =
               (String.concat " " (name :: List.map argument arguments))
               signal)
     | Some name, [] when where <> None ->
-        Printf.sprintf "run the signal function on `%s` in its definition: `%s = %s \
-                        %s`" signal (Option.get where)
-          name signal
+        Printf.sprintf "run the signal function on `%s` in its definition: `%s = %s %s`" signal
+          (Option.get where) name signal
     | Some name, [] -> Printf.sprintf "run the signal function on `%s`: `%s %s`" signal name signal
     | None, _ -> Printf.sprintf "run the signal function on `%s`" signal)
     d
@@ -196,8 +195,8 @@ let message words ~subject ~at ~wanted ~input ~found =
   in
   match truth_of_event words ~subject ~wanted ~found with
   | Some fixed ->
-      hint "its output is an event: to use the event as a condition, write \
-            `%s`" fixed d |> instead subject fixed
+      hint "its output is an event: to use the event as a condition, write `%s`" fixed d
+      |> instead subject fixed
   | None -> (
       let d =
         match (subject, meant words subject) with

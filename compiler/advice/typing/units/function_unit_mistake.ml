@@ -106,8 +106,8 @@ let whole_numbers words ~(expected : Expected.t) ~found =
           Some
             (hint
                "`mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle %s`, \
-                with `import Geometry`; for an angle that is never negative, write `%s - %s \
-                * floorFloat (%s / %s)`"
+                with `import Geometry`; for an angle that is never negative, write `%s - %s * \
+                floorFloat (%s / %s)`"
                x x y x y)
       | "mod", Some x, Some y ->
           Some

@@ -223,8 +223,8 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
   in
   if is_of_a_filter expected && not (String.equal (Wording.measure words wanted) "Hz") then
     let cutoff = with_e "(1 / (2 * pi * %s))" in
-    hint "this argument must be a time constant: for the cutoff frequency `%s`, write \
-          `%s`" (with_e "%s") cutoff d
+    hint "this argument must be a time constant: for the cutoff frequency `%s`, write `%s`"
+      (with_e "%s") cutoff d
     |> replace cutoff
   else
     hint "to convert between a rate and a time, write `%s`"

@@ -1,6 +1,6 @@
 (** Wrong units in the source: a superfluous factor such as [1[m]], and a gain, a constant or a
-    parameter whose use requires a different unit. Each pair of units contains the expected
-    unit and the actual one. *)
+    parameter whose use requires a different unit. Each pair of units contains the expected unit and
+    the actual one. *)
 
 open Basis
 open Typing
