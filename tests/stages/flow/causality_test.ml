@@ -208,7 +208,7 @@ let library_loop_shows_what_it_closes () =
     [
       "Prelude.frob:1 E0401: the signal `z` needs its own value in the same instant [reads `z` \
        here, through `step`]\n\
-      \  test.frob:2: `step` passes `c` to this in the same instant\n\
+      \  test.frob:2: `step` passes `c` to this output in the same instant\n\
       \  test.frob:1: `loop` runs here\n\
       \  hint: let `step` read the previous value of `c`, with `delay`";
     ]

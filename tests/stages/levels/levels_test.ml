@@ -56,7 +56,7 @@ let branches () =
     [ ("f", proc (bound x float) [] (case vx [ (any float, plus one (delay one vx)) ])) ]
 
 let local_functions () =
-  check "E0343: `delay` is run in the function `f` [`k` only has a value here]\n  `k` is bound here"
+  check "E0343: `delay` is run in the function `f` [`k` has a value only here]\n  `k` is bound here"
     [
       ( "f",
         proc (bound x float)

@@ -128,7 +128,7 @@ let hints =
     hint "a library module that is not imported" "f = wrapAngle 3\n"
       [ "`wrapAngle` is in the library: `import Geometry`" ];
     hint "a field used as a function" "data P = P { heading :: Float }\nf p = heading p\n"
-      [ "write `p.heading`; as a function, write `\\r -> r.heading`" ];
+      [ "write `p.heading`, or `\\r -> r.heading` if you need a function" ];
     hint "a type used as a constructor" "f = Velocity\n"
       [ "`Velocity` is a type, not a constructor" ];
   ]

@@ -20,17 +20,17 @@ A signal function is not a signal: it must be run.
     |                    ^^^^ this is `SF a Time`
     |
     = note: expected `Time` (s)
-    = hint: run it on `()`: `time ()`
+    = hint: run the signal function on `()`: `time ()`
   
   error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:5:19
     |
   5 | late = proc () -> time > 10[s]
-    |                   ^^^^   ----- this is a number of `s`
+    |                   ^^^^   ----- this is a number in `s`
     |                   |
     |                   this is `SF a Time`
     |
-    = hint: run it on `()`: `time ()`
+    = hint: run the signal function on `()`: `time ()`
   
   error[E0303]: expected a value, found a signal function that is not applied to a signal
    --> unrun.frob:8:19
@@ -41,7 +41,7 @@ A signal function is not a signal: it must be run.
     |                   this is `SF Float[u] Float[u/s]`
     |
     = note: expected a number
-    = hint: run it on `d`: `derivative d`
+    = hint: run the signal function on `d`: `derivative d`
   
   3 errors
   [1]
@@ -123,7 +123,7 @@ Too many and too few arguments.
     |                   |
     |                   with one argument, its result is `Float[u s]`
     |
-    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
+    = hint: `integral` starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   error[E0302]: `max` takes 2 arguments, but is applied to more
    --> arguments.frob:3:23

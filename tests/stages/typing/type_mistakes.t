@@ -111,8 +111,8 @@ that lack something.
   3 | quiet = NoEvent == NoEvent
     |                 ^^
     |
-    = note: it must be a type of the class `Eq`
-    = hint: annotate it with a type, as in `(e :: T)`
+    = note: the type must have an instance of the class `Eq`
+    = hint: add a type annotation, as in `(e :: T)`
   
   error[E0309]: `==` needs `Eq a`, which the signature of `either3` does not declare
    --> comparisons.frob:6:17
@@ -203,7 +203,7 @@ Patterns, conditions, and a function applied to itself.
     |
     = hint: use `True`: a number is not a `Bool`
   
-  error[E0301]: expected a tuple of 2, found one of 3
+  error[E0301]: expected a tuple with 2 elements, found one with 3
    --> shapes.frob:8:12
     |
   8 |   (a, b) = (1.0, 2.0, 3.0)

@@ -107,7 +107,7 @@ Units with their own names keep them; wrong roots and powers are shown.
   5 | side area = area / 2
     |             ^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: write `sqrt (area / 2)`, which has that unit
+    = hint: write `sqrt (area / 2)`, which has the expected unit
     = hint: if this is the right result, write the signature as `side :: Float[m^2] -> Float[m^2]`
   
   2 errors
@@ -161,9 +161,9 @@ One mistake has one message, however often the definition is used.
    --> once.frob:1:15
     |
   1 | pace = 1[m] + 1[s]
-    |        ----   ^^^^ this is a number of `s`
+    |        ----   ^^^^ this is a number in `s`
     |        |
-    |        this is a number of `m`
+    |        this is a number in `m`
     |
     = hint: write `1[m]` if you meant that unit
   

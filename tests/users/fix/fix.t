@@ -44,7 +44,7 @@ messages.
   9 |     omega = 0.3)
     |             --- `omega` is this number
     |
-    = hint: write `0.3[deg/s]` for degrees per second, `0.3[rad/s]` for radians per second
+    = hint: write `0.3[deg/s]` for degrees per second, or `0.3[rad/s]` for radians per second
   
   1 error
   [1]
@@ -79,7 +79,7 @@ one place, the first.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
+    = hint: write `30[deg/s]` for degrees per second, or `30[rad/s]` for radians per second
   
   1 error
   [1]
@@ -146,10 +146,10 @@ value is `_`, which does not compile, so that it is not forgotten.
   +                        Just _ -> _)
   [1]
   $ frobc fix --all cases.frob 2> left; frobc check cases.frob 2>&1 | grep -c E0114
-  cases.frob:4:15: name the missing cases (E0350)
-  cases.frob:8:9: name the missing cases (E0350)
-  cases.frob:16:7: name the missing cases (E0352)
-  cases.frob:20:20: name the missing cases (E0350)
+  cases.frob:4:15: add the missing cases (E0350)
+  cases.frob:8:9: add the missing cases (E0350)
+  cases.frob:16:7: add the missing cases (E0352)
+  cases.frob:20:20: add the missing cases (E0350)
   4
 
 In JSON, each fix is listed with its diagnostic.
@@ -236,7 +236,7 @@ permissions and the other names of a file.
   640 2
   $ printf 'import Control -- | what it is for\n\nmain :: SF Float Float\nmain = arr id\n' > doc.frob
   $ frobc fix doc.frob 2>&1 | head -1; head -1 doc.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
   import Control -- | what it is for
   $ printf 'main :: SF Float Float\nmain = proc x -> 1\n' > locked.frob && chmod 444 locked.frob && frobc fix locked.frob
   error: cannot write locked.frob: it is read-only (`chmod u+w` changes that)

@@ -5,7 +5,7 @@
     where
   	top = 1.0
   
-  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
+  error[E0102]: tabs are not allowed, because indentation is significant
    --> main.frob:4:1
     |
   4 |     top = 1.0

@@ -7,6 +7,6 @@
   1 | …((((((((((((((((((((((((((((((((((((((((((1)))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))…
     |                                          ^
     |
-    = hint: define the inner parts under their own names
+    = hint: move inner parts into definitions of their own
   
   1 error

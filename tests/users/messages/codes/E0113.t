@@ -11,6 +11,6 @@
     |                |
     |                after this one
     |
-    = hint: compare two at a time: `0.0 < x && x < 1.0`
+    = hint: compare two values at a time: `0.0 < x && x < 1.0`
   
   1 error

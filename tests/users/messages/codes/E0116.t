@@ -10,8 +10,8 @@
   3 |     if careful then returnA -< x / 2.0 else returnA -< x
     |     --                      ^^
     |     |
-    |     this is the choice
+    |     this chooses between commands
     |
-    = hint: choose the value, as in `returnA -< if c then a else b`, or run both and choose between their outputs
+    = hint: choose the input, as in `returnA -< if c then a else b`, or run both commands and choose between their outputs
   
   1 error

@@ -9,6 +9,6 @@
   2 | power x y = x ^ y
     |                 ^
     |
-    = hint: for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** toFloat n`
+    = hint: for other exponents, use `**`, which takes Floats without a unit; for an Int `n`, write `x ** toFloat n`
   
   1 error

@@ -3,7 +3,7 @@
   speed :: Float[m/s]
   speed = 3.0[10 m/s]
   
-  error[E0119]: the number `10` cannot be part of a unit, only `1` can
+  error[E0119]: the number `10` cannot be part of a unit: the only number allowed there is `1`
    --> main.frob:2:13
     |
   2 | speed = 3.0[10 m/s]

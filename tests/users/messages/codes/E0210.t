@@ -19,12 +19,12 @@
     ::: stdlib/Geometry.frob:56:1
      |
   56 | distance a b = norm (a ^-^ b)
-     | -------- the one in `Geometry`
+     | -------- defined in `Geometry`
      |
     ::: Walls.frob:2:1
      |
    2 | distance = 0.2[m]
-     | -------- the one in `Walls`
+     | -------- defined in `Walls`
      |
      = hint: write `Geometry.distance` or `Walls.distance`
   

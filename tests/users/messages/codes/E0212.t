@@ -13,6 +13,6 @@
   4 |     y = y + x
     |     ^
     |
-    = hint: write one equation, `y = x + x`: an equation holds at every instant, unlike an assignment
+    = hint: write one equation, `y = x + x`, because an equation holds at every instant, unlike an assignment
   
   1 error

@@ -3,7 +3,7 @@
   maxSpeed :: Velocity
   maxSped = 0.4[m/s]
   
-  error[E0214]: the signature of `maxSpeed` has no definition
+  error[E0214]: `maxSpeed` has a signature but no definition
    --> main.frob:1:1
     |
   1 | maxSpeed :: Velocity

@@ -16,6 +16,6 @@
   7 | data Vec2[u] = Vec2 { x :: Float[u], y :: Float[u] }
     |      ---- declared here
     |
-    = hint: use `Vec2[1]` for plain numbers, or with their unit, as in `Vec2[m]`
+    = hint: write `Vec2[1]` for plain numbers, or add the unit of the numbers, as in `Vec2[m]`
   
   1 error

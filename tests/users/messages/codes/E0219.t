@@ -3,7 +3,7 @@
   unit foot = 12 inch
   unit inch = 0.083333 foot
   
-  error[E0219]: the unit `foot` is defined by itself
+  error[E0219]: the unit `foot` is defined in terms of itself
    --> main.frob:1:6
     |
   1 | unit foot = 12 inch

@@ -2,7 +2,7 @@
   main.frob:
   data Range[u] = Range n[u] n[u]
   
-  error[E0222]: `n` can be a Float or an Int, and `Range` has no parameter to choose between them
+  error[E0222]: `n` can be a Float or an Int, but `Range` has no parameter that decides which
    --> main.frob:1:23
     |
   1 | data Range[u] = Range n[u] n[u]
@@ -10,7 +10,7 @@
     |
     = hint: write `Float[…]` or `Int[…]`, or make the whole type a parameter
   
-  error[E0222]: `n` can be a Float or an Int, and `Range` has no parameter to choose between them
+  error[E0222]: `n` can be a Float or an Int, but `Range` has no parameter that decides which
    --> main.frob:1:28
     |
   1 | data Range[u] = Range n[u] n[u]

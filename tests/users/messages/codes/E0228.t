@@ -5,7 +5,7 @@
   gains :: Gains
   gains = Gains { kp = 2 }
   
-  error[E0228]: this `Gains` lacks its fields `ki` and `kd`
+  error[E0228]: this `Gains` is missing the fields `ki` and `kd`
    --> main.frob:4:9
     |
   1 | data Gains = Gains { kp :: Float, ki :: Float, kd :: Float }

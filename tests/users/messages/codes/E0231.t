@@ -13,7 +13,7 @@
    --> main.frob:7:5
     |
   1 | class Shape a where
-    |       ----- the class gives the type of `area`
+    |       ----- the class declares the type of `area`
   ...
   7 |     area :: Square -> Float
     |     ^^^^

@@ -11,6 +11,6 @@
   4 |     assert "grows" (y > x)
     |     ^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: move it into a `proc`, as in `proc x -> y where` with `assert "label" (y > 0)` in the lines below
+    = hint: move it into a `proc`, as in `proc x -> y where` with `assert "label" (y > 0)` on a line below
   
   1 error

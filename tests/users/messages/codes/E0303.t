@@ -7,10 +7,10 @@
    --> main.frob:2:19
     |
   2 | late = proc () -> time > 10[s]
-    |                   ^^^^   ----- this is a number of `s`
+    |                   ^^^^   ----- this is a number in `s`
     |                   |
     |                   this is `SF a Time`
     |
-    = hint: run it on `()`: `time ()`
+    = hint: run the signal function on `()`: `time ()`
   
   1 error

@@ -9,7 +9,7 @@
   2 | quiet = NoEvent == NoEvent
     |                 ^^
     |
-    = note: it must be a type of the class `Eq`
-    = hint: annotate it with a type, as in `(e :: T)`
+    = note: the type must have an instance of the class `Eq`
+    = hint: add a type annotation, as in `(e :: T)`
   
   1 error

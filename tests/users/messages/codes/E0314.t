@@ -5,11 +5,11 @@
       zero :: Float[u]
       zero = 0
   
-  error[E0314]: only a local function can be polymorphic, and `zero` is `Float[u]`
+  error[E0314]: only a local function can be polymorphic, but `zero` is `Float[u]`
    --> main.frob:4:5
     |
   3 |     zero :: Float[u]
-    |             -------- its signature has its own variables
+    |             -------- this signature has type variables of its own
   4 |     zero = 0
     |     ^^^^
   

@@ -11,6 +11,6 @@
   4 | many x = both (both (both (both (both (both (both (both (both (both (both (both (both (both (both (both x)))))))))))))))
     |                            ^^^^
     |
-    = note: a type can have at most 20000 parts, nested at most 500 deep
+    = note: a type can have at most 20000 parts, nested at most 500 levels deep
   
   1 error

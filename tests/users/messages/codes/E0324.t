@@ -8,6 +8,6 @@
   1 | unit nothing = 0 m
     |      ^^^^^^^
     |
-    = note: a scale must be positive, and between 1e-150 and 1e150
+    = note: a scale must be a positive number between 1e-150 and 1e150
   
   1 error

@@ -9,6 +9,6 @@
   2 | total = foldl (+) 0 (generate toFloat)
     |                      ^^^^^^^^
     |
-    = hint: annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature
+    = hint: add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature
   
   1 error

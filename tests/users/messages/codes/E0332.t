@@ -3,7 +3,7 @@
   last :: Array 3 Float -> Float
   last xs = xs ! 3
   
-  error[E0332]: index 3 is outside of an array of 3 elements
+  error[E0332]: index 3 is out of range for an array of 3 elements
    --> main.frob:2:16
     |
   2 | last xs = xs ! 3

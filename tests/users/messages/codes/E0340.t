@@ -16,6 +16,6 @@
   5 |     tau = if noisy then 1[s] else 0.1[s]
     |              ----- `tau` is a signal: it depends on `noisy` here
     |
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = lowPass 1[s] x` and `two = lowPass 0.1[s] x`, and write `if noisy then one else two` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = lowPass 1[s] x` and `two = lowPass 0.1[s] x`, and write `if noisy then one else two` here
   
   1 error

@@ -11,7 +11,7 @@
     |      |
     |      `k` is bound here
     |
-    = note: an index can be a number, a name of a number, or arithmetic with these
-    = hint: use `at k 0 xs`, which takes any index, and returns `0` if there is no such element
+    = note: an index can be a number, the name of a constant, or arithmetic on these
+    = hint: use `at k 0 xs`, which takes any index and returns `0` if there is no such element
   
   1 error

@@ -11,7 +11,7 @@
   instance Shape Square where
       area s = s.side ^ 2
   
-  error[E0361]: there are two instances `Shape Square`
+  error[E0361]: there are two `Shape Square` instances
    --> main.frob:9:10
     |
   6 | instance Shape Square where

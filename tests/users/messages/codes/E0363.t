@@ -18,6 +18,6 @@
   8 | instance Shape Square where
     |          ^^^^^^^^^^^^
     |
-    = hint: define it below the `where` of the instance: `area = …`
+    = hint: below the `where` of the instance, define `area = …`
   
   1 error

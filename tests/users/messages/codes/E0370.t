@@ -15,6 +15,6 @@
   5 |     2 * x
     |     ^^^^^
     |
-    = hint: use `let x = …` to name a value, `return x` for a task that returns it immediately
+    = hint: use `let x = …` to name a value, or `return x` for a task that returns it immediately
   
   1 error

@@ -17,6 +17,6 @@
     |     ^^^^ this is `SF Float Float`
     |
     = hint: to read it once, write `ask slow`
-    = hint: to run it for a time, write `mkTask (slow &&& after 5[s])`; to run it without end, `mkTask (slow &&& never)`
+    = hint: to run it for a fixed time, write `mkTask (slow &&& after 5[s])`; to run it forever, `mkTask (slow &&& never)`
   
   1 error

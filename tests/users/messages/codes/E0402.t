@@ -11,7 +11,7 @@
     |                              |
     |                              `when` may occur at the first instant of `main`
     |
-    = note: no time passes between these steps at an instant at which `when` occurs as soon as `main` starts
+    = note: no time passes between these steps when `when` occurs as soon as `main` starts
     = hint: apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if the condition were true from the start
   
   1 error

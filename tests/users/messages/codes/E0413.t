@@ -15,7 +15,7 @@
   6 |     step x = x + 1
     |     ^^^^^^^^^^^^^^
     |
-    = note: each function or signal function contains the previous one, thousands of times
+    = note: the functions or signal functions form a chain of thousands, and each contains the previous one
     = hint: compose fewer of them, or write one signal function that does the same
   
   1 error

@@ -7,7 +7,7 @@
   main :: SF Float Float
   main = control
   
-  error[E0431]: the program and the component `main` in C have the same name
+  error[E0431]: the program and the C component `main` have the same name
    --> main.frob:3:12
     |
   3 | foreign sf control :: SF Float Float = "main"

@@ -5,7 +5,7 @@
   smooth :: SF Float Float
   smooth = lowPass 0.1[s]
   
-  error[E0501]: there is no `main` in this module to compile
+  error[E0501]: this module has no `main` to compile
    --> main.frob:1:1
     |
   1 | import Control

@@ -12,6 +12,6 @@
   1 | speed= 0.3[m/s]
     | ^
     |
-    = note: the program has no parameters; declare one by `param NAME :: TYPE = VALUE`
+    = note: the program has no parameters; declare one with `param NAME :: TYPE = VALUE`
   
   1 error

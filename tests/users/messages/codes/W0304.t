@@ -12,6 +12,6 @@
   4 |     stop = bumped i
     |     ^^^^
     |
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_stop`
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_stop`
   
   1 warning

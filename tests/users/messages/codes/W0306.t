@@ -6,7 +6,7 @@
   main :: SF Float Float
   main = lowPass 0.5[s]
   
-  warning[W0306]: `Geometry` is imported but nothing from it is used
+  warning[W0306]: `Geometry` is imported, but nothing from it is used
    --> main.frob:2:1
     |
   2 | import Geometry

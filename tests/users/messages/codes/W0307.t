@@ -3,7 +3,7 @@
   main :: SF Float Float
   main = proc x -> x * acos 1.5
   
-  warning[W0307]: this is never a number: it is NaN
+  warning[W0307]: this is always NaN (not a number)
    --> main.frob:2:22
     |
   2 | main = proc x -> x * acos 1.5

@@ -13,6 +13,6 @@
     |                                                        ^^^^^^^^^^^^^^^^^^^^^
     |
     = note: when nothing is in range, the reading is `sonarReach i`
-    = hint: compare it with a smaller distance
+    = hint: compare the reading with a smaller distance
   
   1 warning

@@ -11,7 +11,7 @@
   4 | main = proc x -> (x - previous x) / stepTime ()
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: there the quotient is infinite, or NaN if the dividend is 0 too
+    = note: at that instant the quotient is infinite, or NaN if the dividend is also 0
     = hint: for the slope of a signal, use `derivative`; otherwise divide only in a branch where the step is longer than 0
   
   1 warning

@@ -5,13 +5,13 @@
   main :: SF (Pose, Angle) (AngularVelocity, Angle)
   main = proc (pose, goal) -> (derivative pose.heading, goal - pose.heading)
   
-  warning[W0315]: `derivative` of an angle that wraps
+  warning[W0315]: `derivative` is applied to an angle that wraps
    --> main.frob:4:30
     |
   4 | main = proc (pose, goal) -> (derivative pose.heading, goal - pose.heading)
     |                              ^^^^^^^^^^ ------------ this angle is between -pi and pi
     |
-    = note: where the angle jumps from pi to -pi, `derivative` sees a rotation by 360 degrees
+    = note: when the angle jumps from pi to -pi, `derivative` sees a rotation of 360 degrees
     = hint: write `angularRate` (module Angles)
   
   warning[W0315]: this difference of angles can be more than half a turn
@@ -20,7 +20,7 @@
   4 | main = proc (pose, goal) -> (derivative pose.heading, goal - pose.heading)
     |                                                       ^^^^^^^^^^^^^^^^^^^
     |
-    = note: from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees
+    = note: from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation is -2 degrees
     = hint: write `angleDiff a b` (module Geometry) instead of `a - b`
   
   2 warnings

@@ -21,7 +21,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
   > f x = !x
   > FROB
   $ frobc check not.frob
-  error[E0110]: Frob has no `!` before a condition
+  error[E0110]: Frob has no prefix `!`
    --> not.frob:2:7
     |
   2 | f x = !x
@@ -93,7 +93,7 @@ Syntax that C and Python write differently: the message shows Frob's syntax.
     |                  |
     |                  after this one
     |
-    = hint: compare two at a time: `a < b && b < c`
+    = hint: compare two values at a time: `a < b && b < c`
   
   1 error
   [1]
@@ -157,7 +157,7 @@ Braces have one message, not one for each.
   > f x = limit(1, x)
   > FROB
   $ frobc check call.frob
-  error[E0301]: expected a number, found a tuple of 2
+  error[E0301]: expected a number, found a tuple with 2 elements
    --> call.frob:3:12
     |
   3 | f x = limit(1, x)
@@ -165,7 +165,7 @@ Braces have one message, not one for each.
     |       |
     |       argument 1 of `limit` is a number
     |
-    = hint: write the arguments without parentheses and commas: `limit 1 x`
+    = hint: write the arguments without parentheses or commas: `limit 1 x`
   
   1 error
   [1]
@@ -187,7 +187,7 @@ An `if` without `else` among the statements of a task.
   3 |     if True then sleepT 1[s] 2
     |                               ^
     |
-    = hint: to run a task only if a condition holds, write `whenT True (sleepT 1[s] 2)`; for a choice, add an `else`
+    = hint: to run a task only if a condition holds, write `whenT True (sleepT 1[s] 2)`; to choose between two tasks, add an `else`
   
   1 error
   [1]
@@ -207,7 +207,7 @@ Comments and counting as in C.
   2 | main = identity /* nothing */
     |                 ^^
     |
-    = hint: write a comment as `{- … -}`, or as `--` up to the end of the line
+    = hint: write a comment as `{- … -}`, or as `-- …` to the end of the line
   
   1 error
   [1]

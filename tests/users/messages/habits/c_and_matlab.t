@@ -17,7 +17,7 @@ A choice by values, with a colon on each line: reported once.
   4 |         case 1: y = 2;
     |               ^
     |
-    = hint: a choice by values is a `case`: write `case n of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`
+    = hint: to choose by value, write `case n of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> y`
   
   1 error
   [1]
@@ -80,7 +80,7 @@ Rows of a matrix:
   > main = proc (x, y) -> atan (y, x)
   > FROB
   $ frobc check atan2.frob
-  error[E0301]: expected `Float`, found a tuple of 2
+  error[E0301]: expected `Float`, found a tuple with 2 elements
    --> atan2.frob:2:28
     |
   2 | main = proc (x, y) -> atan (y, x)
@@ -123,7 +123,7 @@ Rows of a matrix:
   1 | foreign fill :: Array 8 Float* -> Int = "fill"
     |                              ^
     |
-    = hint: remove the `*`: C receives the address of an array or a record anyway
+    = hint: remove the `*`: arrays and records are always passed to C by address
   
   1 error
   [1]

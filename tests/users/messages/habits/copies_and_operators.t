@@ -7,21 +7,21 @@ A copy of a record with other fields, as in Elm, OCaml, JavaScript, Python and R
   >   frobc check copy.frob 2>&1 | grep -e ^error -e hint
   > done
   error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
-    = hint: for a copy of the record with other fields, write `p { heading = 0 }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0 }`
   error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
-    = hint: for a copy of the record with other fields, write `p { heading = 0 }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0 }`
   error[E0103]: unexpected character `:`
-    = hint: for a copy of the record with other fields, write `p { heading = 0 }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0 }`
   error[E0103]: unexpected character `:`
-    = hint: for a copy of the record with other fields, write `p { heading = 0 }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0 }`
   error[E0110]: expected the name of a field, found `.`
-    = hint: for a copy of the record with other fields, write `p { heading = 0 }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0 }`
   error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
-    = hint: for a copy of the record with other fields, write `p { heading = 0, position = p.position }`
+    = hint: for a copy of the record with changed fields, write `p { heading = 0, position = p.position }`
   error[E0110]: expected `=`, `,` or `}` after the name of a field, found `|`
-    = hint: for a copy of the record with other fields, write `(p { heading = 0 })`
+    = hint: for a copy of the record with changed fields, write `(p { heading = 0 })`
   error[E0205]: unknown name `with`
-    = hint: remove `with`: a copy of the record `p` with another field `x` is `p { x = 1 }`
+    = hint: remove `with`: `p { x = 1 }` is a copy of the record `p` in which the field `x` is 1
   error[E0103]: unexpected character `:`
     = hint: set a field with `=`: `Pose { heading = 0, position = p.position }`
   error[E0103]: unexpected character `:`
@@ -86,7 +86,7 @@ An initial value and an assignment that changes it:
   >     omega += 0.01[rad/s]
   > FROB
   $ frobc check assignment.frob 2>&1 | grep hint
-    = hint: Frob has no assignments: write an equation that holds at every instant: in place of both lines, write `omega = delay 0.1[rad/s] omega + 0.01[rad/s]`
+    = hint: Frob has no assignments: write an equation that holds at every instant: instead of both lines, write `omega = delay 0.1[rad/s] omega + 0.01[rad/s]`
   $ sed '3d; s/omega += .*/omega = delay 0.1[rad\/s] omega + 0.01[rad\/s]/' assignment.frob > pasted.frob && frobc check pasted.frob
 
 The seeds of a trial:
@@ -115,11 +115,11 @@ Functions of Arduino, and a comment of MATLAB:
   error[E0205]: unknown name `constrain`
     = hint: write `clamp (-1) 5 x`, with `import Control`
   error[E0205]: unknown name `millis`
-    = hint: use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs once, 1 s after the start, and `every 1[s] ()` one that occurs each second
+    = hint: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
   error[E0205]: unknown name `analogRead`
     = hint: a program reads pins through its input: add a field for the value to the input's type, and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal functions, such as `frontSonar i`
   error[E0205]: unknown name `digitalWrite`
-    = hint: a program writes pins through its output: add a field for the value to the output's type, or combine commands of a robot, as in `roMake (setVelTR v omega . setLight On)`
+    = hint: a program writes pins through its output: add a field for the value to the output's type, or combine robot commands, as in `roMake (setVelTR v omega . setLight On)`
   error[E0103]: unexpected character `%`
     = hint: write `--` to start a comment
   $ for e in 'x * 5 / 1023' '1 + (x - 10) * 4 / 10' 'x    -- slow'; do

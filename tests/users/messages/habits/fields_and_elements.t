@@ -29,7 +29,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc s -> x s + y s
     |                  ^
     |
-    = hint: write `s.x`; as a function, write `\r -> r.x`
+    = hint: write `s.x`, or `\r -> r.x` if you need a function
   
   error[E0205]: `y` is a field, not a function
    --> record_function_access.frob:2:24
@@ -37,7 +37,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc s -> x s + y s
     |                        ^
     |
-    = hint: write `s.y`; as a function, write `\r -> r.y`
+    = hint: write `s.y`, or `\r -> r.y` if you need a function
   
   2 errors
   [1]
@@ -54,7 +54,7 @@ Records and arrays in the syntax of other languages.
   3 | main = proc s -> s.x(3)
     |                  ^^^ - it is applied to an argument here
     |
-    = hint: for a record with another `x`, write `s { x = 3 }`
+    = hint: for a copy of the record with a different `x`, write `s { x = 3 }`
   
   1 error
   [1]
@@ -70,7 +70,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc b -> if b then Mode.Drive else Mode.Turn
     |                            ^^^^            ---- and here
     |
-    = hint: `Mode` is a type; write its constructors without it: remove `Mode.`
+    = hint: `Mode` is a type, which does not qualify its constructors: remove `Mode.`
   
   1 error
   [1]
@@ -86,7 +86,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc a -> a[2]
     |                   ^
     |
-    = hint: write `(a ! 2)` for an element of an array; for a tuple, write an equation, `(a, b) = a`; before an argument, write a space
+    = hint: write `(a ! 2)` for an element of an array; to take a tuple apart, write an equation, `(a, b) = a`; to pass an array as an argument, put a space before the `[`
   
   1 error
   [1]
@@ -119,7 +119,7 @@ Records and arrays in the syntax of other languages.
   2 | total a = for x in a: s += x
     |                     ^
     |
-    = hint: Frob has no `for`: write `foldl (+) 0 a` for the sum of an array, `map f a` to compute something for each element
+    = hint: Frob has no `for`: write `foldl (+) 0 a` for the sum of an array, or `map f a` to compute a value for each element
   
   1 error
   [1]
@@ -188,7 +188,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc a -> sum a[0:2]
     |                         ^
     |
-    = hint: for a part of an array write `take xs` or `drop xs`; its type gives its size
+    = hint: for a part of an array, write `take xs` or `drop xs`; the type of the result determines its size
   
   1 error
   [1]
@@ -223,7 +223,7 @@ Records and arrays in the syntax of other languages.
     |             |
     |             this is `Pose`
     |
-    = hint: its field `position` has it: write `(robotPose i).position.x`
+    = hint: its part `position` has this field: write `(robotPose i).position.x`
   
   1 error
   [1]
@@ -271,7 +271,7 @@ Records and arrays in the syntax of other languages.
   > main = proc p -> fst p
   > FROB
   $ frobc check tuple_three_fst.frob
-  error[E0301]: expected a tuple of 2, found one of 3
+  error[E0301]: expected a tuple with 2 elements, found one with 3
    --> tuple_three_fst.frob:2:22
     |
   2 | main = proc p -> fst p
@@ -279,7 +279,7 @@ Records and arrays in the syntax of other languages.
     |                  |
     |                  argument 1 of `fst` is `(a, b)`
     |
-    = hint: for its parts, write an equation: `(a, b, c) = p`
+    = hint: to get its elements, write an equation: `(a, b, c) = p`
   
   1 error
   [1]
@@ -298,7 +298,7 @@ Records and arrays in the syntax of other languages.
   2 | f x = [x, x]
     |       ^^^^^^
     |
-    = hint: put a tuple in parentheses: `(x, x)`
+    = hint: use parentheses for a tuple: `(x, x)`
   
   1 error
   [1]

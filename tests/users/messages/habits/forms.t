@@ -85,13 +85,13 @@ A `case` without `of`, as in Python:
   > speed == 0.3[m/s]
   > FROB
   $ frobc check equal.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the file
+  error[E0110]: expected `=` after the left-hand side of a definition, found the end of the file
    --> equal.frob:1:18
     |
   1 | speed == 0.3[m/s]
     |                  ^
     |
-    = hint: write one `=` to define a name: `speed = …`; `==` compares
+    = hint: write a single `=` to define a name, as in `speed = …`; `==` compares two values
   
   1 error
   [1]
@@ -190,11 +190,11 @@ A choice between commands, with the signal function that the branches contain:
    --> choice.frob:3:20
     |
   2 |     if d < 0.5[m]
-    |     -- this is the choice
+    |     -- this chooses between commands
   3 |       then returnA -< 0
     |                    ^^
     |
-    = hint: choose the value, as in `returnA -< if c then a else b`, or run both and choose between their outputs
+    = hint: choose the input, as in `returnA -< if c then a else b`, or run both commands and choose between their outputs
   
   1 error
   [1]

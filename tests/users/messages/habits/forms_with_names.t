@@ -35,7 +35,7 @@ Arrays and events:
   $ M='f :: SF (Bool, Bool) (Event ())\nf = proc (a, b) ->'
   $ try "$M edge a || edge b" "$M mergeE (edge a) (edge b)"
   error[E0301]: expected `Bool`, found `Event ()`
-    = hint: use `mergeE (edge a) (edge b)`, which occurs when one of two events does
+    = hint: use `mergeE (edge a) (edge b)`, which occurs when either event does
   [1]
   $ try 'f :: Int\nf = sum [1..4]' 'f :: Int\nf = sum [1, 2, 3, 4]'
   error[E0110]: Frob has no `..`
@@ -76,11 +76,11 @@ Functions, guards and records:
 Modules, units and brackets:
 
   $ try 'import Control as c\nf :: Float\nf = 1' 'import Control as C\nf :: Float\nf = 1'
-  error[E0110]: expected the module's new name, starting with a capital letter, found `c`
-    = hint: start the new name of the module with a capital letter: `C`
+  error[E0110]: expected an alias for the module, starting with a capital letter, found `c`
+    = hint: start the module's alias with a capital letter: `C`
   [1]
   $ try 'f :: Velocity\nf = 3[m s-1]' 'f :: Velocity\nf = 3[m s^-1]'
-  error[E0110]: expected `^`, one more unit, or the end of the unit, found `-`
+  error[E0110]: expected `^`, another factor of the unit, or the end of the unit, found `-`
     = hint: write a `^` before an exponent: `s^-1`
   [1]
   $ M='import Robot\nmain :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR v 0)'

@@ -10,7 +10,7 @@ A type of one constructor is `data`:
   1 | newtype Metres = Metres Float
     | ^^^^^^^
     |
-    = hint: use `data`, which costs nothing for a single field
+    = hint: use `data`: it has no overhead for a single field
   
   1 error
   [1]
@@ -37,7 +37,7 @@ As in Haskell, application binds tighter than operators:
     |             |
     |             argument 1 of `not` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `>`: `not (x > …)`
+    = hint: put parentheses around the argument, because function application binds tighter than `>`: `not (x > …)`
   
   error[E0301]: expected `Bool`, found `Float`
    --> application.frob:5:23
@@ -47,7 +47,7 @@ As in Haskell, application binds tighter than operators:
     |                  |
     |                  argument 1 of `when` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `<`: `when (x < …)`
+    = hint: put parentheses around the argument, because function application binds tighter than `<`: `when (x < …)`
   
   error[E0301]: expected `Bool`, found a number
    --> application.frob:8:30
@@ -57,7 +57,7 @@ As in Haskell, application binds tighter than operators:
     |                          |
     |                          argument 1 of `not` is `Bool`
     |
-    = hint: put parentheses around the argument, because application binds tighter than `<`: `not (x < …)`
+    = hint: put parentheses around the argument, because function application binds tighter than `<`: `not (x < …)`
   
   3 errors
   [1]
@@ -136,7 +136,7 @@ A field is not a function:
   3 | speeds wheels = map speed wheels
     |                     ^^^^^
     |
-    = note: `speed` is a field of `Wheel`: write `r.speed`; as a function, `\r -> r.speed`; as a signal function, `proc r -> r.speed`
+    = note: `speed` is a field of `Wheel`: write `r.speed`, or `\r -> r.speed` if you need a function, or `proc r -> r.speed` if you need a signal function
     = hint: did you mean `speeds`?
   
   1 error
@@ -186,7 +186,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
     |                                                 ^^^
     |
-    = hint: write the tasks below each other in a `do`
+    = hint: write each task on its own line in a `do`
   
   1 error
   [1]
@@ -218,7 +218,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | f xs = xs !! 0
     |           ^^
     |
-    = hint: use `xs ! 0` for an element at a constant index, `at i x xs` for any index, where `x` replaces a missing element
+    = hint: use `xs ! 0` for a constant index, or `at i x xs` for any index, which returns `x` if there is no such element
   
   1 error
   [1]
@@ -308,7 +308,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                                                   ^^^^^^^^
     |
-    = hint: use `fromMaybe x m`, where `x` replaces a missing value
+    = hint: use `fromMaybe x m`, where `x` is the default for a missing value
   
   error[E0206]: unknown constructor `None`
    --> names.frob:2:60
@@ -340,7 +340,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   5 |     c = fmap id NoEvent
     |         ^^^^
     |
-    = hint: use `map` for arrays, `mapE` for events, `mapT` for the results of tasks
+    = hint: use `map` for arrays, `mapE` for events, and `mapT` for the results of tasks
   
   error[E0205]: unknown name `pow`
    --> names.frob:6:9
@@ -356,7 +356,7 @@ For names from Haskell, Yampa and C, the message names Frob's equivalent.
   7 |     e = stop
     |         ^^^^
     |
-    = hint: use `restingOutput` for a robot at rest; in a task, `sleepT 1[s] restingOutput` rests for a time
+    = hint: to stop the robot, use the output `restingOutput`; in a task, `sleepT 1[s] restingOutput` stops it for 1 s
   
   9 errors
   [1]

@@ -19,7 +19,7 @@ An index in brackets after a call:
     |             |
     |             with one argument, its result is `Array 16 Sonar`
     |
-    = hint: write `sonars i ! 3` for that element; the first one is `! 0`
+    = hint: write `sonars i ! 3` for that element; the first element is `! 0`
   
   1 error
   [1]
@@ -40,7 +40,7 @@ A call with parentheses and commas, of functions that also accept tuples:
   2 | main = proc x -> max(x, 0)
     |                  ^^^^^^^^^
     |
-    = hint: write the arguments without parentheses and commas: `max x 0`
+    = hint: write the arguments without parentheses or commas: `max x 0`
   
   1 error
   [1]
@@ -61,7 +61,7 @@ A call with parentheses and commas, of functions that also accept tuples:
   3 |     y = min(a, b)
     |         ^^^^^^^^^
     |
-    = hint: write the arguments without parentheses and commas: `min a b`
+    = hint: write the arguments without parentheses or commas: `min a b`
   
   1 error
   [1]
@@ -128,7 +128,7 @@ A command in a branch of a `proc`:
     |              ^^^^^^^^^^^^^
     |
     = hint: choose the input, and run the command at every instant: `x <- integral -< if v > 0 then v else 0`
-    = hint: to restart it whenever the condition becomes True: `x <- resetOn integral -< (v, edge (v > 0))`
+    = hint: to restart the signal function whenever the condition becomes True: `x <- resetOn integral -< (v, edge (v > 0))`
   
   1 error
   [1]
@@ -192,7 +192,7 @@ Patterns of lists:
   3 |     [] -> 0
     |     ^^
     |
-    = hint: to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for one of them, `xs ! 0`
+    = hint: to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for a single element, write `xs ! 0`
   
   error[E0103]: unexpected character `:`
    --> list.frob:4:6
@@ -200,7 +200,7 @@ Patterns of lists:
   4 |     x:rest -> x + total rest
     |      ^
     |
-    = hint: an array cannot be split into its first element and the rest; to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for one of them, `xs ! 0`
+    = hint: an array cannot be split into its first element and the rest; to combine all elements, write `foldl (+) 0 xs` or `sum xs`; for a single element, write `xs ! 0`
   
   2 errors
   [1]
@@ -223,7 +223,7 @@ A `switch` of C on one line:
   3 | f s = switch (s) { case A: 1; case B: 2; }
     |                          ^
     |
-    = hint: a choice by values is a `case`: write `case s of`, and on each line below it a branch such as `1 -> x`, the last one `_ -> y`
+    = hint: to choose by value, write `case s of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> y`
   
   1 error
   [1]
@@ -554,7 +554,7 @@ A type without its unit:
   7 | data Vec2[u] = Vec2 { x :: Float[u], y :: Float[u] }
     |      ---- declared here
     |
-    = hint: use `Vec2[1]` for plain numbers, or with their unit, as in `Vec2[m]`
+    = hint: write `Vec2[1]` for plain numbers, or add the unit of the numbers, as in `Vec2[m]`
   
   1 error
   [1]
@@ -650,7 +650,7 @@ Two modes that may change endlessly within one instant:
     |                              |
     |                              `when` may occur at the first instant of `high`
     |
-    = note: no time passes between these steps at an instant at which each ends as soon as it starts
+    = note: no time passes between these steps when each ends as soon as it starts
     = hint: apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if the condition were true from the start
   
   1 error
@@ -675,7 +675,7 @@ One name with two equations:
   4 |     v = v + 1
     |     ^
     |
-    = hint: write one equation, `v = x + 1`: an equation holds at every instant, unlike an assignment
+    = hint: write one equation, `v = x + 1`, because an equation holds at every instant, unlike an assignment
   
   1 error
   [1]
@@ -735,7 +735,7 @@ A `:` after the patterns of a `case`:
   > END
   $ frobc check case.frob 2>&1 | grep -e ^error -e hint
   error[E0103]: unexpected character `:`
-    = hint: write `->` after a pattern of a `case`: `Idle -> …`
+    = hint: write `->` after a pattern in a `case`: `Idle -> …`
   error[E0103]: unexpected character `:`
-    = hint: write `->` after a pattern of a `case`: `Forward -> …`
+    = hint: write `->` after a pattern in a `case`: `Forward -> …`
   $ frobc fix --all case.frob > /dev/null 2>&1; frobc check case.frob

@@ -25,7 +25,7 @@ source, and checks the line with which the hint replaces it.
   [1]
 
   $ try 'SF (Bool, Bool) Bool' 'f = proc (on, off) -> latch (on, off)' 'f = proc (on, off) -> latch ResetWins (on, off)'
-  error[E0301]: expected `Wins`, found a tuple of 2
+  error[E0301]: expected `Wins`, found a tuple with 2 elements
     = hint: say what happens if both are True: write `latch ResetWins (on, off)` or `latch SetWins (on, off)`
   [1]
 
@@ -71,14 +71,14 @@ source, and checks the line with which the hint replaces it.
 
   $ try 'Pid[1, 1/s]' 'f = Pid { kp = 2[1/s], ki = 0.3[1/s], kd = 0.1, largest = 60[deg/s] }' 'f = Pid { kp = 2[1/s], ki = 0.3[1/s^2], kd = 0.1, largest = 60[deg/s] }'
   error[E0320]: expected the unit `1/s^2`, found `1/s`
-    = hint: give all its numbers their units: for a `Pid[1, 1/s]` (u is `1`, v is `1/s`), write `Pid { kp = 2[1/s], ki = 0.3[1/s^2], kd = 0.1, largest = 60[deg/s] }`
+    = hint: give all numbers in the record their units: for a `Pid[1, 1/s]` (u is `1`, v is `1/s`), write `Pid { kp = 2[1/s], ki = 0.3[1/s^2], kd = 0.1, largest = 60[deg/s] }`
   [1]
 
 A name with a hyphen:
 
   $ printf 'top-speed :: Float\ntop-speed = 0.6\nmain :: SF Float Float\nmain = proc x -> x\n' > hyphen.frob
   $ frobc check hyphen.frob 2>&1 | grep '^error\|hint'
-  error[E0110]: expected `=` after the left side of a definition, found `::`
+  error[E0110]: expected `=` after the left-hand side of a definition, found `::`
     = hint: a name cannot contain `-`: write `topSpeed`
   error[E0114]: a name cannot contain `-`
     = hint: write `topSpeed`
@@ -94,7 +94,7 @@ Robots, tasks and trials:
 
   $ try 'RobotOutput' 'f = roMake (setVelTR 40[rpm] 0)' 'f = roMake (setVelTR (40[rpm] * 0.05[m]) 0)'
   error[E0320]: expected the unit `m/s`, found `1/s`
-    = hint: for the speed of a wheel, multiply by its radius, as in `(40[rpm] * 0.05[m])`; if it is the turn rate, it is the second argument
+    = hint: if this is the speed of a wheel, multiply it by the radius of the wheel, as in `(40[rpm] * 0.05[m])`; if it is the turn rate, pass it as the second argument
   [1]
 
   $ try 'SF Truth Verdict' 'f = neverTouches && endsWithin 15[s]' 'f = bothOf neverTouches (endsWithin 15[s])'
@@ -114,17 +114,17 @@ Robots, tasks and trials:
 
   $ try '(DiffDrive o, HasSonar i) => SF i o -> Task i o ()' 'f _ = mkTask cruise\n\ncruise :: DiffDrive o => SF i o\ncruise = proc _ -> roMake (setVelTR 0.2[m/s] 0)' 'f _ = mkTask (cruise &&& after 10[s])\n\ncruise :: DiffDrive o => SF i o\ncruise = proc _ -> roMake (setVelTR 0.2[m/s] 0)'
   error[E0360]: there is no instance `DiffDrive (o, Event ())`
-    = hint: `mkTask` needs an event that ends the task, beside the output: write `mkTask (cruise &&& after 10[s])`, or another event
+    = hint: `mkTask` needs the output and an event that ends the task: write `mkTask (cruise &&& after 10[s])`, or use another event
   [1]
 
   $ try '(DiffDrive o, HasSonar i) => Task i o Bool' 'f = do\n    forever (forward 1[m])\n    turnBy 90[deg]' 'f = do\n    repeatT 4 (forward 1[m])\n    turnBy 90[deg]'
   warning[W0318]: this statement is never reached
-    = hint: remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with an event
+    = hint: remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or `abortWhen` with an event
   [1]
 
   $ try '(DiffDrive o, HasSonar i) => Task i o Bool' 'f = do\n    forever $ do\n        forward 1[m]\n    turnBy 90[deg]' 'f = do\n    forever (forward 1[m]) `timeOut` 30[s]\n    turnBy 90[deg]'
   warning[W0318]: this statement is never reached
-    = hint: remove the statements after it, or end it: ``t `timeOut` 30[s]``, or `abortWhen` with an event
+    = hint: remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or `abortWhen` with an event
   [1]
 
 
@@ -141,10 +141,10 @@ Notations of other languages:
     = hint: remove `...`: an indented line continues the line above
   $ check 'heat :: Float -> Float\nheat a = 4 * a .^ 2\n'
   error[E0110]: Frob has no `.^`
-    = hint: for numbers, write `a ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) a`
+    = hint: operators take numbers, not arrays: write `a ^ 2` for numbers, or `map (\x -> x ^ 2) a` for arrays
   $ check 'speed :: Int -> Float\nspeed key = case key of\n    119 -> 0.4\n    else -> 0\n'
   error[E0110]: expected a branch of the `case`, found `else`
-    = hint: write `_` in place of `else` for all other values
+    = hint: to match all other values, write `_` instead of `else`
   $ check 'import Robot\nmain :: HasSonar i => DiffDrive o => Program i o\nmain = f\n'
   error[E0110]: expected `->` or the end of this type, found `=>`
     = hint: write one context: `(HasSonar i, DiffDrive o) =>`
@@ -157,12 +157,12 @@ Notations of other languages:
 
   $ try 'SF Bool Time' 'f = proc pressed -> resetOn time (edge pressed)' 'f = proc pressed -> resetOn time ((), edge pressed)'
   error[E0301]: expected `(a, Event ())`, found `Event ()`
-    = hint: write the input, and then the event: `resetOn time ((), edge pressed)`
+    = hint: pass the input and the event as a pair: `resetOn time ((), edge pressed)`
   [1]
 
   $ try 'SF (Velocity, Bool) Distance' 'f = proc (v, b) -> resetOn integral (edge b)' 'f = proc (v, b) -> resetOn integral (v, edge b)'
   error[E0301]: expected `(Float[u], Event ())`, found `Event ()`
-    = hint: write the input, and then the event: `resetOn integral (v, edge b)`
+    = hint: pass the input and the event as a pair: `resetOn integral (v, edge b)`
   [1]
 
   $ try 'Velocity -> Velocity' 'f v = return max (-0.5[m/s]) (min 0.5[m/s] v)' 'f v = max (-0.5[m/s]) (min 0.5[m/s] v)'

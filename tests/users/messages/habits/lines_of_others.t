@@ -16,7 +16,7 @@ A comma for a decimal point:
   3 |     v = 0,3[m/s] + 0 * velocity i
     |          ^
     |
-    = hint: a decimal point is a `.`: write `0.3[m/s]`
+    = hint: use `.` as the decimal point: `0.3[m/s]`
   
   1 error
   [1]
@@ -94,7 +94,7 @@ Choices:
   3 |     | 0 -> 1
     |     ^
     |
-    = hint: use `case n of`, and each branch on a line below it, as in `0 -> …`
+    = hint: use `case n of`, and write each branch on a line below it, as in `0 -> …`
   
   1 error
   [1]
@@ -114,7 +114,7 @@ Choices:
   3 |     0 => 1,
     |     ^
     |
-    = hint: use `case n of`, and each branch on a line below it, as in `0 -> …`
+    = hint: use `case n of`, and write each branch on a line below it, as in `0 -> …`
   
   1 error
   [1]
@@ -134,7 +134,7 @@ Choices:
     |                   |
     |                   after this one
     |
-    = hint: compare two at a time: `0.2[m] < frontSonar i && frontSonar i < 0.5[m]`
+    = hint: compare two values at a time: `0.2[m] < frontSonar i && frontSonar i < 0.5[m]`
   
   1 error
   [1]
@@ -219,7 +219,7 @@ Modules of Python:
   1 | import rclpy
     |        ^^^^^
     |
-    = hint: remove this line: `frobc run --ros2` runs a program as a node of ROS 2
+    = hint: remove this line: `frobc run --ros2` runs a program as a ROS 2 node
   
   error[E0110]: expected the name of a module, starting with a capital letter, found `time`
    --> python_modules.frob:2:8
@@ -235,7 +235,7 @@ Modules of Python:
   3 | from geometry_msgs.msg import Twist
     | ^^^^
     |
-    = hint: remove this line: `frobc run --ros2` runs a program as a node of ROS 2
+    = hint: remove this line: `frobc run --ros2` runs a program as a ROS 2 node
   
   error[E0110]: Frob has no `from`
    --> python_modules.frob:4:1
@@ -261,7 +261,7 @@ The first lines of a program:
   1 | def main():
     |           ^
     |
-    = hint: define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows signals, `main = reactimateTask t` for one that runs a task `t`
+    = hint: define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows signals, or `main = reactimateTask t` for one that runs a task `t`
   
   1 error
   [1]
@@ -272,13 +272,13 @@ The first lines of a program:
   > }
   > FROB
   $ frobc check main_of_c.frob
-  error[E0110]: this defines a function as in C
+  error[E0110]: this function definition is not in Frob's syntax
    --> main_of_c.frob:1:1
     |
   1 | int main() {
     | ^^^^^^^^^^
     |
-    = hint: define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows signals, `main = reactimateTask t` for one that runs a task `t`
+    = hint: define `main` by an equation: `main = reactimateRobot (proc i -> …)` for a robot that follows signals, or `main = reactimateTask t` for one that runs a task `t`
   
   1 error
   [1]
@@ -418,7 +418,7 @@ Sensors by other names:
   3 |     v = 0.1[1/s] * i.scan
     |                      ^^^^
     |
-    = hint: a robot's sensors are signal functions of its input: write `frontSonar i` for the distance in front, `sonars i` for all sonars
+    = hint: a robot's sensors are signal functions of its input: write `frontSonar i` for the distance in front, or `sonars i` for all sonars
   
   1 error
   [1]
@@ -603,7 +603,7 @@ Records that lack a part:
   2 | goal = new Vec2(1[m], 2[m])
     |        ^^^
     |
-    = hint: remove `new`: a constructor alone makes a value, as in `Vec2 1[m] 2[m]`
+    = hint: remove `new`: the constructor creates the value, as in `Vec2 1[m] 2[m]`
   
   1 error
   [1]
@@ -627,7 +627,7 @@ A loop with a counter:
   3 |     n = 0
     |       ^
     |
-    = hint: a task has no variables that change: to repeat the tasks 4 times, write `repeatT 4 $ do` in place of the `while`, and remove this line
+    = hint: variables cannot change in a task: to repeat the tasks 4 times, write `repeatT 4 $ do` instead of the `while`, and remove this line
   
   1 error
   [1]

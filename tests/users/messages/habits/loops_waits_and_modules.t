@@ -17,7 +17,7 @@ repeated.
   4 |     while frontSonar i > 0.5[m]
     |     ^^^^^
     |
-    = hint: all statements of a `proc` hold at every instant: choose a value by `if c then a else b`, or repeat a task by `whileT c t`
+    = hint: all statements of a `proc` hold at every instant: choose a value with `if c then a else b`, or repeat a task with `whileT c t`
   
   1 error
   [1]
@@ -40,7 +40,7 @@ The same in the middle.
   4 |     repeat 10
     |     ^^^^^^
     |
-    = hint: all statements of a `proc` hold at every instant: choose a value by `if c then a else b`, or repeat a task by `whileT c t`
+    = hint: all statements of a `proc` hold at every instant: choose a value with `if c then a else b`, or repeat a task with `whileT c t`
   
   1 error
   [1]
@@ -135,7 +135,7 @@ input.
     |                        |
     |                        argument 1 of `watching` is `Task (Watched a) b c`
     |
-    = hint: `watching` adds a value to the input, so the task must accept any input with its capabilities: `(HasSonar i, DiffDrive o) => Task i o Bool`
+    = hint: `watching` adds a value to the input, so the task must accept any input with the capabilities that it uses: `(HasSonar i, DiffDrive o) => Task i o Bool`
   
   1 error
   [1]
@@ -158,7 +158,7 @@ Modules of other languages for functions that need no import.
     = hint: remove this line: arrays are built in, as in `map f xs` and `foldl (+) 0 xs`
   1 error
   error[E0201]: there is no module `Random`
-    = hint: write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1
+    = hint: write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with 1 as the seed
   1 error
 
 An undefined colour.

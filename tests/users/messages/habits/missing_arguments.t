@@ -181,7 +181,7 @@ A sum or an extreme without the value that it begins with:
   4 |     longest = foldl max row
     |               ------------- this is `longest`; it lacks its second argument
     |
-    = hint: `foldl` begins with a value: write `foldl max 0 row`
+    = hint: `foldl` needs an initial value: write `foldl max 0 row`
   
   1 error
   [1]
@@ -233,7 +233,7 @@ But a constant is more likely to have the wrong unit, and a signal function belo
   > f = lowPass 0.5' 'f :: SF Distance Distance
   > f = lowPass 0.5[s]'
   error[E0320]: expected the unit `s`, found none
-    = hint: write `0.5[s]` if that is its unit
+    = hint: write `0.5[s]` if that is the right unit
   [1]
 
 A context can only constrain a variable, so no hint replaces a variable in it. The signature in a

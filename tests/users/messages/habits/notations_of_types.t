@@ -13,7 +13,7 @@ it.
   > rest = proc _ -> restingOutput' 'rest :: SF RobotInput RobotOutput
   > rest = proc _ -> restingOutput'
   error[E0216]: type `SF` takes 2 type arguments, not 1
-    = hint: there is no arrow between the input and the output: write `SF RobotInput RobotOutput`
+    = hint: write `SF RobotInput RobotOutput`, without an arrow between the input and the output
   [1]
 
   $ try 'braked :: Float m/s -> Velocity
@@ -25,7 +25,7 @@ it.
 
   $ try 'type Row = [Distance]' 'type Row = Array 5 Distance'
   error[E0110]: expected a type after `=`, found `[`
-    = hint: Frob has arrays with a fixed number of elements: write `Array 5 Distance`, with your number in place of 5
+    = hint: Frob has arrays with a fixed number of elements: write `Array 5 Distance`, and replace 5 with your number
   [1]
 
   $ try 'meter :: SF Velocity Distance

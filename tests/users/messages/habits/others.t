@@ -51,7 +51,7 @@ C and Arduino:
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: to repeat the tasks below it, write `forever $ do` in place of this line, or, while a condition holds, `whileT (proc i -> …) $ do`; to end a task when something happens, use `abortWhen`
+    = hint: to repeat the tasks below, replace this line with `forever $ do`, or with `whileT (proc i -> …) $ do` to repeat them while a condition holds; to end a task when something happens, use `abortWhen`
   
   1 error
   [1]
@@ -107,7 +107,7 @@ Python:
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; for other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; to see other values, make them outputs, and write all outputs to a file with `--record`
   
   1 error
   [1]
@@ -127,7 +127,7 @@ Python:
   4 |     if bumped i:
     |                ^
     |
-    = hint: remove the colon: indentation forms the block; a choice is `if c then a else b`
+    = hint: remove the colon: a block is delimited by its indentation; write a choice as `if c then a else b`
   
   1 error
   [1]
@@ -145,7 +145,7 @@ Python:
   4 |     for d in ds:
     |                ^
     |
-    = hint: Frob has no loops: write `map f ds` or `foldl (+) 0 ds` for an array, `forEachT ds f` to run a task for each element
+    = hint: Frob has no loops: write `map f ds` or `foldl (+) 0 ds` for an array, or `forEachT ds f` to run a task for each element
   
   1 error
   [1]
@@ -181,7 +181,7 @@ MATLAB:
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: for numbers, write `xs ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) xs`
+    = hint: operators take numbers, not arrays: write `xs ^ 2` for numbers, or `map (\x -> x ^ 2) xs` for arrays
   
   1 error
   [1]
@@ -217,7 +217,7 @@ Haskell:
   1 | (|+|) :: Float -> Float -> Float
     |  ^^^
     |
-    = hint: programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``
+    = hint: programs cannot define operators: define a function, and use it infix in backticks, as in ``a `f` b``
   
   1 error
   [1]
@@ -232,7 +232,7 @@ Haskell:
   2 | main = proc e -> (* 2) <$> e
     |                        ^^^
     |
-    = hint: use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the elements of an array
+    = hint: use `mapE f e` to apply a function to an event's value, or `map f xs` to apply it to each element of an array
   
   1 error
   [1]
@@ -268,7 +268,7 @@ Haskell:
   1 | twice :: Num a => a -> a
     |          ^^^
     |
-    = hint: there are no classes of numbers: write `n[u]` for a number of any kind and unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a number with fractions
+    = hint: Frob has no numeric type classes: write `n[u]` for an Int or a Float with any unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a Float only
   
   1 error
   [1]

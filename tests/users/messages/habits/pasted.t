@@ -8,7 +8,7 @@ Calls within calls:
   > FROB
   $ frobc check calls.frob 2>&1 | grep -e ^error -e hint
   error[E0301]: `max` takes 2 arguments, but is given one tuple
-    = hint: write the arguments without parentheses and commas: `max 0 (min (a + 1) b)`
+    = hint: write the arguments without parentheses or commas: `max 0 (min (a + 1) b)`
   $ sed 's/max(0.*/max 0 (min (a + 1) b)/' calls.frob > pasted.frob && frobc check pasted.frob
 
 A missing bracket inside an expression, and a superfluous one:
@@ -37,7 +37,7 @@ A missing bracket inside an expression, and a superfluous one:
   $ printf 'main :: SF Float Float\nmain = proc x -> max 0 (x + 1))\n' > surplus.frob
   $ frobc check surplus.frob 2>&1 | grep -e ^error -e hint
   error[E0111]: this `)` has no opening bracket
-    = hint: remove it, or add a `(` before it: the other brackets of this definition are all closed
+    = hint: remove it, or add a `(` before it: all other brackets in this definition are closed
   $ frobc fix --all surplus.frob > /dev/null 2>&1; frobc check surplus.frob
 
 Functions of C, Python and MATLAB:
@@ -50,8 +50,8 @@ Functions of C, Python and MATLAB:
   > FROB
   $ frobc check function.frob 2>&1 | grep -e ^error -e hint
   error[E0103]: unexpected character `#`
-    = hint: remove it: functions such as `sqrt` and `sin` are built in; other modules are imported by name, as in `import Robot`
-  error[E0110]: this defines a function as in C
+    = hint: remove it: functions such as `sqrt` and `sin` are built in; import other modules by name, as in `import Robot`
+  error[E0110]: this function definition is not in Frob's syntax
     = hint: write a signature, `twice :: Float -> Float`, and below it an equation, `twice x = abs x * 2`
   $ sed '1d; 2s/.*/twice :: Float -> Float\ntwice x = abs x * 2/' function.frob > pasted.frob && frobc check pasted.frob
   $ cat > count.frob <<'FROB'
@@ -61,7 +61,7 @@ Functions of C, Python and MATLAB:
   > }
   > FROB
   $ frobc check count.frob 2>&1 | grep -e ^error -e hint
-  error[E0110]: this defines a function as in C
+  error[E0110]: this function definition is not in Frob's syntax
     = hint: write a signature, `count :: Int -> Int -> Int`, and below it an equation, `count n m = n + m`
   $ printf 'def twice(x, k=2):\n    return k * x\n' > def.frob
   $ frobc check def.frob 2>&1 | grep -e ^error -e hint
@@ -78,8 +78,8 @@ Anonymous functions:
   >   printf 'main :: SF Float Float\nmain = arr (%s)\n' "$f" > anonymous.frob
   >   frobc check anonymous.frob 2>&1 | grep hint
   > done
-    = hint: write an anonymous function as `\x -> x * 2`, a signal function as `proc x -> …`
-    = hint: write an anonymous function as `\x -> max x 2`, a signal function as `proc x -> …`
+    = hint: write an anonymous function as `\x -> x * 2`, or a signal function as `proc x -> …`
+    = hint: write an anonymous function as `\x -> max x 2`, or a signal function as `proc x -> …`
     = hint: write an anonymous function as `\x -> x * 2`
     = hint: write an anonymous function as `\x -> x * 2`
   $ printf 'main :: SF Float Float\nmain = arr (\\x -> max x 2)\n' > pasted.frob && frobc check pasted.frob
@@ -92,11 +92,11 @@ Conditions:
   > done
   error[E0110]: Frob has no `and`
     = hint: write `&&` instead of `and`
-  error[E0110]: Frob has no `|` between conditions
+  error[E0110]: Frob has no `|` operator
     = hint: write `||` between two conditions
   error[E0110]: Frob has no `OR`
     = hint: write `||` instead of `OR`
-  error[E0110]: Frob has no `!` before a condition
+  error[E0110]: Frob has no prefix `!`
     = hint: write `not (x > 0)`
   error[E0110]: Frob has no `===`
     = hint: use `==` to compare
@@ -144,7 +144,7 @@ Assignments and declarations:
     = hint: Frob has no assignments: write an equation that holds at every instant: `y = delay 0 y + 1`, where 0 is the initial value
     = hint: write the definition on its own line, below its type: `y = x`
     = hint: write an equation for each name, `z = x` and below it `y = z`; to compare, write `==`
-    = hint: put the pattern of a tuple in parentheses: `(a, y) = (x, x)`
+    = hint: put a tuple pattern in parentheses: `(a, y) = (x, x)`
     = hint: remove `var` before `y`
     = hint: write `y :: Array 2 Float`, and below it `y = [1, 0.5]`
   $ printf 'main :: SF Float Float\nmain = proc x -> y where\n    y = delay 0 y + x\n' > pasted.frob && frobc check pasted.frob
@@ -175,7 +175,7 @@ Elements, units and numbers:
   >   frobc check number.frob 2>&1 | grep hint
   > done
     = hint: write `(at (n + 1) 0 xs)` for the element at a computed index; 0 is the value if there is no such element
-    = hint: write a digit after the point: `5.0`
+    = hint: write a digit after the decimal point: `5.0`
     = hint: write a power as `x ** y`, or as `x ^ 2` if the exponent is a literal
     = hint: `! :: Array n a -> Int -> a`
     = hint: `length` is a function: write `length xs`
@@ -205,5 +205,5 @@ Steps of a task:
   > FROB
   $ frobc check steps.frob 2>&1 | grep -e ^error -e hint
   error[E0110]: expected `else` after the first branch, found the end of the block
-    = hint: to run a task only if a condition holds, write `whenT ok (turnBy 90[deg])`; for a choice, add an `else`
+    = hint: to run a task only if a condition holds, write `whenT ok (turnBy 90[deg])`; to choose between two tasks, add an `else`
   $ sed 's/if ok then turnBy 90.deg./whenT ok (turnBy 90[deg])/' steps.frob > pasted.frob && frobc check pasted.frob

@@ -61,7 +61,7 @@ Python's constructs, and their equivalents in Frob.
   2 | f x = if x > 0:
     |               ^
     |
-    = hint: remove the colon: indentation forms the block; a choice is `if c then a else b`
+    = hint: remove the colon: a block is delimited by its indentation; write a choice as `if c then a else b`
   
   1 error
   [1]

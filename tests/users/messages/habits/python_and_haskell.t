@@ -11,7 +11,7 @@ More of Python, Haskell and C: objects, comments, lists, named arguments.
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (v=0.2, omega=0)))
     |                                                      ^
     |
-    = hint: arguments have no names: write them in order, as in `f 1 2`
+    = hint: arguments are passed by position, not by name: write `f 1 2`
   
   1 error
   [1]
@@ -32,7 +32,7 @@ A class with a method: reported once.
   1 | class Wall:
     |           ^
     |
-    = hint: Frob has no objects: declare a record with `data`, and define functions of it at the top level
+    = hint: Frob has no objects: declare a record with `data`, and define its functions at the top level
   
   1 error
   [1]
@@ -43,7 +43,7 @@ A class with a method: reported once.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
   > FROB
   $ frobc check docstring.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the definition
+  error[E0110]: expected `=` after the left-hand side of a definition, found the end of the definition
    --> docstring.frob:1:21
     |
   1 | """Wall follower."""
@@ -127,7 +127,7 @@ A class with a method: reported once.
   > main = proc x -> x
   > FROB
   $ frobc check strict.frob
-  error[E0110]: Frob has no `!` before a condition
+  error[E0110]: Frob has no prefix `!`
    --> strict.frob:1:12
     |
   1 | data P = P !Float !Float

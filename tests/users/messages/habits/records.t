@@ -14,7 +14,7 @@ Records in the syntax of other languages.
   4 | slow c = c.speed = 0.1[m/s]
     |                  ^
     |
-    = hint: a record cannot be changed: `c { speed = … }` is a copy with another `speed`
+    = hint: a record cannot be changed: `c { speed = … }` is a copy with a new `speed`
   
   1 error
   [1]

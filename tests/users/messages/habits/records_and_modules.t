@@ -216,7 +216,7 @@ Two equations for one name:
   4 |     v = min 3 v
     |     ^
     |
-    = hint: write one equation, `v = min 3 (0.5 * x)`: an equation holds at every instant, unlike an assignment
+    = hint: write one equation, `v = min 3 (0.5 * x)`, because an equation holds at every instant, unlike an assignment
   
   1 error
   [1]
@@ -267,7 +267,7 @@ Two equations for one name:
   4 |     v = 0.4
     |     ^
     |
-    = hint: write one equation, because an equation holds at every instant, unlike an assignment; to choose between the two values, write `v = if c then 0.4 else 0.2`, with your condition for `c`
+    = hint: write one equation, because an equation holds at every instant, unlike an assignment; to choose between the two values, write `v = if c then 0.4 else 0.2`, with your condition in place of `c`
   
   1 error
   [1]

@@ -40,7 +40,7 @@ A type before the name that an equation defines:
     = hint: write `v = …`; to give its type, write `v :: Velocity` on a line of its own above it
   [1]
   $ try 'f :: SF Distance Velocity' 'f = proc d -> v where\n    Velocity v\n    v = d / 1[s]' 'f = proc d -> v where\n    v :: Velocity\n    v = d / 1[s]'
-  error[E0110]: expected `=` after the left side of a definition, found the end of the definition
+  error[E0110]: expected `=` after the left-hand side of a definition, found the end of the definition
     = hint: write the type after the name: `v :: Velocity`
   [1]
   $ try 'f :: Distance -> Velocity' 'f d =\n    let Velocity v = d / 1[s] in 2 * v' 'f d =\n    let v = d / 1[s] in 2 * v'
@@ -53,7 +53,7 @@ A type before the name that an equation defines:
   [1]
   $ try '' 'Velocity vMax = 0.3[m/s]' 'vMax :: Velocity\nvMax = 0.3[m/s]'
   error[E0226]: a top-level definition defines one name, not a pattern
-    = hint: write `vMax = …`; to give its type, write `vMax :: Velocity` on a line of its own above it
+    = hint: write `vMax = …`; to declare its type, write `vMax :: Velocity` on the line above
   [1]
   $ try '' 'f(Distance d, Velocity v) = d / v' 'f :: Distance -> Velocity -> Time\nf d v = d / v'
   error[E0206]: a parameter cannot have a type
@@ -137,23 +137,23 @@ Arrays and numbers that other languages generate:
 
   $ try 'f :: Array 4 Int' 'f = range(4)' 'f = [0, 1, 2, 3]'
   error[E0205]: unknown name `range`
-    = hint: write `[0, 1, 2, 3]`: an array is written with its elements
+    = hint: write `[0, 1, 2, 3]`: an array literal lists its elements
   [1]
   $ try 'f :: SF (Array 4 Float) (Array 4 Float)' 'f = proc x -> y where\n    y = zipWith (+) x (delay zeros(1, 4) y)' 'f = proc x -> y where\n    y = zipWith (+) x (delay [0, 0, 0, 0] y)'
   error[E0205]: unknown name `zeros`
-    = hint: write `[0, 0, 0, 0]`: an array is written with its elements
+    = hint: write `[0, 0, 0, 0]`: an array literal lists its elements
   [1]
   $ try 'f :: Array 2 (Array 2 Float)' 'f = np.zeros((2, 2))' 'f = [[0, 0], [0, 0]]'
   error[E0205]: unknown name `np`
-    = hint: write `[[0, 0], [0, 0]]`: an array is written with its elements
+    = hint: write `[[0, 0], [0, 0]]`: an array literal lists its elements
   [1]
   $ try 'f :: SF (Array 100 Float) (Array 100 Float)' 'f = proc x -> delay zeros(100) x' 'f = proc x -> delay (generate (const 0)) x'
   error[E0205]: unknown name `zeros`
-    = hint: write `(generate (const 0))`: its type gives the number of elements
+    = hint: write `(generate (const 0))`: its type determines the number of elements
   [1]
   $ try 'f :: Array 3 Float' 'f = replicate 3 0.5' 'f = [0.5, 0.5, 0.5]'
   error[E0205]: unknown name `replicate`
-    = hint: write `[0.5, 0.5, 0.5]`: an array is written with its elements
+    = hint: write `[0.5, 0.5, 0.5]`: an array literal lists its elements
   [1]
   $ try 'f :: Array 2 (Array 2 Float)' 'f = [0, -1; 1, 0]' 'f = [[0, -1], [1, 0]]'
   error[E0111]: a `;` does not separate the elements of an array
@@ -185,15 +185,15 @@ Choices:
 
   $ D='data Colour = Red | Green\nf :: Colour -> Velocity'
   $ try "$D" 'f c = switch c of\n    Red -> 0\n    Green -> 1[m/s]' 'f c = case c of\n    Red -> 0\n    Green -> 1[m/s]'
-  error[E0110]: a choice by values is a `case`, not `switch`
+  error[E0110]: to choose by value, Frob has `case`, not `switch`
     = hint: write `case c of`; `switch` changes from one signal function to another
   [1]
   $ try "$D" 'f c = 2 * (match c of\n    Red -> 0\n    Green -> 1[m/s])' 'f c = 2 * (case c of\n    Red -> 0\n    Green -> 1[m/s])'
-  error[E0110]: a choice by values is a `case`, not `match`
+  error[E0110]: to choose by value, Frob has `case`, not `match`
     = hint: write `case c of`
   [1]
   $ try "$D" 'f c = switch c\n    Red -> 0\n    Green -> 1[m/s]' 'f c = case c of\n    Red -> 0\n    Green -> 1[m/s]'
-  error[E0110]: a choice by values is a `case`, not `switch`
+  error[E0110]: to choose by value, Frob has `case`, not `switch`
     = hint: write `case c of`; `switch` changes from one signal function to another
   [1]
   $ try 'f :: Bool -> Velocity' 'f b = v where\n    v = if b:\n            0\n        else:\n            0.3[m/s]' 'f b = v where\n    v = if b then 0 else 0.3[m/s]'
@@ -228,19 +228,19 @@ Types with arguments, parameters, keyword arguments:
     = hint: separate type arguments with spaces, without `<>`: write `f :: SF (Event Float) Float`
   [1]
   $ try '' 'f :: SF (Event<Float>) Float\nf = proc e -> hold 0 e' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
-  error[E0110]: separate type arguments with spaces, without `<>`
+  error[E0110]: type arguments are separated by spaces, not enclosed in `<>`
     = hint: write `f :: SF (Event Float) Float`
   [1]
   $ try '' 'param "speed" :: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
-  error[E0110]: the name of a parameter has no quotes
+  error[E0110]: the name of a parameter must be written without quotes
     = hint: write `param speed :: Velocity = 0.3[m/s]`
   [1]
   $ try '' 'param "speed" = 0.3[m/s]' 'param speed :: Float[m/s] = 0.3[m/s]'
-  error[E0110]: the name of a parameter has no quotes
+  error[E0110]: the name of a parameter must be written without quotes
     = hint: write `param speed :: Float[m/s] = 0.3[m/s]`
   [1]
   $ try '' 'param Velocity speed = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
-  error[E0110]: the name of a parameter comes before its type
+  error[E0110]: the name of a parameter must come before its type
     = hint: write `param speed :: Velocity = 0.3[m/s]`
   [1]
   $ try '' 'param speed: Velocity = 0.3[m/s]' 'param speed :: Velocity = 0.3[m/s]'
@@ -249,5 +249,5 @@ Types with arguments, parameters, keyword arguments:
   [1]
   $ try 'f :: Float -> Float' 'f x = clamp(low=0, high=1, x=2 * x)' 'f x = clamp 0 1 (2 * x)'
   error[E0110]: expected an operator, `,` or `)`, found `=`
-    = hint: arguments have an order, but no names: write `clamp 0 1 (2 * x)`
+    = hint: arguments are passed by position, not by name: write `clamp 0 1 (2 * x)`
   [1]

@@ -67,7 +67,7 @@ A value that may be missing, in an event or in its place:
   [1]
   $ try Distance '    y = tag _key _near' '    y = hold 0 (mapE (fromMaybe 0) (tag _key _near))'
   error[E0301]: expected `Distance` (m), found `Event (Maybe Distance)`
-    = hint: an event has a value only when it occurs, and this one may be missing: write `hold 0 (mapE (fromMaybe 0) y)`, which is 0 at first, and for a missing value
+    = hint: an event has a value only when it occurs, and even then this value may be missing: write `hold 0 (mapE (fromMaybe 0) y)`, which is 0 at first and whenever the value is missing
   [1]
   $ try Distance '    y = hold 0 _near' '    y = fromMaybe 0 _near'
   error[E0301]: expected `Event n[u]`, found `Maybe Distance`
@@ -78,11 +78,11 @@ In a comparison with an upper limit, a value of 0 would make the condition True:
 
   $ try Bool '    y = _echo < 0.4[m]' '    y = hold 4[m] _echo < 0.4[m]'
   error[E0301]: expected `Float[m]`, found `Event Distance`
-     = hint: an event has a value only when it occurs: write `hold 4[m] _echo` for its latest value; `4[m]` is its value at first, with which the comparison is False
+     = hint: an event has a value only when it occurs: write `hold 4[m] _echo` for its latest value; the initial value `4[m]` makes the comparison False
   [1]
   $ try Bool '    y = 0.4[m] > _echo' '    y = 0.4[m] > hold 4[m] _echo'
   error[E0301]: expected `Float[m]`, found `Event Distance`
-     = hint: an event has a value only when it occurs: write `hold 4[m] _echo` for its latest value; `4[m]` is its value at first, with which the comparison is False
+     = hint: an event has a value only when it occurs: write `hold 4[m] _echo` for its latest value; the initial value `4[m]` makes the comparison False
   [1]
   $ try Bool '    y = _echo > 0.4[m]' '    y = hold 0 _echo > 0.4[m]'
   error[E0301]: expected `Float[m]`, found `Event Distance`
@@ -103,19 +103,19 @@ A forgotten `integral` or `derivative`:
   $ try Bool '    y = way < 2[m]\n    way = velocity i' '    y = integral way < 2[m]\n    way = velocity i'
   error[E0320]: the operands of `<` have different units: `m/s` and `m`
      = hint: write `2[m/s]` if you meant that unit
-     = hint: for its sum over time, write `integral way` before the `<`
+     = hint: for the sum over time, write `integral way` before the `<`
   [1]
   $ try Bool '    y = frontSonar i < 0.2[m/s]' '    y = derivative (frontSonar i) < 0.2[m/s]'
   error[E0320]: the operands of `<` have different units: `m` and `m/s`
      = hint: write `0.2[m]` if you meant that unit
-     = hint: for its rate of change, write `derivative (frontSonar i)` before the `<`
+     = hint: for the rate of change, write `derivative (frontSonar i)` before the `<`
   [1]
 
 An assertion about a value that is not a condition:
 
   $ try Distance '    y = _d\n    assert "keeps off" _d' '    y = _d\n    assert "keeps off" (_d <= 1[m])'
   error[E0360]: `Float[m]` is not a condition
-     = hint: assert a condition: compare it with a limit, as in `(_d <= 1[m])`
+     = hint: assert a condition: compare the value with a limit, as in `(_d <= 1[m])`
   [1]
   $ try Distance '    y = _d\n    assert "seen" _near' '    y = _d\n    assert "seen" (_near /= Nothing)'
   error[E0360]: `Maybe Distance` is not a condition

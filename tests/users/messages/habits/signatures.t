@@ -20,7 +20,7 @@ Lower-case names of types, with one colon or two:
     = hint: if you meant the type, write `Distance -> Velocity`; a lower-case name means any type
   [1]
   $ try 'f :: distance -> angularVelocity\nf d = if d > 1[m] then 0 else 1[rad/s]' 'f :: Distance -> AngularVelocity\nf d = if d > 1[m] then 0 else 1[rad/s]'
-  error[E0306]: the signature allows every type `distance`, but the definition needs it to be a number of `m`
+  error[E0306]: the signature allows every type `distance`, but the definition needs it to be a number in `m`
     = hint: if you meant the type, write `Distance -> AngularVelocity`; a lower-case name means any type
   error[E0306]: the signature allows every type `angularVelocity`, but the definition needs it to be a number
     = hint: if you meant the type, write `Distance -> AngularVelocity`; a lower-case name means any type
@@ -33,18 +33,18 @@ Lower-case names of types, with one colon or two:
   [1]
   $ try 'f :: event float -> float\nf e = fromEvent 0 e' 'f :: Event Float -> Float\nf e = fromEvent 0 e'
   error[E0110]: expected `->` or the end of this type, found `float`
-    = hint: start a type with a capital letter: write `f :: Event Float -> Float`
+    = hint: start the name of a type with a capital letter: write `f :: Event Float -> Float`
   [1]
   $ try 'f :: sf float bool\nf = proc x -> x > 1' 'f :: SF Float Bool\nf = proc x -> x > 1'
   error[E0110]: expected `->` or the end of this type, found `float`
-    = hint: start a type with a capital letter: write `f :: SF Float Bool`
+    = hint: start the name of a type with a capital letter: write `f :: SF Float Bool`
   [1]
 
 Arrays without their size, and arguments in brackets:
 
   $ try 'f :: Array Distance -> Distance\nf xs = sum xs' 'f :: Array n Distance -> Distance\nf xs = sum xs'
   error[E0216]: type `Array` takes 2 type arguments, not 1
-    = hint: write `f :: Array n Distance -> Distance`, or a number for the size `n`
+    = hint: write `f :: Array n Distance -> Distance`, or with a number instead of the size `n`
   [1]
   $ try 'f :: Array Distance 2 -> Distance\nf xs = sum xs' 'f :: Array 2 Distance -> Distance\nf xs = sum xs'
   error[E0330]: expected the size of an array, found the type `Distance` (m)
@@ -56,15 +56,15 @@ Arrays without their size, and arguments in brackets:
   [1]
   $ try 'f :: List[float] -> float\nf xs = sum xs' 'f :: Array n Float -> Float\nf xs = sum xs'
   error[E0207]: unknown type `List`
-    = hint: write `f :: Array n Float -> Float`, or a number for the size `n`
+    = hint: write `f :: Array n Float -> Float`, or with a number instead of the size `n`
   [1]
   $ try 'f :: Vec<float> -> Float\nf xs = sum xs' 'f :: Array n Float -> Float\nf xs = sum xs'
   error[E0110]: expected `->` or the end of this type, found `<`
-    = hint: separate type arguments with spaces, without `<>`: write `f :: Array n Float -> Float`, or a number for the size `n`
+    = hint: separate type arguments with spaces, without `<>`: write `f :: Array n Float -> Float`, or with a number instead of the size `n`
   [1]
   $ try 'f :: float[] -> float\nf xs = sum xs' 'f :: Array n Float -> Float\nf xs = sum xs'
   error[E0110]: expected a unit after `[`, found `]`
-    = hint: for an array, write `f :: Array n Float -> Float`, or a number for the size `n`
+    = hint: for an array, write `f :: Array n Float -> Float`, or with a number instead of the size `n`
   [1]
   $ try 'f :: Float -> [Float]\nf x = [x, x, x, x]' 'f :: Float -> Array 4 Float\nf x = [x, x, x, x]'
   error[E0110]: the type of an array cannot be written in brackets
@@ -84,13 +84,13 @@ Arrays without their size, and arguments in brackets:
   [1]
   $ try 'data Ring = Ring { ranges :: Array Distance }' 'data Ring = Ring { ranges :: Array 4 Distance }'
   error[E0216]: type `Array` takes 2 type arguments, not 1
-    = hint: write the size and the type of the elements, as in `Array 4 Distance`
+    = hint: write the number of elements and their type, as in `Array 4 Distance`
   [1]
 
 A tuple in place of separate arguments:
 
   $ try 'f v omega = roMake setVelTR(v, omega)' 'f v omega = roMake (setVelTR v omega)'
-  error[E0301]: expected a function of one argument, found one of 3: `Velocity -> AngularVelocity -> a -> a`
+  error[E0301]: expected a function that takes one argument, found one that takes 3: `Velocity -> AngularVelocity -> a -> a`
     = hint: put parentheses around the argument: `roMake (setVelTR v omega)`
   [1]
   $ try 'f v d = setVelTR limit(v, d) 0' 'f v d = setVelTR (limit v d) 0'
@@ -99,11 +99,11 @@ A tuple in place of separate arguments:
   [1]
   $ try 'f :: SF Float Float\nf = proc x -> y where\n    y = delay(0, x)' 'f :: SF Float Float\nf = proc x -> y where\n    y = delay 0 x'
   error[E0303]: expected a value, found a signal function that is not applied to a signal
-    = hint: write the arguments without parentheses and commas: `delay 0 x`
+    = hint: write the arguments without parentheses or commas: `delay 0 x`
   [1]
   $ try 'f :: SF (Event Float) Float\nf = proc e -> hold(0, e)' 'f :: SF (Event Float) Float\nf = proc e -> hold 0 e'
   error[E0303]: expected a value, found a signal function that is not applied to a signal
-    = hint: write the arguments without parentheses and commas: `hold 0 e`
+    = hint: write the arguments without parentheses or commas: `hold 0 e`
   [1]
 
 Guards and conditions separated by commas:
@@ -132,12 +132,12 @@ Guards and conditions separated by commas:
 A parameter that is read by a call:
 
   $ try 'speed = param("speed", 0.3[m/s])' 'param speed :: Float[m/s] = 0.3[m/s]'
-  error[E0110]: a parameter is declared at the top level
+  error[E0110]: a parameter must be declared at the top level
     = hint: write `param speed :: Float[m/s] = 0.3[m/s]`
   [1]
   $ try 'f x = x * param("gain", 2)' 'param gain :: Float = 2\nf x = x * gain'
-  error[E0110]: a parameter is declared at the top level
-    = hint: declare the parameter on a line of its own, at the left margin, `param gain :: Float = 2`, and write `gain` here
+  error[E0110]: a parameter must be declared at the top level
+    = hint: declare the parameter as `param gain :: Float = 2` on its own line, at the left margin, and write `gain` here
   [1]
   $ try 'speed = rospy.get_param("~speed", 0.3)' 'param speed :: Float = 0.3'
   error[E0205]: unknown name `rospy`
@@ -145,7 +145,7 @@ A parameter that is read by a call:
   [1]
   $ try 'f x = y where\n    y = x * get_parameter("max_gain")' 'param maxGain :: Float = 1\nf x = y where\n    y = x * maxGain'
   error[E0205]: unknown name `get_parameter`
-    = hint: declare the parameter on a line of its own, at the left margin, `param maxGain :: Float = 1`, and write `maxGain` here
+    = hint: declare the parameter as `param maxGain :: Float = 1` on its own line, at the left margin, and write `maxGain` here
   [1]
 
 Names of a namespace:
@@ -160,7 +160,7 @@ Names of a namespace:
   [1]
   $ try 'f x = Control::clamp 0 1 x' 'f x = Control.clamp 0 1 x'
   error[E0110]: Frob has no `Control::`
-    = hint: write a name in a module as `Control.name`, or `name` alone
+    = hint: write a name from a module as `Control.name`, or just `name`
   [1]
 
 An unused turn rate beside a turn rate of 0, and an unused parameter:
@@ -185,8 +185,8 @@ An unused turn rate beside a turn rate of 0, and an unused parameter:
   5 |     omega = (sideSonar i - 0.5[m]) * 1[rad/(m s)]
     |     ^^^^^
     |
-    = hint: write `omega` in place of this 0
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_omega`
+    = hint: replace this 0 with `omega`
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_omega`
   
   warning[W0305]: `d` is never used
    --> turn.frob:7:8

@@ -11,7 +11,7 @@ Tuples, records and texts, used as in other languages.
   2 | main = proc p -> p[0] + p[1]
     |                   ^
     |
-    = hint: write `(p ! 0)` for an element of an array; for a tuple, write an equation, `(a, b) = p`; before an argument, write a space
+    = hint: write `(p ! 0)` for an element of an array; to take a tuple apart, write an equation, `(a, b) = p`; to pass an array as an argument, put a space before the `[`
   
   1 error
   [1]
@@ -27,7 +27,7 @@ Tuples, records and texts, used as in other languages.
   2 | main = proc p -> p.1
     |                  ^- argument 1 of `.` is `a -> b`
     |
-    = hint: for the parts of a tuple, write an equation, `(a, b) = p`; for those of a pair, also `fst p` and `snd p`
+    = hint: to get the elements of a tuple, write an equation: `(a, b) = p`; for a pair, you can also write `fst p` and `snd p`
   
   1 error
   [1]
@@ -92,13 +92,13 @@ Tuples, records and texts, used as in other languages.
   >     y == x + 1
   > FROB
   $ frobc check defined.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the block
+  error[E0110]: expected `=` after the left-hand side of a definition, found the end of the block
    --> defined.frob:3:15
     |
   3 |     y == x + 1
     |               ^
     |
-    = hint: write one `=` to define a name: `y = …`; `==` compares
+    = hint: write a single `=` to define a name, as in `y = …`; `==` compares two values
   
   1 error
   [1]

@@ -14,7 +14,7 @@ Types before names, texts in other quotes, fields that are assigned.
   3 | Velocity speed = 0.3[m/s]
     | ^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: write `speed = …`; to give its type, write `speed :: Velocity` on a line of its own above it
+    = hint: write `speed = …`; to declare its type, write `speed :: Velocity` on the line above
   
   1 error
   [1]

@@ -54,7 +54,7 @@ Types before the names of parameters:
   [1]
   $ try 'half = Float x -> x / 2' 'half = \\x -> x / 2'
   error[E0110]: expected an operator, an argument, or the end of this definition, found `->`
-    = hint: write an anonymous function as `\x -> x / 2`, a signal function as `proc x -> …`
+    = hint: write an anonymous function as `\x -> x / 2`, or a signal function as `proc x -> …`
   [1]
   $ try 'f = proc Float x -> x / 2' 'f = proc x -> x / 2'
   error[E0110]: expected `->` after the input of this `proc`, found `x`
@@ -92,8 +92,8 @@ An initial value, or a length of the step, of `integral` and `derivative`:
     = hint: remove the `0`, because `integral` starts at 0 anyway: write `integral v`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral(v, 0)' 'f :: SF Velocity Distance\nf = proc v -> integral v'
-  error[E0301]: expected `Float[u]`, found a tuple of 2
-    = hint: `integral` takes one argument, and starts at 0: write `integral v`
+  error[E0301]: expected `Float[u]`, found a tuple with 2 elements
+    = hint: `integral` takes one argument and starts at 0: write `integral v`
   [1]
   $ try 'f :: SF Velocity Acceleration\nf = proc v -> derivative 0 v' 'f :: SF Velocity Acceleration\nf = proc v -> derivative v'
   error[E0302]: `derivative` takes 1 argument, but is applied to more
@@ -101,19 +101,19 @@ An initial value, or a length of the step, of `integral` and `derivative`:
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral 2[m] v' 'f :: SF Velocity Distance\nf = proc v -> 2[m] + integral v'
   error[E0302]: `integral` takes 1 argument, but is applied to more
-    = hint: it starts at 0: for another initial value, write `2[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
+    = hint: `integral` starts at 0: for another initial value, write `2[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral v 0.02[s]' 'f :: SF Velocity Distance\nf = proc v -> integral v'
   error[E0302]: `integral` takes 1 argument, but is applied to more
-    = hint: remove `0.02[s]`: `integral` knows the time between two instants
+    = hint: remove `0.02[s]`: `integral` already uses the time between two instants
   [1]
   $ try 'f :: SF Velocity Bool\nf = proc v -> x > 1[m] where\n    x = delay 0 x + 0.02 * v' 'f :: SF Velocity Bool\nf = proc v -> x > 1[m] where\n    x = integral v'
   error[E0320]: the operands of `>` have different units: `m/s` and `m`
-    = hint: for the sum over time, write `x = integral v`, which knows the time between two instants
+    = hint: for the sum over time, write `x = integral v`, which accounts for the time between two instants
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> x where\n    x = delay 0[m] x + v * 0.02' 'f :: SF Velocity Distance\nf = proc v -> x where\n    x = integral v'
   error[E0320]: the operands of `+` have different units: `m` and `m/s`
-    = hint: for the sum over time, write `x = integral v`, which knows the time between two instants
+    = hint: for the sum over time, write `x = integral v`, which accounts for the time between two instants
   [1]
   $ try 'f :: SF Float Float\nf = proc v -> n where\n    n = delay n + 1' 'f :: SF Float Float\nf = proc v -> n where\n    n = delay 0 n + 1'
   error[E0303]: expected a value, found a signal function that is not applied to a signal
@@ -140,7 +140,7 @@ Functions of two values with more of them:
   [1]
   $ try 'f :: AngularVelocity -> AngularVelocity\nf w = limit (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)' 'f :: AngularVelocity -> AngularVelocity\nf w = clamp (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)'
   error[E0302]: `limit` takes 2 arguments, but is applied to more
-    = hint: `limit` has one limit for both directions; for two, write `clamp (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)`
+    = hint: `limit` takes one limit for both directions; for two limits, write `clamp (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)`
   [1]
 
 Events and conditions:
@@ -155,30 +155,30 @@ Events and conditions:
   [1]
   $ try 'f :: Bool -> Bool\nf b = isEvent b' 'f :: Bool -> Bool\nf b = b'
   error[E0301]: expected `Event a`, found `Bool`
-    = hint: this is a condition already: write `b` in place of `isEvent b`; `edge b` is the event that occurs when it becomes True
+    = hint: this is already a condition: write `b` in place of `isEvent b`; `edge b` is the event that occurs when it becomes True
   [1]
   $ try 'f :: SF Bool Float\nf = proc b -> toFloat n where\n    n = hold 0 b' 'f :: SF Bool Float\nf = proc b -> toFloat n where\n    n = hold 0 (count (edge b))'
   error[E0301]: expected `Event n[u]`, found `Bool`
-    = hint: to count how often the condition becomes True, write `count (edge b)` here; to hold a value of your own, `tag (edge b) x` with your value for `x`
+    = hint: to count how often the condition becomes True, write `count (edge b)` here; to hold another value, write `tag (edge b) x` with that value in place of `x`
   [1]
   $ try 'low :: SF Float Bool\nlow = proc x -> x < 1\nf :: Task Float o c -> Task Float o (Either c ())\nf t = t `abortWhen` low' 'low :: SF Float Bool\nlow = proc x -> x < 1\nf :: Task Float o c -> Task Float o (Either c ())\nf t = t `abortWhen` (low >>> edge)'
   error[E0301]: expected `SF Float (Event a)`, found `SF Float Bool`
-    = hint: its output is a condition: for an event that occurs when it becomes True, write `(low >>> edge)`
+    = hint: its output is a condition: write `(low >>> edge)` for an event that occurs when the condition becomes True
   [1]
   $ try 'f :: SF Bool Time\nf = proc b -> resetOn time (edge b)' 'f :: SF Bool Time\nf = proc b -> resetOn time ((), edge b)'
   error[E0301]: expected `(a, Event ())`, found `Event ()`
-    = hint: write the input, and then the event: `resetOn time ((), edge b)`
+    = hint: pass the input and the event as a pair: `resetOn time ((), edge b)`
   [1]
 
 Tasks and signal functions:
 
   $ try 'main = reactimateTask (switch (forward 1[m]) (\\_ -> turnBy 90[deg]))' 'main = reactimateTask (do\n    forward 1[m]\n    turnBy 90[deg])'
   error[E0371]: expected a signal function, found a task
-    = hint: `switch` changes between signal functions: to run one task after the other, write a `do`, and below it each task on a line of its own, `forward 1[m]` and `turnBy 90[deg]`
+    = hint: `switch` changes between signal functions: to run one task after the other, write `forward 1[m]` and `turnBy 90[deg]` on separate lines below a `do`
   [1]
   $ try 'main = reactimateRobot (switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (bumped i))) (\\_ -> turnBy 90[deg]))' 'main = reactimateTask (do\n    mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (bumped i)))\n    turnBy 90[deg])'
   error[E0371]: expected a signal function, found a task
-    = hint: `switch` goes on with a signal function: to go on with a task, write a `do` with two lines, `mkTask (…)` around the first argument of `switch`, and `turnBy 90[deg]`; `reactimateTask` turns it into a program
+    = hint: `switch` continues with a signal function: to continue with a task, write a `do` with two lines: first `mkTask (…)` around the first argument of `switch`, then `turnBy 90[deg]`; `reactimateTask` turns the `do` into a program
   [1]
   $ try 'main = reactimateTask (do\n    while True: forward 1[m])' 'main = reactimateTask (do\n    forever (forward 1[m]))'
   error[E0103]: unexpected character `:`

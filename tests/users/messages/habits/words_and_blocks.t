@@ -82,7 +82,7 @@ A block in braces has one message, whatever it contains:
   1 | extern "C" double filter(double x);
     | ^^^^^^
     |
-    = hint: declare a C function with its type here and its name in C: `foreign cubeRoot :: Float -> Float = "cbrt"`
+    = hint: declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> Float = "cbrt"`
   
   1 error
   [1]
@@ -130,7 +130,7 @@ An equation among the statements of a task:
   >     assert (frontSonar i > 0.1[m]))
   > FROB
   $ frobc check no_text.frob
-  error[E0110]: an `assert` needs a label that says what must hold
+  error[E0110]: an `assert` needs a label that describes its condition
    --> no_text.frob:3:5
     |
   3 |     assert (frontSonar i > 0.1[m]))

@@ -155,7 +155,7 @@ Keywords and symbols of other languages around a definition.
   5 | step Turn _ = Drive
     | ---- one more
     |
-    = hint: write one clause, `step x y = case (x, y) of`, and on the lines below it a branch `pattern -> value` for each of the clauses
+    = hint: write one clause, `step x y = case (x, y) of`, and on the lines below it a branch `pattern -> value` for each clause
   
   1 error
   [1]
@@ -218,13 +218,13 @@ Keywords and symbols of other languages around a definition.
   > main = proc x -> cbrt x
   > FROB
   $ frobc check foreign_no_string.frob
-  error[E0110]: expected `=` and the name in C, in quotes, found the end of the definition
+  error[E0110]: expected `=` and the C name, in quotes, found the end of the definition
    --> foreign_no_string.frob:1:31
     |
   1 | foreign cbrt :: Float -> Float
     |                               ^
     |
-    = hint: add its name in C: `foreign cbrt :: Float -> Float = "cbrt"`
+    = hint: add its C name: `foreign cbrt :: Float -> Float = "cbrt"`
   
   1 error
   [1]
@@ -234,7 +234,7 @@ Keywords and symbols of other languages around a definition.
   > main = proc x -> cbrt x
   > FROB
   $ frobc check foreign_haskell.frob
-  error[E0110]: `foreign` must not be followed by `import`, and the name in C must come last
+  error[E0110]: `foreign` must not be followed by `import`, and the C name must come last
    --> foreign_haskell.frob:1:9
     |
   1 | foreign import ccall "cbrt" cbrt :: Float -> Float
@@ -267,13 +267,13 @@ Keywords and symbols of other languages around a definition.
   > main = proc v -> v
   > FROB
   $ frobc check type_vs_data.frob
-  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `|`
+  error[E0110]: expected a type argument, `->`, or the end of the type, found `|`
    --> type_vs_data.frob:1:16
     |
   1 | type Mode = Go | Stop
     |                ^
     |
-    = hint: declare a choice of constructors with `data`: `data Mode = Go | Stop`
+    = hint: to declare a type with several constructors, use `data`: `data Mode = Go | Stop`
   
   1 error
   [1]
@@ -285,7 +285,7 @@ Keywords and symbols of other languages around a definition.
   >   frobc check chain.frob 2>&1 | grep hint
   > done
     = hint: put parentheses around both comparisons: ``(v == 0) `implies` (w == 0)``
-    = hint: compare two at a time: ``v < 1 `min` w && 1 `min` w < 2``
+    = hint: compare two values at a time: ``v < 1 `min` w && 1 `min` w < 2``
   $ sed 's/assert.*/assert "stops" ((v == 0) `implies` (w == 0))/' chain.frob > pasted.frob && frobc check pasted.frob
   $ sed -e 1d -e 's/assert.*/assert "stops" (v < 1 `min` w \&\& 1 `min` w < 2)/' chain.frob > pasted.frob && frobc check pasted.frob
 
@@ -312,13 +312,13 @@ A decimal comma, but not in a call in the notation of C, or between values that 
   >   frobc check comma.frob 2>&1 | grep -e ^error -e hint
   > done
   error[E0301]: expected a number, found `(Float[m], n[m])`
-    = hint: a decimal number has a point, and a comma makes a tuple: write `(d - 0.4[m])`
+    = hint: use a decimal point, because a comma makes a tuple: write `(d - 0.4[m])`
   error[E0301]: expected a number, found `(n[u], n1[m])`
-    = hint: a decimal number has a point, and a comma makes a tuple: write `(0.4[m])`
-  error[E0301]: expected a number, found a tuple of 2
+    = hint: use a decimal point, because a comma makes a tuple: write `(0.4[m])`
+  error[E0301]: expected a number, found a tuple with 2 elements
     = hint: `abs` takes one argument, not a tuple
   error[E0301]: expected a number, found `(_, n[m])`
   error[E0320]: the operands of `-` have different units: `m` and `1`
-    = hint: write `1.5[m]` if that is its unit
+    = hint: write `1.5[m]` if that is the right unit
   error[E0301]: expected a number, found `(Float[m], n[m])`
   $ sed 's/ e = .*/ e = 2 * (d1 - 0.4[m])/' comma.frob > pasted.frob && frobc check pasted.frob

@@ -23,15 +23,15 @@ with which the hint replaces them.
   [1]
   $ try 'SF (Array 4 Float) (Array 4 Float)' 'f = proc x -> delay zeros(1, 4) x' 'f = proc x -> delay [0, 0, 0, 0] x'
   error[E0205]: unknown name `zeros`
-    = hint: write `[0, 0, 0, 0]`: an array is written with its elements
+    = hint: write `[0, 0, 0, 0]`: an array literal lists its elements
   [1]
   $ try 'Array 2 (Array 2 Float)' 'f = ones(2, 2)' 'f = [[1, 1], [1, 1]]'
   error[E0205]: unknown name `ones`
-    = hint: write `[[1, 1], [1, 1]]`: an array is written with its elements
+    = hint: write `[[1, 1], [1, 1]]`: an array literal lists its elements
   [1]
   $ try 'SF (Array 20 Float) (Array 20 Float)' 'f = proc x -> delay zeros(20) x' 'f = proc x -> delay (generate (const 0)) x'
   error[E0205]: unknown name `zeros`
-    = hint: write `(generate (const 0))`: its type gives the number of elements
+    = hint: write `(generate (const 0))`: its type determines the number of elements
   [1]
   $ try 'SF RobotInput Int' 'f = proc i -> hold 0 (fmap (\\k -> k - 48) (keyPressed i))' 'f = proc i -> hold 0 (mapE (\\k -> k - 48) (keyPressed i))'
   error[E0205]: unknown name `fmap`
@@ -61,11 +61,11 @@ Loops and counters:
   [1]
   $ try 'SF Bool Int' 'f = proc b -> n where\n    n    = 0\n    n   += if b then 1 else 0' 'f = proc b -> n where\n    n = delay 0 n + (if b then 1 else 0)'
   error[E0110]: Frob has no `+=`
-    = hint: Frob has no assignments: write an equation that holds at every instant: in place of both lines, write `n = delay 0 n + (if b then 1 else 0)`
+    = hint: Frob has no assignments: write an equation that holds at every instant: instead of both lines, write `n = delay 0 n + (if b then 1 else 0)`
   [1]
   $ try 'SF Bool Int' 'f = proc b -> n where\n    n = 0\n    n = delay 0 n + (if b then 1 else 0)' 'f = proc b -> n where\n    n = delay 0 n + (if b then 1 else 0)'
   error[E0212]: `n` is defined twice here
-    = hint: remove `n = 0`: in the other equation, `delay` has the initial value already
+    = hint: remove `n = 0`: the `delay` in the other equation already has the initial value
   [1]
 
 An integral in a branch:
@@ -85,5 +85,5 @@ Statements of a task:
   [1]
   $ try '(HasSonar i, DiffDrive o) => Task i o Bool' 'f = do\n    arrived <- forward 1[m]\n    print(arrived)\n    return arrived' 'f = do\n    arrived <- forward 1[m]\n    return arrived'
   error[E0205]: unknown name `print`
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; for other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: remove this line: a program cannot print, but `frobc run` prints the result of a task when the task ends, and `--record` writes all outputs to a file; to see another value, make it an output
   [1]

@@ -61,7 +61,7 @@ A controller with its gains as arguments, by a name or as the function of the li
 The body of a function, a branch, and comparisons:
 
   $ try 'square(x) {\n    return x * x;\n}' 'square x = x * x'
-  error[E0110]: this defines a function as in C
+  error[E0110]: this function definition is not in Frob's syntax
     = hint: define a function by an equation: `square x = x * x`
   [1]
   $ M='data Mode = Idle | Go\nf :: Mode -> Float\nf m = case m of\n    Go -> 1\n'
@@ -72,7 +72,7 @@ The body of a function, a branch, and comparisons:
   $ M='f :: Distance -> Bool\nf d ='
   $ try "$M 0.2[m] < d < 0.8[m]" "$M 0.2[m] < d && d < 0.8[m]"
   error[E0113]: `<` and `<` cannot be combined without parentheses
-    = hint: compare two at a time: `0.2[m] < d && d < 0.8[m]`
+    = hint: compare two values at a time: `0.2[m] < d && d < 0.8[m]`
   [1]
 
 Loops, choices and times in the `do` of a task:
@@ -84,11 +84,11 @@ Loops, choices and times in the `do` of a task:
   [1]
   $ try "$M    if not ok then\n        turnBy 90[deg]\n        forward 1[m]\n    return ()" "$M    whenT (not ok) \$ do\n        turnBy 90[deg]\n        forward 1[m]\n    return ()"
   error[E0110]: expected `else` after the first branch, found the end of the statement
-    = hint: to run these tasks only if the condition holds, write `whenT (not ok) $ do` in place of the line of the `if`; for a choice, add an `else`
+    = hint: to run these tasks only if the condition holds, replace the line of the `if` with `whenT (not ok) $ do`; to choose between two blocks of tasks, add an `else`
   [1]
   $ try "$M    repeatT (turnBy 90[deg])" "$M    repeatT 4 (turnBy 90[deg])"
   error[E0301]: expected `Int`, found `Task a b Bool`
-    = hint: the number of times comes first: write `repeatT 4 (…)`; to repeat without end, use `forever`
+    = hint: the number of times comes first: write `repeatT 4 (…)`; to repeat endlessly, use `forever`
   [1]
 
 Choices between commands have one message:

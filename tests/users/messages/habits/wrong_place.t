@@ -18,7 +18,7 @@ The unit of a gain, in the argument of a limit that has the right unit:
     |                     |     because this is `Float[1/s]`
     |                     argument 2 of `limit` is `Float[1/s]`
     |
-    = hint: if the gain `4[rad/s]` has another unit, write `4[rad/m/s]`
+    = hint: if the gain `4[rad/s]` should have a different unit, write `4[rad/m/s]`
   
   1 error
   [1]
@@ -39,7 +39,7 @@ The unit of a gain, in the argument of a limit that has the right unit:
     |                     |     because this is `Float[1/s]`
     |                     argument 2 of `limit` is `Float[1/s]`
     |
-    = hint: if the gain `4[rad/s]` has another unit, write `4[rad/m]`
+    = hint: if the gain `4[rad/s]` should have a different unit, write `4[rad/m]`
   
   1 error
   [1]
@@ -143,7 +143,7 @@ A time step for `derivative`:
     |                     |
     |                     with one argument, its result is `Float[m/s]`
     |
-    = hint: remove `0.02[s]`: `derivative` knows the time between two instants
+    = hint: remove `0.02[s]`: `derivative` already uses the time between two instants
   
   1 error
   [1]
@@ -221,4 +221,4 @@ A task in an equation of a `proc`, and in a `do`:
   $ printf 'import Robot\nmain :: Program RobotInput RobotOutput\nmain = reactimateTask (do\n    turnBy 90[deg]\n    sleepT (if True then turnBy 90[deg] else 2[s]) restingOutput)\n' > do.frob
   $ frobc check do.frob 2>&1 | grep -e ^error -e hint
   error[E0301]: expected `Time` (s), found `Task a b Bool`
-    = hint: in a `do`, run the task on the line before, `x <- turnBy 90[deg]`, and use `x` here
+    = hint: in a `do`, run the task with `x <- turnBy 90[deg]` on the line before this one, and use `x` here

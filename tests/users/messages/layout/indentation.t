@@ -91,7 +91,7 @@ starts.
   2 | main = proc x -> y where
     |                    ^^^^^
     |
-    = hint: indent the definitions after `where` further than the definition that it belongs to
+    = hint: indent the definitions after `where` further than the definition that the `where` belongs to
   
   error[E0110]: this `where` has no definitions
    --> column_1.frob:7:12
@@ -99,7 +99,7 @@ starts.
   7 |     0 -> z where
     |            ^^^^^
     |
-    = hint: indent the definitions after `where` further than the definition that it belongs to
+    = hint: indent the definitions after `where` further than the definition that the `where` belongs to
   
   2 errors
   [1]

@@ -6,13 +6,13 @@ Numbers out of the range of Int, if the numbers of a definition are Ints only be
   > main = proc x -> x + big
   > FROB
   $ frobc check definition.frob
-  warning[W0308]: this is 10000000000, which is out of the range of Int: it wraps around to 1410065408
+  warning[W0308]: this is 10000000000, which is out of range for an `Int`: it wraps around to 1410065408
    --> definition.frob:3:22
     |
   3 | main = proc x -> x + big
     |                      ^^^
     |
-    = note: an Int must be from -2147483648 to 2147483647
+    = note: an `Int` must be between -2147483648 and 2147483647
     = hint: use Floats, or a larger unit
   
   1 warning
@@ -24,13 +24,13 @@ Numbers out of the range of Int, if the numbers of a definition are Ints only be
   > main = proc x -> x + sq 100000
   > FROB
   $ frobc check function.frob
-  warning[W0308]: this is 10000000000, which is out of the range of Int: it wraps around to 1410065408
+  warning[W0308]: this is 10000000000, which is out of range for an `Int`: it wraps around to 1410065408
    --> function.frob:4:22
     |
   4 | main = proc x -> x + sq 100000
     |                      ^^^^^^^^^
     |
-    = note: an Int must be from -2147483648 to 2147483647
+    = note: an `Int` must be between -2147483648 and 2147483647
     = hint: use Floats, or a larger unit
   
   1 warning

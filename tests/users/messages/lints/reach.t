@@ -22,7 +22,7 @@ the command line, also through an equation and `watching`.
     |            ^^^^^^^^^^^^
     |
     = note: when nothing is in range, the reading is `sonarReach i`
-    = hint: compare it with a smaller distance
+    = hint: compare the reading with a smaller distance
   
   warning[W0310]: this is always False: on a Create, `sideSonar` is at most 0.5 m
    --> far.frob:9:12
@@ -31,7 +31,7 @@ the command line, also through an equation and `watching`.
     |            ^^^^^^^^^^^^^^^^^^^^
     |
     = note: when nothing is in range, the reading is `sonarReach i`
-    = hint: compare it with a smaller distance
+    = hint: compare the reading with a smaller distance
   
   2 warnings
   $ cat > typed.frob <<'FROB'
@@ -48,6 +48,6 @@ the command line, also through an equation and `watching`.
     |                  ^^^^^^^^^^^^^^^^^^^
     |
     = note: when nothing is in range, the reading is `sonarReach i`
-    = hint: compare it with a smaller distance
+    = hint: compare the reading with a smaller distance
   
   1 warning

@@ -15,7 +15,7 @@ reported where it is computed, not where it is used.
   > main = proc x -> (gain * x, 2 * gain, unknown, log (-1) + x)
   > FROB
   $ frobc check nan.frob
-  warning[W0307]: this is never a number: it is NaN
+  warning[W0307]: this is always NaN (not a number)
    --> nan.frob:2:8
     |
   2 | gain = sqrt (1 - low * 2)
@@ -23,7 +23,7 @@ reported where it is computed, not where it is used.
     |
     = note: every comparison with NaN is False, and every result computed from NaN is NaN
   
-  warning[W0307]: this is never a number: it is NaN
+  warning[W0307]: this is always NaN (not a number)
     --> nan.frob:11:48
      |
   11 | main = proc x -> (gain * x, 2 * gain, unknown, log (-1) + x)
@@ -41,13 +41,13 @@ reported where it is computed, not where it is used.
   > main = proc n -> (steps * steps, -2147483648, n * 65536 * 65536)
   > FROB
   $ frobc check ints.frob
-  warning[W0308]: this is 4294967296, which is out of the range of Int: it wraps around to 0
+  warning[W0308]: this is 4294967296, which is out of range for an `Int`: it wraps around to 0
    --> ints.frob:5:19
     |
   5 | main = proc n -> (steps * steps, -2147483648, n * 65536 * 65536)
     |                   ^^^^^^^^^^^^^
     |
-    = note: an Int must be from -2147483648 to 2147483647
+    = note: an `Int` must be between -2147483648 and 2147483647
     = hint: use Floats, or a larger unit
   
   1 warning

@@ -17,7 +17,7 @@ is that length, and by a multiple of it. Inside a branch there is no warning.
   4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
     |                   ^^^^^^^^
     |
-    = note: there the quotient is infinite, or NaN if the dividend is 0 too
+    = note: at that instant the quotient is infinite, or NaN if the dividend is also 0
     = hint: for the slope of a signal, use `derivative`; otherwise divide only in a branch where the step is longer than 0
   
   warning[W0314]: this divides by the length of the step, which is 0 at the first instant
@@ -26,7 +26,7 @@ is that length, and by a multiple of it. Inside a branch there is no warning.
   4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
     |                             ^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: there the quotient is infinite, or NaN if the dividend is 0 too
+    = note: at that instant the quotient is infinite, or NaN if the dividend is also 0
     = hint: for the slope of a signal, use `derivative`; otherwise divide only in a branch where the step is longer than 0
   
   warning[W0314]: this divides by the length of the step, which is 0 at the first instant
@@ -35,7 +35,7 @@ is that length, and by a multiple of it. Inside a branch there is no warning.
   4 | main = proc x -> (x / step, x * 1[s] / stepTime (), safe, x * 1[s] / (2 * half), x / 2) where
     |                                                           ^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: there the quotient is infinite, or NaN if the dividend is 0 too
+    = note: at that instant the quotient is infinite, or NaN if the dividend is also 0
     = hint: for the slope of a signal, use `derivative`; otherwise divide only in a branch where the step is longer than 0
   
   3 warnings

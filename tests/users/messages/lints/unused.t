@@ -15,7 +15,7 @@ Unused definitions: a rule that was never connected is reported at its equation.
   5 |     stop = near || bumped i
     |     ^^^^
     |
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_stop`
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_stop`
   
   1 warning
 
@@ -44,8 +44,8 @@ used, the result of a task:
   3 |     a = delay 0 b
     |     ^
     |
-    = note: `a` and `b` use only each other
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_a`
+    = note: `a` and `b` are used only by each other
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_a`
   
   warning[W0304]: `n` is defined here, but nothing uses it
    --> circles.frob:5:5
@@ -54,7 +54,7 @@ used, the result of a task:
     |     ^
     |
     = note: only its own equation uses it
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_n`
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_n`
   
   warning[W0304]: these are defined here, but nothing uses them
    --> circles.frob:6:5
@@ -79,7 +79,7 @@ used, the result of a task:
   11 |     let k = 2
      |         ^
      |
-     = hint: use it in an output, or remove it; if it is unused on purpose, call it `_k`
+     = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_k`
   
   warning[W0305]: `r` is never used
     --> circles.frob:12:5
@@ -129,7 +129,7 @@ Unused imports, and unused names in import lists; a name that the header re-expo
   > main = proc x -> norm (Vec2 { x = x, y = 0 })
   > FROB
   $ frobc check imports.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
    --> imports.frob:1:1
     |
   1 | import Control
@@ -145,7 +145,7 @@ Unused imports, and unused names in import lists; a name that the header re-expo
     |
     = hint: remove it
   
-  warning[W0306]: `Ranging` is imported but nothing from it is used
+  warning[W0306]: `Ranging` is imported, but nothing from it is used
    --> imports.frob:3:1
     |
   3 | import qualified Ranging as R

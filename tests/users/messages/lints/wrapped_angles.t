@@ -28,52 +28,52 @@ wrap into account.
   13 |     wrong  = toGoal - pose.heading
      |              ^^^^^^^^^^^^^^^^^^^^^
      |
-     = note: from -179 degrees to 179 degrees, it is 358 degrees; the shortest rotation is -2 degrees
+     = note: from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation is -2 degrees
      = hint: write `angleDiff a b` (module Geometry) instead of `a - b`
   
-  warning[W0315]: `derivative` of an angle that wraps
+  warning[W0315]: `derivative` is applied to an angle that wraps
     --> turns.frob:14:14
      |
   14 |     rate   = derivative pose.heading
      |              ^^^^^^^^^^ ------------ this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `derivative` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `derivative` sees a rotation of 360 degrees
      = hint: write `angularRate` (module Angles)
   
-  warning[W0315]: `pid` of an angle that wraps
+  warning[W0315]: `pid` is applied to an angle that wraps
     --> turns.frob:15:14
      |
   15 |     turn   = pid gains error
      |              ^^^       ----- this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `pid` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `pid` sees a rotation of 360 degrees
      = hint: make the angle continuous with `unwrap` (module Angles)
   
-  warning[W0315]: `lowPass` of an angle that wraps
+  warning[W0315]: `lowPass` is applied to an angle that wraps
     --> turns.frob:16:14
      |
   16 |     smooth = lowPass 0.2[s] (previous error)
      |              ^^^^^^^         -------------- this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `lowPass` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `lowPass` sees a rotation of 360 degrees
      = hint: write `lowPassAngle` (module Angles)
   
-  warning[W0315]: `highPass` of an angle that wraps
+  warning[W0315]: `highPass` is applied to an angle that wraps
     --> turns.frob:17:14
      |
   17 |     high   = highPass 1[s] (atan2 1 (wrong - 1))
      |              ^^^^^^^^       ------------------- this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `highPass` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `highPass` sees a rotation of 360 degrees
      = hint: make the angle continuous with `unwrap` (module Angles)
   
-  warning[W0315]: `complementary` of an angle that wraps
+  warning[W0315]: `complementary` is applied to an angle that wraps
     --> turns.frob:18:14
      |
   18 |     fused  = complementary 1[s] (turn, pose.heading)
      |              ^^^^^^^^^^^^^             ------------ this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `complementary` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `complementary` sees a rotation of 360 degrees
      = hint: write `complementaryAngle` (module Angles)
   
   6 warnings
@@ -127,7 +127,7 @@ A heading that a pattern binds, and an equation that is also used elsewhere:
   >     off = goal - heading
   > FROB
   $ frobc check both.frob 2>&1 | grep -A 3 warning
-  warning[W0315]: `derivative` of an angle that wraps
+  warning[W0315]: `derivative` is applied to an angle that wraps
    --> both.frob:4:60
     |
   4 | main = proc (Pose { heading }, goal) -> (sin off, 2 * off, derivative heading) where
@@ -171,42 +171,42 @@ so nothing is reported for `command`.
   >     command = rateLimit 2[1/s^2] (2[1/s] * angleDiff 0.3 h)
   > FROB
   $ frobc check ways.frob 2>&1 | grep '^warning' | sort | uniq -c
-        1 warning[W0315]: `derivative` of an angle that wraps
-        1 warning[W0315]: `highPass` of an angle that wraps
-        6 warning[W0315]: `lowPass` of an angle that wraps
-        1 warning[W0315]: `mean` of an angle that wraps
-        1 warning[W0315]: `median` of an angle that wraps
-        1 warning[W0315]: `pid2` of an angle that wraps
-        1 warning[W0315]: `pidInput` of an angle that wraps
-        1 warning[W0315]: `pid` of an angle that wraps
-        1 warning[W0315]: `rateLimit` of an angle that wraps
-        1 warning[W0315]: `slewFrom` of an angle that wraps
-        1 warning[W0315]: `stateVariable` of an angle that wraps
+        1 warning[W0315]: `derivative` is applied to an angle that wraps
+        1 warning[W0315]: `highPass` is applied to an angle that wraps
+        6 warning[W0315]: `lowPass` is applied to an angle that wraps
+        1 warning[W0315]: `mean` is applied to an angle that wraps
+        1 warning[W0315]: `median` is applied to an angle that wraps
+        1 warning[W0315]: `pid2` is applied to an angle that wraps
+        1 warning[W0315]: `pidInput` is applied to an angle that wraps
+        1 warning[W0315]: `pid` is applied to an angle that wraps
+        1 warning[W0315]: `rateLimit` is applied to an angle that wraps
+        1 warning[W0315]: `slewFrom` is applied to an angle that wraps
+        1 warning[W0315]: `stateVariable` is applied to an angle that wraps
   $ frobc fix --all ways.frob > fixes
-  warning[W0315]: `pidInput` of an angle that wraps
+  warning[W0315]: `pidInput` is applied to an angle that wraps
     --> ways.frob:14:75
      |
   14 | …s) (0, h), pidWith (pidSettings gains) (pidInput 0 h), pid gains (unwrap (compass + 0.1))
      |                                          ^^^^^^^^   - this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `pidInput` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `pidInput` sees a rotation of 360 degrees
      = hint: use `angleInput` (module Pid)
   
-  warning[W0315]: `rateLimit` of an angle that wraps
+  warning[W0315]: `rateLimit` is applied to an angle that wraps
     --> ways.frob:18:87
      |
   18 |       , lowPassAngle 1[s] (delayBy 0.5[s] h), lowPassAngle 1[s] (if b then h else 0), rateLimit 1[1/s] degrees
      |                                                                                       ^^^^^^^^^        ------- this angle is between -pi and pi
      |
-     = note: where the angle jumps from pi to -pi, `rateLimit` sees a rotation by 360 degrees
+     = note: when the angle jumps from pi to -pi, `rateLimit` sees a rotation of 360 degrees
      = hint: make the angle continuous with `unwrap` (module Angles)
   
   2 warnings
   $ frobc check ways.frob 2>&1 | grep -e '^warning' -e '-->' -e hint
-  warning[W0315]: `pidInput` of an angle that wraps
+  warning[W0315]: `pidInput` is applied to an angle that wraps
     --> ways.frob:14:75
      = hint: use `angleInput` (module Pid)
-  warning[W0315]: `rateLimit` of an angle that wraps
+  warning[W0315]: `rateLimit` is applied to an angle that wraps
     --> ways.frob:18:87
      = hint: make the angle continuous with `unwrap` (module Angles)
   $ grep -A 7 '    ( \[' ways.frob

@@ -10,7 +10,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |            |
     |            this is `SF a Distance`
     |
-    = hint: run it on `i`: `frontSonar i`
+    = hint: run the signal function on `i`: `frontSonar i`
   
   1 error
   # 002_sonar_as_field.frob
@@ -89,7 +89,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
+    = hint: write `30[deg/s]` for degrees per second, or `30[rad/s]` for radians per second
   
   1 error
   # 009_pid_of_three_numbers.frob
@@ -113,7 +113,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
+    = hint: give all numbers in the record their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
   
   1 error
   # 011_pid_gain_of_wrong_unit.frob
@@ -149,7 +149,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                       ^^^^^^^^^^^^^ its output depends on when it started
     |
     = hint: to run it at every instant, add the equation `afterNow = after 2[s] ()`, and write `afterNow` here
-    = hint: to restart it whenever this is chosen, `switch` between signal functions
+    = hint: to restart it whenever this alternative is chosen, use `switch` to change between signal functions
   
   1 error
   # 014_delay_without_start.frob
@@ -178,17 +178,17 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 016_speed_as_output.frob
-  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, whose output is not the output of a robot
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, so its output is not a robot's output
    --> 016_speed_as_output.frob:3:35
     |
   3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
     |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to create a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   # 017_two_speeds_as_tuple.frob
-  error[E0301]: expected `Velocity` (m/s), found a tuple of 2
+  error[E0301]: expected `Velocity` (m/s), found a tuple with 2 elements
    --> 017_two_speeds_as_tuple.frob:3:52
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR (0.3[m/s], 0)))
@@ -196,11 +196,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: write the arguments without parentheses and commas: `setVelTR 0.3[m/s] 0`
+    = hint: write the arguments without parentheses or commas: `setVelTR 0.3[m/s] 0`
   
   1 error
   # 018_without_roMake.frob
-  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not a robot's output
    --> 018_without_roMake.frob:3:35
     |
   3 | main = reactimateRobot (proc _ -> setVelTR 0.3[m/s] 0)
@@ -218,7 +218,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |            |
     |            this is `Distance` (m)
     |
-    = hint: write `0.5[m]` if that is its unit
+    = hint: write `0.5[m]` if that is the right unit
   
   1 error
   # 020_speed_from_distance.frob
@@ -267,7 +267,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  |
     |                  this is `SF a Time`
     |
-    = hint: run it on `()`: `time ()`
+    = hint: run the signal function on `()`: `time ()`
   
   1 error
   # 024_time_without_unit.frob
@@ -279,7 +279,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  |
     |                  this is `Time` (s)
     |
-    = hint: write `5[s]` if that is its unit
+    = hint: write `5[s]` if that is the right unit
   
   1 error
   # 025_no_else.frob
@@ -301,7 +301,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     v = min v 0.3[m/s]
     |     ^
     |
-    = hint: write one equation, `v = min (0.5[1/s] * d) 0.3[m/s]`: an equation holds at every instant, unlike an assignment
+    = hint: write one equation, `v = min (0.5[1/s] * d) 0.3[m/s]`, because an equation holds at every instant, unlike an assignment
   
   1 error
   # 027_counts_itself.frob
@@ -340,7 +340,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 030_place_as_two_numbers.frob
-  error[E0301]: expected `Point2`, found a number of `m`
+  error[E0301]: expected `Point2`, found a number in `m`
    --> 030_place_as_two_numbers.frob:4:13
     |
   4 |     driveTo 1[m] 2[m]
@@ -348,7 +348,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> 030_place_as_two_numbers.frob:5:13
@@ -358,7 +358,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
   
   2 errors
   # 031_task_if_without_else.frob
@@ -392,7 +392,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     v = if hit then 0 else 0.3[m/s])
     |            ^^^
     |
-    = hint: for the whole time that the condition is True, write `bumped i`; for the one instant at which it becomes True, `isEvent hit`
+    = hint: to test whether the condition is True, write `bumped i`; to test whether it becomes True in this instant, write `isEvent hit`
   
   1 error
   # 034_truth_as_event.frob
@@ -404,7 +404,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 1 of `switch` has the output `Event a`
     |
-    = hint: use `edge (d < 0.5[m])`, which occurs when it becomes True, or `when (d < 0.5[m])`, which occurs whenever it is True; use `tag` to add a value
+    = hint: use `edge (d < 0.5[m])`, which occurs when the condition becomes True, or `when (d < 0.5[m])`, which occurs whenever it is True; use `tag` to add a value
   
   1 error
   # 035_switch_to_signal_function.frob
@@ -427,7 +427,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                                   ^^^^^^^
     |
     = hint: an equation holds at every instant, so a signal function need not call itself to continue
-    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`; replace `…` by the signal function to run next, which may be this one
+    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`; replace `…` with the signal function to run next, which may be this one
   
   1 error
   # 037_misspelled_name.frob
@@ -489,7 +489,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 042_index_too_large.frob
-  error[E0332]: index 4 is outside of an array of 4 elements
+  error[E0332]: index 4 is out of range for an array of 4 elements
    --> 042_index_too_large.frob:2:38
     |
   2 | main = proc ds -> min (ds ! 1) (ds ! 4)
@@ -509,8 +509,8 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                  |
     |                  `k` is bound here
     |
-    = note: an index can be a number, a name of a number, or arithmetic with these
-    = hint: use `at k 0 ds`, which takes any index, and returns `0` if there is no such element
+    = note: an index can be a number, the name of a constant, or arithmetic on these
+    = hint: use `at k 0 ds`, which takes any index and returns `0` if there is no such element
   
   1 error
   # 044_case_misses_one.frob
@@ -550,7 +550,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 047_signature_only.frob
-  error[E0214]: the signature of `wallFollow` has no definition
+  error[E0214]: `wallFollow` has a signature but no definition
    --> 047_signature_only.frob:1:1
     |
   1 | wallFollow :: Distance -> SF Distance Velocity
@@ -576,7 +576,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc d -> v where
     |                    ^^^^^
     |
-    = hint: indent the definitions after `where` further than the definition that it belongs to
+    = hint: indent the definitions after `where` further than the definition that the `where` belongs to
   
   1 error
   # 050_signal_outside_proc.frob
@@ -674,7 +674,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | sign x = x / abs x
     | ^^^^
     |
-    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each of the clauses
+    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each clause
   
   1 error
   # 058_list_type.frob
@@ -684,7 +684,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | average :: [Float] -> Float
     |            ^
     |
-    = hint: write `average :: Array n Float -> Float`, or a number for the size `n`
+    = hint: write `average :: Array n Float -> Float`, or with a number instead of the size `n`
   
   1 error
   # 059_list_range.frob
@@ -717,7 +717,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | main = reactimateTask (robotPlace >>= \p -> driveTo p)
     |                                   ^^^
     |
-    = hint: write the tasks below each other in a `do`
+    = hint: write each task on its own line in a `do`
   
   1 error
   # 062_fmap_operator.frob
@@ -727,7 +727,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc e -> (* 2) <$> e
     |                        ^^^
     |
-    = hint: use `mapE f e` to apply a function to an event's value, `map f xs` to apply it to the elements of an array
+    = hint: use `mapE f e` to apply a function to an event's value, or `map f xs` to apply it to each element of an array
   
   1 error
   # 063_pure_result.frob
@@ -747,7 +747,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | twice :: Num a => a -> a
     |          ^^^
     |
-    = hint: there are no classes of numbers: write `n[u]` for a number of any kind and unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a number with fractions
+    = hint: Frob has no numeric type classes: write `n[u]` for an Int or a Float with any unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a Float only
   
   1 error
   # 065_texts_joined.frob
@@ -778,11 +778,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
    --> 067_if_between_commands.frob:4:20
     |
   3 |     if b
-    |     -- this is the choice
+    |     -- this chooses between commands
   4 |       then delay 0 -< x
     |                    ^^
     |
-    = hint: choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between their outputs
+    = hint: choose the input, as in `y <- sf -< if c then a else b`, or run both commands and choose between their outputs
   
   1 error
   # 068_deriving.frob
@@ -812,7 +812,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   1 | (|+|) :: Float -> Float -> Float
     |  ^^^
     |
-    = hint: programs cannot define operators: define a function, and use it infix in backticks, ``a `f` b``
+    = hint: programs cannot define operators: define a function, and use it infix in backticks, as in ``a `f` b``
   
   1 error
   # 071_double_for_velocity.frob
@@ -909,7 +909,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; for other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; to see other values, make them outputs, and write all outputs to a file with `--record`
   
   1 error
   # 080_and_word.frob
@@ -949,7 +949,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     if bumped i:
     |                ^
     |
-    = hint: remove the colon: indentation forms the block; a choice is `if c then a else b`
+    = hint: remove the colon: a block is delimited by its indentation; write a choice as `if c then a else b`
   
   1 error
   # 084_for_loop.frob
@@ -959,11 +959,11 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     for d in ds:
     |                ^
     |
-    = hint: Frob has no loops: write `map f ds` or `foldl (+) 0 ds` for an array, `forEachT ds f` to run a task for each element
+    = hint: Frob has no loops: write `map f ds` or `foldl (+) 0 ds` for an array, or `forEachT ds f` to run a task for each element
   
   1 error
   # 085_call_with_commas.frob
-  error[E0301]: expected `Velocity` (m/s), found a tuple of 2
+  error[E0301]: expected `Velocity` (m/s), found a tuple with 2 elements
    --> 085_call_with_commas.frob:3:50
     |
   3 | main = reactimateRobot (proc i -> roMake(setVelTR(0.2[m/s], 0)))
@@ -971,7 +971,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                          |
     |                                          argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: write the arguments without parentheses and commas: `setVelTR 0.2[m/s] 0`
+    = hint: write the arguments without parentheses or commas: `setVelTR 0.2[m/s] 0`
   
   1 error
   # 086_python_lambda.frob
@@ -1001,7 +1001,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: to repeat the tasks below it, write `forever $ do` in place of this line, or, while a condition holds, `whileT (proc i -> …) $ do`; to end a task when something happens, use `abortWhen`
+    = hint: to repeat the tasks below, replace this line with `forever $ do`, or with `whileT (proc i -> …) $ do` to repeat them while a condition holds; to end a task when something happens, use `abortWhen`
   
   1 error
   # 089_milliseconds.frob
@@ -1013,7 +1013,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `sleepT` is `Time` (s)
     |
-    = hint: write `1000[ms]` if these are milliseconds, `1000[s]` for seconds
+    = hint: write `1000[ms]` if these are milliseconds, or `1000[s]` if these are seconds
   
   error[E0320]: expected the unit `s`, found none
    --> 089_milliseconds.frob:5:12
@@ -1023,7 +1023,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |     |
     |     argument 1 of `sleepT` is `Time` (s)
     |
-    = hint: write `500[ms]` if these are milliseconds, `500[s]` for seconds
+    = hint: write `500[ms]` if these are milliseconds, or `500[s]` if these are seconds
   
   2 errors
   # 090_int_declaration.frob
@@ -1059,7 +1059,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 093_exclamation_mark.frob
-  error[E0110]: Frob has no `!` before a condition
+  error[E0110]: Frob has no prefix `!`
    --> 093_exclamation_mark.frob:2:28
     |
   2 | main = proc (a, b) -> a && !b
@@ -1105,7 +1105,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc xs -> xs .^ 2
     |                      ^^
     |
-    = hint: for numbers, write `xs ^ 2`; operators take numbers, not arrays: for arrays, write `map (\x -> x ^ 2) xs`
+    = hint: operators take numbers, not arrays: write `xs ^ 2` for numbers, or `map (\x -> x ^ 2) xs` for arrays
   
   1 error
   # 098_array_without_commas.frob
@@ -1115,7 +1115,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: for a product write `0.25 * 0.5`; between the elements of an array write commas, `[0.25, 0.5]`
+    = hint: for a product, write `0.25 * 0.5`; for an array, put commas between the elements, `[0.25, 0.5]`
   
   1 error
   # 099_index_in_parentheses.frob
@@ -1125,7 +1125,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc ds -> ds(1) + ds(2)
     |                   ^^ - it is applied to an argument here
     |
-    = hint: write `ds ! 1` for that element; the first one is `! 0`
+    = hint: write `ds ! 1` for that element; the first element is `! 0`
   
   error[E0302]: `ds` is `Array 3 Distance`, not a function
    --> 099_index_in_parentheses.frob:2:27
@@ -1133,7 +1133,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = proc ds -> ds(1) + ds(2)
     |                           ^^ - it is applied to an argument here
     |
-    = hint: write `ds ! 2` for that element; the first one is `! 0`
+    = hint: write `ds ! 2` for that element; the first element is `! 0`
   
   2 errors
   # 100_tilde_equals.frob

@@ -107,7 +107,7 @@ Classes, assertions and tests that lack a part.
   >     assert frontSonar i > 0.2[m])
   > FROB
   $ frobc check assert_noname.frob
-  error[E0110]: an `assert` needs a label that says what must hold
+  error[E0110]: an `assert` needs a label that describes its condition
    --> assert_noname.frob:3:5
     |
   3 |     assert frontSonar i > 0.2[m])
@@ -167,7 +167,7 @@ Classes, assertions and tests that lack a part.
    --> left_twice.frob:5:5
     |
   4 |     Left x -> x
-    |     ------ this branch matches all of them
+    |     ------ this branch already matches every such value
   5 |     Left b -> if b then 1 else 0
     |     ^^^^^^
     |

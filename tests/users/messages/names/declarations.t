@@ -36,7 +36,7 @@ Declarations with the punctuation or the capitals of another language.
   > Gain = 3
   > FROB
   $ frobc check capital.frob
-  error[E0110]: expected `=` after the left side of a definition, found `::`
+  error[E0110]: expected `=` after the left-hand side of a definition, found `::`
    --> capital.frob:1:6
     |
   1 | Gain :: Float

@@ -38,7 +38,7 @@ Fields of another record, fields as values, units of computed values.
   5 | trial "keeps off" = Trial { world = "room.toml", lasts = 60[s], seeds = 1 `to` 5, judge = not touches }
     |                                                                                               ^^^^^^^
     |
-    = note: `touches` is a field of `Truth`: write `r.touches`; as a function, `\r -> r.touches`; as a signal function, `proc r -> r.touches`
+    = note: `touches` is a field of `Truth`: write `r.touches`, or `\r -> r.touches` if you need a function, or `proc r -> r.touches` if you need a signal function
   
   1 error
   [1]
@@ -89,7 +89,7 @@ Fields of another record, fields as values, units of computed values.
   2 | main = proc v -> integral v dt
     |                             ^^
     |
-    = hint: use `integral x` and `derivative x`, which need no time step; `stepTime ()` of `Control` returns the time since the previous instant
+    = hint: use `integral x` and `derivative x`, which need no time step; `stepTime ()` from `Control` returns the time since the previous instant
   
   1 error
   [1]

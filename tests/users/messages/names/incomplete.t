@@ -12,7 +12,7 @@ A field:
   > main = reactimateTask (driveTo home.position)
   > FROB
   $ frobc check field.frob
-  error[E0228]: this `Pose` lacks its field `heading`
+  error[E0228]: this `Pose` is missing the field `heading`
     --> field.frob:5:8
      |
    5 | home = Pose { position = zeroVec }
@@ -56,7 +56,7 @@ A method:
   9 | instance Planner Lazy where
     |          ^^^^^^^^^^^^
     |
-    = hint: define it below the `where` of the instance: `done = …`
+    = hint: below the `where` of the instance, define `done = …`
   
   1 error
   [1]

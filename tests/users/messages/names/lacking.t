@@ -46,7 +46,7 @@ Assertions and trials:
   >     assert w <= 0.3[m/s]
   > FROB
   $ frobc check label_none.frob
-  error[E0110]: an `assert` needs a label that says what must hold
+  error[E0110]: an `assert` needs a label that describes its condition
    --> label_none.frob:4:5
     |
   4 |     assert w <= 0.3[m/s]
@@ -91,7 +91,7 @@ Assertions and trials:
   5 |     assert "moved" True
     |     ^^^^^^
     |
-    = hint: an assertion is one of the equations of a `proc`: write `proc i -> y where`, and `assert "label" (y > 0)` in the lines below
+    = hint: an assertion belongs among the equations of a `proc`: write `proc i -> y where`, with `assert "label" (y > 0)` on a line below
   
   1 error
   [1]
@@ -105,7 +105,7 @@ Parameters, modules and foreign declarations:
   > main = proc x -> gain * x
   > FROB
   $ frobc check param_type.frob
-  error[E0110]: a parameter needs its type before its value
+  error[E0110]: a parameter needs a type before its value
    --> param_type.frob:2:12
     |
   2 | param gain = 0.5
@@ -123,14 +123,14 @@ Parameters, modules and foreign declarations:
   > main = proc x -> if side == L then x else -x
   > FROB
   $ frobc check param_choice.frob
-  error[E0390]: the parameter `side` cannot be of type `Side`
+  error[E0390]: the parameter `side` cannot have the type `Side`
    --> param_choice.frob:2:1
     |
   2 | param side :: Side = L
     | ^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: a parameter must be a number or a `Bool`, so that the command line can set it
-    = hint: declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`
+    = hint: declare a separate parameter for each number in this value; for a choice, use a `Bool` or an `Int`
   
   1 error
   [1]
@@ -147,7 +147,7 @@ Parameters, modules and foreign declarations:
   3 | main = proc xs -> sum xs
     | ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `n` is a variable for any size here, not the value of that name: write a number, or a name for it, as in `type N = 4`
+    = hint: here `n` is a variable for any array size, not the value with that name: write a number, or name the size, as in `type N = 4`
   
   1 error
   [1]
@@ -164,7 +164,7 @@ Parameters, modules and foreign declarations:
   1 | import lib/Geometry
     |        ^^^
     |
-    = hint: name the module without its folder: `import Geometry`; its file must be in the folder of this one, or in the library
+    = hint: name the module without its folder: `import Geometry`; its file must be in the same folder as this one, or in the library
   
   1 error
   [1]
@@ -175,13 +175,13 @@ Parameters, modules and foreign declarations:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0))
   > FROB
   $ frobc check head.frob
-  error[E0110]: the head of a module must end with `where`
+  error[E0110]: a module header must end with `where`
    --> head.frob:1:13
     |
   1 | module Pilot
     |             ^
     |
-    = hint: write `module Pilot where`; a module that exports everything needs no head
+    = hint: write `module Pilot where`; a module that exports everything needs no header
   
   1 error
   [1]
@@ -192,7 +192,7 @@ Parameters, modules and foreign declarations:
   > main = proc x -> c_sin x
   > FROB
   $ frobc check ccall.frob
-  error[E0110]: `foreign` must not be followed by `import`, and the name in C must come last
+  error[E0110]: `foreign` must not be followed by `import`, and the C name must come last
    --> ccall.frob:1:9
     |
   1 | foreign import ccall "math.h sin" c_sin :: Float -> Float
@@ -215,7 +215,7 @@ Parameters, modules and foreign declarations:
   3 | main = proc p -> norm p
     |                  ^^^^
     |
-    = hint: it is imported under its module's name: write `Geometry.norm`
+    = hint: its module is imported with `qualified`: write `Geometry.norm`
   
   1 error
   [1]

@@ -57,7 +57,7 @@ The import begins with a capital letter, the file does not:
     |        ^^^^
     |
     = note: frobc looked for `Wall.frob` in the folder of this file and in the library
-    = hint: the file name of a module must also start with a capital: rename `wall.frob` to `Wall.frob`
+    = hint: the file name of a module must start with a capital letter, too: rename `wall.frob` to `Wall.frob`
   
   1 error
   [1]

@@ -63,7 +63,7 @@ Unknown names: different capitals, units as words, features of a later version.
   1 | origin = Geometry.zeroVec
     |          ^^^^^^^^
     |
-    = hint: it is in the library: `import qualified Geometry`
+    = hint: the library has this module: add `import qualified Geometry`
   
   1 error
   [1]

@@ -22,8 +22,8 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   sq: write `x ^ 2`
   exp2: use `2 ** x`
   ln: write `log`
-  log10: `log` is the natural logarithm; for base 10 write `log x / log 10`
-  tanh: define it by `exp`: tanh x is `1 - 2 / (exp (2 * x) + 1)`
+  log10: `log` is the natural logarithm; for base 10, write `log x / log 10`
+  tanh: define it with `exp`; for example, tanh x is `1 - 2 / (exp (2 * x) + 1)`
   fabs: write `abs`
   fmin: write `min`
   fmaxf: write `max`
@@ -31,10 +31,10 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   sign: write `signum`
   copysign: use `if y < 0 then -(abs x) else abs x`
   $ hint fmod remainder rem quot even odd constrain clip lerp
-  fmod: for Floats write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
-  remainder: for Floats write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
-  rem: use `div` and `mod` for Ints: they round towards minus infinity
-  quot: use `div` and `mod` for Ints: they round towards minus infinity
+  fmod: for Floats, write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
+  remainder: for Floats, write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
+  rem: for Ints, use `div` and `mod`; division rounds towards minus infinity
+  quot: for Ints, use `div` and `mod`; division rounds towards minus infinity
   even: use `mod n 2 == 0`
   odd: use `mod n 2 == 1`
   constrain: use `clamp low high x`, with `import Control`
@@ -43,8 +43,8 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   $ hint isnan nan isinf isfinite NAN INFINITY
   isnan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
   nan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
-  isinf: to test whether x is finite, write `x - x == 0`; for infinity write `1 / 0`
-  isfinite: to test whether x is finite, write `x - x == 0`; for infinity write `1 / 0`
+  isinf: to test whether x is finite, write `x - x == 0`; for infinity, write `1 / 0`
+  isfinite: to test whether x is finite, write `x - x == 0`; for infinity, write `1 / 0`
   NAN: use `0 / 0` for NaN
   INFINITY: use `1 / 0` for infinity
   $ hint PI M_PI TWO_PI HALF_PI deg2rad radians rad2deg degrees
@@ -63,22 +63,22 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   math.sqrt: write `sqrt x`, without `math.`
   Math.sqrt: mathematical functions are built in: write `sqrt x`
   np.abs: write `abs x`, without `np.`
-  random: use `whiteNoise 1 ()`, where 1 is the seed, with `import Sources`: each run has the same noise
+  random: use `whiteNoise 1 ()`, with `import Sources`; 1 is the seed, and each run has the same noise
   $ hint minimum maximum average len enumerate zeros append null TRUE
   minimum: write `minimumBy id x`
   maximum: write `maximumBy id x`
   average: write `mean x`
   len: write `length x`
   enumerate: write `imap (\i x -> (i, x)) x`
-  zeros: use `generate (const 0)`: its type gives the number of elements
-  append: the size of an array is fixed; to change the element at i, write `replace i x xs`
+  zeros: use `generate (const 0)`; the number of elements comes from its type
+  append: the size of an array is fixed; to change the element at index i, write `replace i x xs`
   null: write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`
   TRUE: write `True`
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
-  millis: use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs once, 1 s after the start, and `every 1[s] ()` one that occurs each second
-  micros: use `time ()`, which is a time, such as `1[s]`: `after 1[s] ()` is an event that occurs once, 1 s after the start, and `every 1[s] ()` one that occurs each second
-  delayMicroseconds: to wait in a task, write `sleepT 2[s] restingOutput`: the robot rests meanwhile
-  digitalWrite: a program writes pins through its output: add a field for the value to the output's type, or combine commands of a robot, as in `roMake (setVelTR v omega . setLight On)`
+  millis: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
+  micros: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
+  delayMicroseconds: to wait in a task while the robot rests, write `sleepT 2[s] restingOutput`
+  digitalWrite: a program writes pins through its output: add a field for the value to the output's type, or combine robot commands, as in `roMake (setVelTR v omega . setLight On)`
   analogRead: a program reads pins through its input: add a field for the value to the input's type, and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal functions, such as `frontSonar i`
   for: to compute something for each element, write `map f xs`; to run a task for each, write `forEachT xs f`
   undefined: a program never aborts: use `Maybe` for a value that may be absent

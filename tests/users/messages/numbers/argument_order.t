@@ -82,7 +82,7 @@ A number without its unit, in the right position:
     |                     |
     |                     argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: write `200[ms]` if these are milliseconds, `200[s]` for seconds
+    = hint: write `200[ms]` if these are milliseconds, or `200[s]` if these are seconds
   
   1 error
   [1]

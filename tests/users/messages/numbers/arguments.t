@@ -66,7 +66,7 @@ A minus with spaces on both sides, or on neither, is a subtraction.
   >     (a, b, c) = pair x
   > FROB
   $ frobc check tuple.frob
-  error[E0301]: expected a tuple of 2, found one of 3
+  error[E0301]: expected a tuple with 2 elements, found one with 3
    --> tuple.frob:4:7
     |
   4 | x = f (1, 2, 3)
@@ -76,7 +76,7 @@ A minus with spaces on both sides, or on neither, is a subtraction.
     |
     = hint: a number is one too many
   
-  error[E0301]: expected a tuple of 3, found one of 2
+  error[E0301]: expected a tuple with 3 elements, found one with 2
     --> tuple.frob:11:17
      |
   11 |     (a, b, c) = pair x
@@ -117,7 +117,7 @@ A function passed as an argument lacks one of its own arguments.
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s]))
   > FROB
   $ frobc check lacking.frob
-  error[E0301]: expected a function of one argument, found one of 2: `AngularVelocity -> a -> a`
+  error[E0301]: expected a function that takes one argument, found one that takes 2: `AngularVelocity -> a -> a`
    --> lacking.frob:2:43
     |
   2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s]))

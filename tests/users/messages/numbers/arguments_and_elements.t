@@ -132,7 +132,7 @@ Elements and fields:
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: for a product write `0.25 * 0.5`; between the elements of an array write commas, `[0.25, 0.5]`
+    = hint: for a product, write `0.25 * 0.5`; for an array, put commas between the elements, `[0.25, 0.5]`
   
   1 error
   [1]
@@ -147,7 +147,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                   ^^ - it is applied to an argument here
     |
-    = hint: write `ds ! 1` for that element; the first one is `! 0`
+    = hint: write `ds ! 1` for that element; the first element is `! 0`
   
   error[E0302]: `ds` is `Array 3 Distance`, not a function
    --> index_in_parentheses.frob:2:27
@@ -155,7 +155,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                           ^^ - it is applied to an argument here
     |
-    = hint: write `ds ! 2` for that element; the first one is `! 0`
+    = hint: write `ds ! 2` for that element; the first element is `! 0`
   
   2 errors
   [1]

@@ -33,13 +33,13 @@ A point without a digit before it:
   > main = reactimateRobot (proc _ -> roMake (setVelTR .5[m/s] 0))
   > FROB
   $ frobc check point.frob
-  error[E0105]: the number `.5` has no digit before its point
+  error[E0105]: the number `.5` has no digit before its decimal point
    --> point.frob:3:52
     |
   3 | main = reactimateRobot (proc _ -> roMake (setVelTR .5[m/s] 0))
     |                                                    ^^
     |
-    = hint: write a digit before the point: `0.5`
+    = hint: write a digit before the decimal point: `0.5`
   
   1 error
   [1]
@@ -65,7 +65,7 @@ Two arguments instead of one pair:
     |                                                     |
     |                                                     argument 1 of `steer` is `(Distance, Distance)`
     |
-    = hint: `steer` takes one tuple of 2: write `steer (frontSonar i, sideSonar i)`
+    = hint: `steer` takes one tuple with 2 elements: write `steer (frontSonar i, sideSonar i)`
   
   1 error
   [1]

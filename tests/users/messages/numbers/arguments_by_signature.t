@@ -107,7 +107,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                  |
     |                  this is `Array 3 Float`
     |
-    = hint: write a whole number without a point: `1`
+    = hint: write a whole number without a decimal point: `1`
   
   1 error
   [1]
@@ -164,7 +164,7 @@ Missing, additional, or wrong arguments: the message shows the signature of the 
     |                                                           |
     |                                                           the field `seeds` is `Seeds`
     |
-    = hint: write a first and a last seed: ``1 `to` 5``
+    = hint: write the first and the last seed: ``1 `to` 5``
   
   1 error
   [1]

@@ -39,7 +39,7 @@ Arrays of a different size, ranges, patterns of a different length.
     |                                                                     |                       because this is `Array 3 Float`
     |                                                                     argument 3 of `zipWith` is `Array 3 Float[u]`
     |
-    = hint: use `take` or `drop` to change the size of an array; its type gives the new size
+    = hint: use `take` or `drop` to change the size of an array; the type of the result gives the new size
   
   1 error
   [1]
@@ -56,7 +56,7 @@ Arrays of a different size, ranges, patterns of a different length.
   >     (f, l, r) = sides i)
   > FROB
   $ frobc check pattern.frob
-  error[E0301]: expected a tuple of 3, found one of 2
+  error[E0301]: expected a tuple with 3 elements, found one with 2
    --> pattern.frob:7:17
     |
   7 |     (f, l, r) = sides i)

@@ -14,7 +14,7 @@ A function without a signature compares its parameter with a number:
   $ try "near d = d < 0.4\n$M" "near d = d < 0.4[m]\n$M"
   error[E0320]: expected no unit, found `m`
     |              --- this number lacks the unit
-    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+    = hint: write `0.4[m]` in the definition of `near` if that is the right unit
   [1]
   $ try "near d = d < 0.4[s]\n$M" "near d = d < 0.4[m]\n$M"
   error[E0320]: expected the unit `s`, found `m`
@@ -24,7 +24,7 @@ A function without a signature compares its parameter with a number:
   $ try "$M where\n    near = proc d -> d - 0.4 < 0" "$M where\n    near = proc d -> d - 0.4[m] < 0"
   error[E0320]: expected no unit, found `m`
     |                          --- this number lacks the unit
-    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+    = hint: write `0.4[m]` in the definition of `near` if that is the right unit
   [1]
 
 Each use of a local function has this hint:
@@ -32,10 +32,10 @@ Each use of a local function has this hint:
   $ try 'main :: SF Distance Distance\nmain = proc x -> near x + near (2 * x) where\n    near d = d - 0.4' 'main :: SF Distance Distance\nmain = proc x -> near x + near (2 * x) where\n    near d = d - 0.4[m]'
   error[E0320]: expected no unit, found `m`
     |                  --- this number lacks the unit
-    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+    = hint: write `0.4[m]` in the definition of `near` if that is the right unit
   error[E0320]: expected no unit, found `m`
     |                  --- this number lacks the unit
-    = hint: write `0.4[m]` in the definition of `near` if that is its unit
+    = hint: write `0.4[m]` in the definition of `near` if that is the right unit
   [1]
 
 The result is one of several numbers:
@@ -45,7 +45,7 @@ The result is one of several numbers:
   error[E0320]: expected the unit `m/s`, found none
     |                            ---      --- this number lacks the unit
     |                            this number lacks the unit
-    = hint: write `0.3[m/s]` and `0.1[m/s]` if that is their unit
+    = hint: write `0.3[m/s]` and `0.1[m/s]` if that is the right unit
   [1]
   $ M='main :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR 0 w) where\n    w = if frontSonar i > 1[m] then 0 else'
   $ try "$M 0.5[m/s])" "$M 0.5[rad/s])"
@@ -78,7 +78,7 @@ A gain of a rate that needs no unit, although the other one has the same unit:
   $ try "kp = 0.5[1/s]\nkd = 0.2[1/s]\n$M" "kp = 0.5[1/s]\nkd = 0.2\n$M"
   error[E0320]: the operands of `+` have different units: `m/s` and `m/s^2`
     |      -------- `kd` is this number
-    = hint: if the gain `kd` has no unit, write `kd = 0.2`
+    = hint: if the gain `kd` should have no unit, write `kd = 0.2`
   [1]
 
 A whole number where a quantity is expected:
@@ -86,12 +86,12 @@ A whole number where a quantity is expected:
   $ M='main :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR speed 0))'
   $ try "speed :: Int\nspeed = 200\n$M" "speed :: Float[m/s]\nspeed = 200[mm/s]\n$M"
   error[E0312]: expected `Velocity` (m/s), found `Int`
-    |         --- `speed` is this number without a unit
+    |         --- `speed` is this number, which has no unit
     = hint: give `speed` its unit: `speed :: Float[m/s]` and `speed = 200[mm/s]`
   [1]
   $ try 'main :: SF Int Bool\nmain = proc n -> near n\nnear :: Distance -> Bool\nnear d = d < 1[m]' 'main :: SF Int Bool\nmain = proc n -> near (toFloat n * 1[m])\nnear :: Distance -> Bool\nnear d = d < 1[m]'
   error[E0312]: expected `Distance` (m), found `Int`
-    = hint: if it counts the unit `m`, write `toFloat n * 1[m]`
+    = hint: if the number is in `m`, write `toFloat n * 1[m]`
   [1]
 
 Two quantities that cannot be added:

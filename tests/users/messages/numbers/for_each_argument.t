@@ -34,7 +34,7 @@ A number that is not an Int is not replaced by a 0:
     |                  |
     |                  argument 1 of `add` is `(Float, Float)`
     |
-    = hint: `add` takes one tuple of 2: write `add (x, x)`
+    = hint: `add` takes one tuple with 2 elements: write `add (x, x)`
   
   1 error
   [1]

@@ -15,7 +15,7 @@ The gain lacks its unit; the limit is right, as `setVelTR` shows:
    --> gain.frob:5:25
     |
   3 | kP = 0.8
-    |      --- `kP` is this number without a unit
+    |      --- `kP` is this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = limit 0.4[m/s] (kP * (frontSonar i - 0.5[m])))
     |         ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -43,7 +43,7 @@ The product before the number:
    --> least.frob:5:14
     |
   3 | kP = 0.8
-    |      --- `kP` is this number without a unit
+    |      --- `kP` is this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = min (kP * (frontSonar i - 0.5[m])) 0.4[m/s])
     |              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^  -------- because this is `Float[m/s]`, and `min` needs matching units
@@ -55,7 +55,7 @@ The product before the number:
   1 error
   [1]
   $ sed 's:= 0.8:= 0.8[1/s]:' least.frob > pasted.frob && frobc check pasted.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
    --> pasted.frob:1:1
     |
   1 | import Control
@@ -79,7 +79,7 @@ A limit of the rate of change:
    --> rate.frob:5:31
     |
   3 | kP = 0.8
-    |      --- `kP` is this number without a unit
+    |      --- `kP` is this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = rateLimit 0.4[m/s^2] (kP * (frontSonar i - 0.5[m])))
     |         --------- ----------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -108,7 +108,7 @@ A gain in an equation, behind another equation:
    --> equation.frob:6:28
     |
   4 |     kP = 0.8
-    |          --- `kP` is this number without a unit
+    |          --- `kP` is this number, which has no unit
   5 |     wanted = kP * (frontSonar i - 0.5[m])
   6 |     v = deadband 0.05[m/s] wanted)
     |         -------- --------- ^^^^^^ this is `Float[m]`
@@ -136,7 +136,7 @@ A parameter, behind a function that keeps the unit:
    --> parameter.frob:5:24
     |
   3 | param kP :: Float = 0.8
-    |                     --- `kP` is this number without a unit
+    |                     --- `kP` is this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = max 0.05[m/s] (abs (kP * (frontSonar i - 0.5[m]))))
     |         --- ---------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -149,7 +149,7 @@ A parameter, behind a function that keeps the unit:
   1 error
   [1]
   $ sed 's|kP :: Float = 0.8|kP :: Float[1/s] = 0.8[1/s]|' parameter.frob > pasted.frob && frobc check pasted.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
    --> pasted.frob:1:1
     |
   1 | import Control
@@ -173,7 +173,7 @@ The value of an event:
    --> held.frob:5:24
     |
   3 | kP = 0.8
-    |      --- `kP` is this number without a unit
+    |      --- `kP` is this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = hold 0.1[m/s] (tag (edge (bumped i)) (kP * (frontSonar i - 0.5[m]))))
     |         ---- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Event Float[m]`
@@ -187,7 +187,7 @@ The value of an event:
   1 error
   [1]
   $ sed 's:= 0.8:= 0.8[1/s]:' held.frob > pasted.frob && frobc check pasted.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
    --> pasted.frob:1:1
     |
   1 | import Control
@@ -212,7 +212,7 @@ A field of a record:
    --> field.frob:6:25
     |
   4 | gains = Gains { kp = 0.8, ki = 0.1 }
-    |                      --- `kp` is this number without a unit
+    |                      --- `kp` is this number, which has no unit
   5 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   6 |     v = limit 0.4[m/s] (gains.kp * (frontSonar i - 0.5[m])))
     |         ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -332,7 +332,7 @@ A formula that lacks the square of a variable:
   2 | stopping v a = v / (2 * a)
     |                ^^^^^^^^^^^ this is `Float[s]`
     |
-    = hint: the missing factor `m/s` is the unit of `v`: write `v ^ 2 / (2 * a)` if its square is meant
+    = hint: the missing factor `m/s` is the unit of `v`: write `v ^ 2 / (2 * a)` if you meant its square
     = hint: if this is the right result, write the signature as `stopping :: Velocity -> Acceleration -> Float[s]`
   
   1 error
@@ -354,7 +354,7 @@ A formula that lacks the square of a variable:
   2 | pull r w = r * w
     |            ^^^^^ this is `Float[m/s]`
     |
-    = hint: the missing factor `1/s` is the unit of `w`: write `r * w ^ 2` if its square is meant
+    = hint: the missing factor `1/s` is the unit of `w`: write `r * w ^ 2` if you meant its square
     = hint: if this is the right result, write the signature as `pull :: Distance -> AngularVelocity -> Float[m/s]`
   
   1 error
@@ -447,7 +447,7 @@ A quotient written as a product:
   2 | duration d v = d * v
     |                ^^^^^ this is `Float[m^2/s]`
     |
-    = hint: write `d / v`, which has that unit
+    = hint: write `d / v`, which has the expected unit
   
   1 error
   [1]
@@ -523,7 +523,7 @@ A rate of change from the previous value:
   1 error
   [1]
   $ sed 's:(velocity.*:derivative (velocity i):' change.frob > pasted.frob && frobc check pasted.frob
-  warning[W0306]: `Control` is imported but nothing from it is used
+  warning[W0306]: `Control` is imported, but nothing from it is used
    --> pasted.frob:1:1
     |
   1 | import Control
@@ -550,7 +550,7 @@ A rate for a time, as an argument:
     |                  |
     |                  argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: this is a time constant: for the cutoff frequency `5[Hz]`, write `(1 / (2 * pi * 5[Hz]))`
+    = hint: this argument must be a time constant: for the cutoff frequency `5[Hz]`, write `(1 / (2 * pi * 5[Hz]))`
   
   1 error
   [1]
@@ -573,7 +573,7 @@ Gains without any unit:
     |                         |
     |                         the field `ki` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[m/s] }`
+    = hint: give all numbers in the record their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[m/s] }`
   
   1 error
   [1]
@@ -597,18 +597,18 @@ The signature determines the units:
     |               |
     |               the field `kp` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[1, 1/s]` (u is `1`, v is `1/s`), write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[1/s] }`
+    = hint: give all numbers in the record their units: for a `Pid[1, 1/s]` (u is `1`, v is `1/s`), write `Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[1/s] }`
   
   1 error
   [1]
   $ sed 's:Pid {.*:Pid { kp = 1.2[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.4[1/s] }:' heading.frob > pasted.frob && frobc check pasted.frob
-  warning[W0315]: `pid` of an angle that wraps
+  warning[W0315]: `pid` is applied to an angle that wraps
    --> pasted.frob:5:55
     |
   5 | main = reactimateRobot (proc i -> roMake (setVelTR 0 (pid gains (robotPose i).heading)))
     |                                                       ^^^       --------------------- this angle is between -pi and pi
     |
-    = note: where the angle jumps from pi to -pi, `pid` sees a rotation by 360 degrees
+    = note: when the angle jumps from pi to -pi, `pid` sees a rotation of 360 degrees
     = hint: make the angle continuous with `unwrap` (module Angles)
   
   1 warning
@@ -628,7 +628,7 @@ An angle from 0 on:
   2 | wrap a = a `mod` (2 * pi)
     |          ^ ----- argument 1 of `mod` is `Int`
     |
-    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`; for one from 0 on, `a - (2 * pi) * floorFloat (a / (2 * pi))`
+    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`; for an angle that is never negative, write `a - (2 * pi) * floorFloat (a / (2 * pi))`
   
   1 error
   [1]
@@ -710,7 +710,7 @@ A tuple that lacks a part, and one with a part too many:
   > main = proc (v, d) -> (f (d, d), f (v, d, d, True))
   > FROB
   $ frobc check parts.frob
-  error[E0301]: expected a tuple of 3, found one of 2
+  error[E0301]: expected a tuple with 3 elements, found one with 2
    --> parts.frob:4:26
     |
   4 | main = proc (v, d) -> (f (d, d), f (v, d, d, True))
@@ -718,9 +718,9 @@ A tuple that lacks a part, and one with a part too many:
     |                        |
     |                        argument 1 of `f` is `(Velocity, Distance, Distance)`
     |
-    = hint: the first part, `Velocity` (m/s), is missing
+    = hint: the first element, `Velocity` (m/s), is missing
   
-  error[E0301]: expected a tuple of 3, found one of 4
+  error[E0301]: expected a tuple with 3 elements, found one with 4
    --> parts.frob:4:36
     |
   4 | main = proc (v, d) -> (f (d, d), f (v, d, d, True))
@@ -728,7 +728,7 @@ A tuple that lacks a part, and one with a part too many:
     |                                  |
     |                                  argument 1 of `f` is `(Velocity, Distance, Distance)`
     |
-    = hint: the fourth part, `Bool`, is one too many: write `(v, d, d)`
+    = hint: the fourth element, `Bool`, is one too many: write `(v, d, d)`
   
   2 errors
   [1]
@@ -750,7 +750,7 @@ Temperatures in degrees:
   2 | hot t = t > 80[degC]
     |                ^^^^
     |
-    = hint: use kelvin: write `353.15[K]` for this temperature, or `80[K]` for a difference of temperatures
+    = hint: use kelvin: write `353.15[K]` for this temperature, or `80[K]` for a temperature difference
   
   error[E0208]: unknown unit `degF`
    --> hot.frob:3:17
@@ -758,7 +758,7 @@ Temperatures in degrees:
   3 | cold t = t < 14[degF]
     |                 ^^^^
     |
-    = hint: use kelvin: write `263.15[K]` for this temperature, or `7.78[K]` for a difference of temperatures
+    = hint: use kelvin: write `263.15[K]` for this temperature, or `7.78[K]` for a temperature difference
   
   2 errors
   [1]
@@ -859,7 +859,7 @@ Multiples of the gravitational acceleration:
     |                  |
     |                  this is `Acceleration` (m/s^2)
     |
-    = hint: `g` is the gram: for a multiple of the gravitational acceleration, write `19.613[m/s^2]`
+    = hint: `g` means gram: for a multiple of the gravitational acceleration, write `19.613[m/s^2]`
   
   1 error
   [1]

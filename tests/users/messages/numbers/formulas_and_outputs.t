@@ -5,13 +5,13 @@ A quotient the other way round:
   > turnFor :: Distance -> Velocity -> AngularVelocity
   > turnFor radius speed = radius / speed
   > END
-    = hint: the quotient the other way round has the unit `1/s`: `speed / radius`
+    = hint: swap the operands to get the unit `1/s`: write `speed / radius`
     = hint: if this is the right result, write the signature as `turnFor :: Distance -> Velocity -> Float[s]`
   $ check <<'END'
   > eta :: Distance -> Velocity -> Time
   > eta d v = (v + 0.1[m/s]) / d
   > END
-    = hint: the quotient the other way round has the unit `s`: `d / (v + 0.1[m/s])`
+    = hint: swap the operands to get the unit `s`: write `d / (v + 0.1[m/s])`
     = hint: if this is the right result, write the signature as `eta :: Distance -> Velocity -> Float[1/s]`
 
 A number without a unit in an output of a signal function:
@@ -20,7 +20,7 @@ A number without a unit in an output of a signal function:
   > walk :: SF Int Velocity
   > walk = switch (proc n -> (0.3, edge (n > 1000))) (\_ -> constant 0)
   > END
-    = hint: write `0.3[m/s]` if that is its unit
+    = hint: write `0.3[m/s]` if that is the right unit
 
 Missing parentheses around a comparison, and an angle compared with a distance:
 
@@ -34,7 +34,7 @@ Missing parentheses around a comparison, and an angle compared with a distance:
   > main :: SF Distance (Event ())
   > main = proc d -> when d < 0.5[m]
   > END
-    = hint: put parentheses around the argument, because application binds tighter than `<`: `when (d < …)`
+    = hint: put parentheses around the argument, because function application binds tighter than `<`: `when (d < …)`
   $ check <<'END'
   > main :: SF Angle Bool
   > main = proc heading -> heading < 1[m]

@@ -16,7 +16,7 @@ A number without a unit, as an argument next to a quantity:
     |                   |
     |                   argument 1 of `min`
     |
-    = hint: write `0.3[m/s]` if that is its unit
+    = hint: write `0.3[m/s]` if that is the right unit
   
   1 error
   [1]
@@ -38,7 +38,7 @@ The function relates the units of its arguments, and the number is the mistake:
     |                     |
     |                     argument 1 of `limit`
     |
-    = hint: write `1[1/s]` if that is its unit
+    = hint: write `1[1/s]` if that is the right unit
   
   1 error
   [1]
@@ -83,7 +83,7 @@ Two numbers without a unit, one of them negative; zero has any unit:
     |                      |
     |                      argument 1 of `clamp`
     |
-    = hint: write `-1[m/s]` and `1[m/s]` if that is their unit
+    = hint: write `-1[m/s]` and `1[m/s]` if these are the right units
   
   error[E0320]: expected the unit `m/s`, found none
    --> clamp.frob:4:23
@@ -93,7 +93,7 @@ Two numbers without a unit, one of them negative; zero has any unit:
     |                       |
     |                       argument 2 of `clamp`
     |
-    = hint: write `1[m/s]` if that is its unit
+    = hint: write `1[m/s]` if that is the right unit
   
   2 errors
   [1]
@@ -114,7 +114,7 @@ An initial value without the unit of the event:
     |                         |
     |                         argument 1 of `hold`
     |
-    = hint: write `0.5[m/s]` if that is its unit
+    = hint: write `0.5[m/s]` if that is the right unit
   
   1 error
   [1]
@@ -133,7 +133,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> constant.frob:3:52
     |
   2 | kp = 0.8
-    |      --- `kp` is this number without a unit
+    |      --- `kp` is this number, which has no unit
   3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
     |                                           -------- ^ this is `Float[m]`
     |                                           |
@@ -157,7 +157,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> divisor.frob:3:15
     |
   1 | tau = 2.0
-    |       --- `tau` is this number without a unit
+    |       --- `tau` is this number, which has no unit
   2 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   3 | f = proc d -> d / tau
@@ -181,7 +181,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> threshold.frob:3:19
     |
   1 | near = 0.5
-    |        --- `near` is this number without a unit
+    |        --- `near` is this number, which has no unit
   2 | f :: SF Distance Bool
   3 | f = proc d -> d < near
     |               -   ^^^^ this is `Float`
@@ -207,7 +207,7 @@ A constant with a signature:
    --> signed.frob:4:15
     |
   2 | kp = 0.8
-    |      --- `kp` is this number without a unit
+    |      --- `kp` is this number, which has no unit
   3 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   4 | f = proc d -> kp * d
@@ -231,7 +231,7 @@ A parameter:
    --> parameter.frob:3:15
     |
   1 | param kp :: Float = 0.8
-    |                     --- `kp` is this number without a unit
+    |                     --- `kp` is this number, which has no unit
   2 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   3 | f = proc d -> kp * d
@@ -301,7 +301,7 @@ A power of a quantity:
     |                          |
     |                          this is `Distance` (m)
     |
-    = hint: for a power with a whole exponent, write `x ^ 2`
+    = hint: for a power with an integer exponent, write `x ^ 2`
   
   error[E0320]: expected no unit, found `m`
    --> power.frob:2:35
@@ -311,7 +311,7 @@ A power of a quantity:
     |                                   |
     |                                   this is `Distance` (m)
     |
-    = hint: for a power with a whole exponent, write `y ^ 2`
+    = hint: for a power with an integer exponent, write `y ^ 2`
   
   2 errors
   [1]
@@ -353,7 +353,7 @@ The remainder of an angle, and of a distance:
     |               |
     |               argument 1 of `mod` is `Int`
     |
-    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`; for one from 0 on, `a - (2 * pi) * floorFloat (a / (2 * pi))`
+    = hint: `mod` is for whole numbers: for an angle between -pi and pi, write `wrapAngle a`, with `import Geometry`; for an angle that is never negative, write `a - (2 * pi) * floorFloat (a / (2 * pi))`
   
   1 error
   [1]
@@ -413,7 +413,7 @@ A consistent definition, and a signature that does not match it:
   2 | f = proc v -> integral v
     |               ^^^^^^^^^^ this is `Float[m]`
     |
-    = hint: remove `integral`: `v` is in `m/s` already
+    = hint: remove `integral`: `v` is already in `m/s`
     = hint: if this is the right result, write the signature as `f :: SF Velocity Float[m]`
   
   1 error
@@ -525,7 +525,7 @@ A constant that lacks its unit, in an operand:
     |                     |
     |                     this is `Velocity` (m/s)
   3 |     l = 0.3
-    |         --- `l` is this number without a unit
+    |         --- `l` is this number, which has no unit
     |
     = hint: give `l` its unit: `l = 0.3[m]`
   
@@ -537,7 +537,7 @@ A constant that lacks its unit, in an operand:
     |                                    |
     |                                    this is `Velocity` (m/s)
   3 |     l = 0.3
-    |         --- `l` is this number without a unit
+    |         --- `l` is this number, which has no unit
     |
     = hint: give `l` its unit: `l = 0.3[m]`
   
@@ -560,7 +560,7 @@ A number in a function that is an argument:
     |                       |
     |                       argument 1 of `any`
     |
-    = hint: write `0.5[m]` if that is its unit
+    = hint: write `0.5[m]` if that is the right unit
   
   1 error
   [1]
@@ -581,7 +581,7 @@ A number in a function that is an argument:
     |                          |
     |                          argument 2 of `foldl`
     |
-    = hint: write `10[m]` if that is its unit
+    = hint: write `10[m]` if that is the right unit
   
   1 error
   [1]
@@ -671,7 +671,7 @@ A plain number as a quantity:
   2 | f = proc x -> x
     |               ^ this is `Float`
     |
-    = hint: if it is a number of `m`, multiply by the unit: `x * 1[m]`
+    = hint: if the number is in `m`, multiply by the unit: `x * 1[m]`
   
   1 error
   [1]
@@ -861,7 +861,7 @@ A product that should be a quotient:
   2 | f = proc (v, r) -> v * r
     |                    ^^^^^ this is `Float[m^2/s]`
     |
-    = hint: write `v / r`, which has that unit
+    = hint: write `v / r`, which has the expected unit
   
   1 error
   [1]

@@ -15,7 +15,7 @@ with the unit.
     |        |
     |        argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: write `0.2[s]` if that is its unit
+    = hint: write `0.2[s]` if that is the right unit
   
   1 error
   [1]
@@ -34,7 +34,7 @@ with the unit.
     |          |
     |          this is `Distance` (m)
     |
-    = hint: write `3[m]` if that is its unit
+    = hint: write `3[m]` if that is the right unit
   
   error[E0320]: the operands of `<` have different units: `1` and `m`
    --> operand.frob:3:13
@@ -44,7 +44,7 @@ with the unit.
     |         |
     |         this is `Float`
     |
-    = hint: write `3[m]` if that is its unit
+    = hint: write `3[m]` if that is the right unit
   
   2 errors
   [1]
@@ -71,7 +71,7 @@ In a record, the message shows the number, not the record.
     |                                          |
     |                                          the field `x` is `Float[m]`
     |
-    = hint: write `10[m]` if that is its unit
+    = hint: write `10[m]` if that is the right unit
   
   error[E0320]: expected the unit `m`, found none
    --> corners.frob:6:37
@@ -81,7 +81,7 @@ In a record, the message shows the number, not the record.
     |                                 |
     |                                 the field `x` is `Float[m]`
     |
-    = hint: write `1[m]` if that is its unit
+    = hint: write `1[m]` if that is the right unit
   
   error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
    --> corners.frob:9:30

@@ -17,7 +17,7 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   4 | stoppable d = sqrt (2 * 0.3 * d)
     |               ^^^^^^^^^^^^^^^^^^ this is `Float[m^(1/2)]`
     |
-    = hint: perhaps a number lacks its unit: with `0.3` as it is, the unit is `m^(1/2)`
+    = hint: perhaps a number lacks its unit: if `0.3` has no unit, the unit of the result is `m^(1/2)`
   
   1 error
   [1]
@@ -39,7 +39,7 @@ A formula in which a number lacks its unit, and one with an exponent that is not
   4 | decay x n = x ^ n
     |                 ^
     |
-    = hint: for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** toFloat n`
+    = hint: for other exponents, use `**`, which takes Floats without a unit; for an Int `n`, write `x ** toFloat n`
   
   1 error
   [1]

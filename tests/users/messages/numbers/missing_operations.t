@@ -10,7 +10,7 @@ hint replaces it.
 
   $ try 'Distance -> Velocity' 'f d = sqrt (2 * d)' 'f d = sqrt (1[m/s^2] * 2 * d)'
   error[E0320]: expected the unit `m/s`, found `m^(1/2)`
-    = hint: a factor in `m/s^2`, an acceleration, is missing inside the root, as in `sqrt (1[m/s^2] * 2 * d)`
+    = hint: multiply by a factor in `m/s^2`, an acceleration, inside the root, as in `sqrt (1[m/s^2] * 2 * d)`
   [1]
   $ try 'Distance -> Distance -> Distance' 'f x y = sqrt (x + y)' 'f x y = sqrt (x ^ 2 + y ^ 2)'
   error[E0320]: expected the unit `m`, found `m^(1/2)`
@@ -28,12 +28,12 @@ hint replaces it.
   [1]
   $ try 'SF Velocity Velocity' 'f = proc v -> delay 0.5[s] v' 'f = proc v -> delayBy 0.5[s] v'
   error[E0320]: expected the unit `s`, found `m/s`
-    = hint: to delay by a time, write `delayBy 0.5[s] v`, with `import Control`; `delay x0` delays by one instant, and `x0` is its value at the first one
+    = hint: to delay by a fixed time, write `delayBy 0.5[s] v`, with `import Control`; `delay x0` delays by one instant, and `x0` is its output at the first instant
   [1]
   $ try 'Float[1/(m s)] -> Float[1/(m s)] -> SF Distance AngularVelocity' 'f kp kd = proc e -> kp * e + kd * derivative e' \
   >   'f kp kd = proc e -> kp * e + kd * derivative e' 'Float[1/(m s)] -> Float[1/m] -> SF Distance AngularVelocity'
   error[E0320]: the operands of `+` have different units: `1/s` and `1/s^2`
-    = hint: the gain of a rate of change has another unit: write `Float[1/m]` for `kd` in the signature
+    = hint: the gain of a rate of change needs a different unit: write `Float[1/m]` for `kd` in the signature
   [1]
   $ try 'Distance -> Int' 'f d = round (d * 100)' 'f d = round (d * 100 / 1[m])'
   error[E0320]: expected no unit, found `m`
@@ -42,7 +42,7 @@ hint replaces it.
   [1]
   $ try 'Distance -> Float' 'f d = toFloat (d / 1[m])' 'f d = d / 1[m]'
   error[E0312]: expected `Int`, found `Float`
-    = hint: remove `toFloat`: `d / 1[m]` is a `Float` already
+    = hint: remove `toFloat`: `d / 1[m]` is already a `Float`
   [1]
   $ try 'Float -> Int' 'f x = max 0 (255 * x)' 'f x = round (max 0 (255 * x))'
   error[E0312]: expected `Int`, found `Float`
@@ -82,7 +82,7 @@ hint replaces it.
   [1]
   $ try '[Float] -> Float' 'f xs = sum xs' 'f xs = sum xs' 'Array n Float -> Float'
   error[E0110]: the type of an array cannot be written in brackets
-    = hint: write `f :: Array n Float -> Float`, or a number for the size `n`
+    = hint: write `f :: Array n Float -> Float`, or with a number instead of the size `n`
   [1]
   $ try 'SF (Event Int) (Event Int)' 'f = proc e -> filter (\n -> n > 3) e' 'f = proc e -> filterEvent (\n -> n > 3) e'
   error[E0205]: unknown name `filter`
@@ -90,7 +90,7 @@ hint replaces it.
   [1]
   $ try 'SF Bool Bool' 'f = proc b -> hold False b' 'f = proc b -> hold False (tag (edge b) True)'
   error[E0301]: expected `Event Bool`, found `Bool`
-    = hint: use `tag (edge b) True`, which occurs when it becomes True
+    = hint: use `tag (edge b) True`, which occurs when the condition becomes True
   [1]
   $ try 'SF Float Float' 'f = proc x -> lowPassFilter 0.5[s] x' 'f = proc x -> lowPass 0.5[s] x'
   error[E0205]: unknown name `lowPassFilter`
@@ -106,4 +106,4 @@ The second equation overrides the first one:
   $ printf 'main :: SF Bool Float\nmain = proc b -> v where\n    v = 1\n    v = if b then 0 else v\n' > twice.frob
   $ frobc check twice.frob 2>&1 | grep '^error\|hint'
   error[E0212]: `v` is defined twice here
-    = hint: write one equation, `v = if b then 0 else 1`: an equation holds at every instant, unlike an assignment
+    = hint: write one equation, `v = if b then 0 else 1`, because an equation holds at every instant, unlike an assignment

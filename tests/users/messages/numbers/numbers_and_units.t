@@ -5,21 +5,21 @@ Numbers and units in other notations.
   > y = 5. + 2
   > FROB
   $ frobc check point.frob
-  error[E0105]: the number `.5` has no digit before its point
+  error[E0105]: the number `.5` has no digit before its decimal point
    --> point.frob:1:5
     |
   1 | x = .5
     |     ^^
     |
-    = hint: write a digit before the point: `0.5`
+    = hint: write a digit before the decimal point: `0.5`
   
-  error[E0105]: the number `5.` has no digit after its point
+  error[E0105]: the number `5.` has no digit after its decimal point
    --> point.frob:2:5
     |
   2 | y = 5. + 2
     |     ^^
     |
-    = hint: write a digit after the point: `5.0`
+    = hint: write a digit after the decimal point: `5.0`
   
   2 errors
   [1]
@@ -61,7 +61,7 @@ Numbers and units in other notations.
   4 | f x = x ^ 9223372036854775807
     |           ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: for other exponents use `**`, which takes Floats without a unit; for an Int `n` write `x ** toFloat n`
+    = hint: for other exponents, use `**`, which takes Floats without a unit; for an Int `n`, write `x ** toFloat n`
   
   4 errors
   [1]
@@ -71,13 +71,13 @@ Numbers and units in other notations.
   > mask = 0xFFFF_0000
   > FROB
   $ frobc check bits.frob
-  error[E0313]: `0xFFFF_0000` is out of the range of `Int`
+  error[E0313]: `0xFFFF_0000` is out of range for an `Int`
    --> bits.frob:2:8
     |
   2 | mask = 0xFFFF_0000
     |        ^^^^^^^^^^^
     |
-    = note: an `Int` must be from -2147483648 to 2147483647
+    = note: an `Int` must be between -2147483648 and 2147483647
     = hint: for these 32 bits, write `(-65536)`
   
   1 error
@@ -147,8 +147,8 @@ A name in the size of an array is a type variable, not a number.
   5 | main = proc x -> x + xs ! 2
     |                      ^^
     |
-    = note: `n` in the signature of `xs` is a variable for any size: write a number instead, or a name for it, as in `type Size = 4`
-    = hint: annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature
+    = note: `n` in the signature of `xs` is a variable for any size: write a number instead, or name the size, as in `type Size = 4`
+    = hint: add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature
   
   1 error
   [1]

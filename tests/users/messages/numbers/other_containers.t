@@ -8,7 +8,7 @@ reset.
   >     [l, _] = map (\d -> d / 2) (sideSonar i, rightSonar i))
   > FROB
   $ frobc check tuple.frob
-  error[E0301]: expected `Array m Float[u]`, found a tuple of 2
+  error[E0301]: expected `Array m Float[u]`, found a tuple with 2 elements
    --> tuple.frob:4:32
     |
   4 |     [l, _] = map (\d -> d / 2) (sideSonar i, rightSonar i))
@@ -38,7 +38,7 @@ reset.
     |                                                                 |
     |                                                                 argument 1 of `draw` is `Mark`
     |
-    = hint: use `number "name" (frontSonar i)` for the mark of a number
+    = hint: to make a mark from a number, write `number "name" (frontSonar i)`
   
   1 error
   [1]
@@ -60,7 +60,7 @@ reset.
     |           |
     |           with one argument, its result is `Float[m]`
     |
-    = hint: it starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
+    = hint: `integral` starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   1 error
   [1]

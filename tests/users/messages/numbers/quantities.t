@@ -16,7 +16,7 @@ A turn, a pause, and a unit after a space:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
     |
-    = hint: write `30[deg/s]` for degrees per second, `30[rad/s]` for radians per second
+    = hint: write `30[deg/s]` for degrees per second, or `30[rad/s]` for radians per second
   
   1 error
   [1]
@@ -36,7 +36,7 @@ A turn, a pause, and a unit after a space:
     |     |
     |     argument 1 of `sleepT` is `Time` (s)
     |
-    = hint: write `1000[ms]` if these are milliseconds, `1000[s]` for seconds
+    = hint: write `1000[ms]` if these are milliseconds, or `1000[s]` if these are seconds
   
   error[E0320]: expected the unit `s`, found none
    --> milliseconds.frob:5:12
@@ -46,7 +46,7 @@ A turn, a pause, and a unit after a space:
     |     |
     |     argument 1 of `sleepT` is `Time` (s)
     |
-    = hint: write `500[ms]` if these are milliseconds, `500[s]` for seconds
+    = hint: write `500[ms]` if these are milliseconds, or `500[s]` if these are seconds
   
   2 errors
   [1]
@@ -185,7 +185,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |                             |
     |                             the field `ki` is `Float[1/s]`
     |
-    = hint: give all its numbers their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
+    = hint: give all numbers in the record their units: for a `Pid[m, m/s]` (u is `m`, v is `m/s`), for example, write `Pid { kp = 0.8[1/s], ki = 0.1[1/s^2], kd = 0.05, largest = 0.3[m/s] }`
   
   1 error
   [1]

@@ -77,7 +77,7 @@ Records instead of their components, components instead of records, and numbers 
   3 | halve c = c.v * 0.5
     |           ^^^^^^^^^
     |
-    = hint: write the whole record, `Cmd { v = …, w = … }`, or a copy of a record `r` with another `v`: `r { v = … }`
+    = hint: write the whole record, `Cmd { v = …, w = … }`, or a copy of a record `r` with a different `v`: `r { v = … }`
   
   1 error
   [1]
@@ -89,7 +89,7 @@ Records instead of their components, components instead of records, and numbers 
   > main = proc p -> scale p
   > FROB
   $ frobc check scale.frob
-  error[E0301]: expected `Array m n[u]`, found a tuple of 2
+  error[E0301]: expected `Array m n[u]`, found a tuple with 2 elements
    --> scale.frob:2:29
     |
   2 | scale p = map (\x -> 2 * x) p
@@ -116,7 +116,7 @@ Records instead of their components, components instead of records, and numbers 
     |            |
     |            this is `Bool`
     |
-    = hint: this is a `Bool` already: write `bumped i`
+    = hint: this is already a `Bool`: write `bumped i`
   
   1 error
   [1]

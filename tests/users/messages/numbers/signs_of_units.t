@@ -64,7 +64,7 @@ A degree sign, percent, and a point between units:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0 1[rad/s]))
   > FROB
   $ frobc check point.frob
-  error[E0110]: expected `^`, one more unit, or the end of the unit, found `.m`
+  error[E0110]: expected `^`, another factor of the unit, or the end of the unit, found `.m`
    --> point.frob:2:20
     |
   2 | inertia :: Float[kg.m^2]

@@ -19,7 +19,7 @@ A size variable of a signature has no value. The message says how to compute the
   4 | middle xs = at (n `div` 2) 0 xs
     |                 ^
     |
-    = hint: `n` is a size in the type of `middle`; as a number, write `length xs`
+    = hint: `n` is a size in the type of `middle`: to use it as a number, write `length xs`
   
   error[E0205]: unknown name `r`
    --> sizes.frob:7:39
@@ -27,7 +27,7 @@ A size variable of a signature has no value. The message says how to compute the
   7 | scaled a = sum (map sum a) / toFloat (r * c)
     |                                       ^
     |
-    = hint: `r` is a size in the type of `scaled`; as a number, write `length a`
+    = hint: `r` is a size in the type of `scaled`: to use it as a number, write `length a`
   
   error[E0205]: unknown name `c`
    --> sizes.frob:7:43
@@ -35,7 +35,7 @@ A size variable of a signature has no value. The message says how to compute the
   7 | scaled a = sum (map sum a) / toFloat (r * c)
     |                                           ^
     |
-    = hint: `c` is a size in the type of `scaled`; as a number, write `length (a ! 0)`
+    = hint: `c` is a size in the type of `scaled`: to use it as a number, write `length (a ! 0)`
   
   3 errors
   [1]

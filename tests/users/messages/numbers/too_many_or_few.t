@@ -142,7 +142,7 @@ syntax.
     |                     |
     |                     argument 2 of `respondsWithin` is `(Bool, Bool)`
     |
-    = hint: `respondsWithin` takes one tuple of 2: write `respondsWithin 1[s] (stop, w == 0)`
+    = hint: `respondsWithin` takes one tuple with 2 elements: write `respondsWithin 1[s] (stop, w == 0)`
   
   1 error
   [1]
@@ -162,7 +162,7 @@ syntax.
     |            |
     |            with one argument, its result is `Array 16 Sonar`
     |
-    = hint: write `sonars i ! 3` for that element; the first one is `! 0`
+    = hint: write `sonars i ! 3` for that element; the first element is `! 0`
   
   1 error
   [1]
@@ -180,7 +180,7 @@ syntax.
    --> output.frob:6:16
     |
   4 |     a <- lowPass 0.1[s] -< d
-    |     - it means this local `a`
+    |     - the name refers to this local `a`
   5 |     b <- integral -< v
   6 |     returnA -< a b
     |                ^ - it is applied to an argument here
@@ -208,7 +208,7 @@ Tasks in sequence, under a condition, and with a time:
   4 |     forward 1[m]
     |     ^^^^^^^
     |
-    = hint: put `do` before several tasks below each other
+    = hint: put `do` before a sequence of tasks
   
   1 error
   [1]
@@ -231,7 +231,7 @@ Tasks in sequence, under a condition, and with a time:
     |     |
     |     with one argument, its result is `Event ()`
     |
-    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only on a condition, write `whenT c t`
+    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only if a condition holds, write `whenT c t`
   
   1 error
   [1]

@@ -16,7 +16,7 @@ The limits of a knob determine its unit:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: give its numbers the unit: `knob "speed" 0 0.5[m/s] 0.2[m/s] i`
+    = hint: give the numbers their unit: `knob "speed" 0 0.5[m/s] 0.2[m/s] i`
   
   1 error
   [1]
@@ -42,7 +42,7 @@ The signature may be wrong:
   4 | odometer = proc i -> integral (velocity i)
     |                      ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
     |
-    = hint: remove `integral`: `velocity i` is in `m/s` already
+    = hint: remove `integral`: `velocity i` is already in `m/s`
     = hint: if this is the right result, write the signature as `odometer :: SF RobotInput Float[m]`
   
   1 error
@@ -95,7 +95,7 @@ An angular velocity is an angle divided by a time:
     |         |     because this is `Float[s]`
     |         argument 2 of `delay` is `Float[s]`
     |
-    = hint: to delay by a time, write `delayBy 0.5[s] (0.5[1/s] * frontSonar i)`, with `import Control`; `delay x0` delays by one instant, and `x0` is its value at the first one
+    = hint: to delay by a fixed time, write `delayBy 0.5[s] (0.5[1/s] * frontSonar i)`, with `import Control`; `delay x0` delays by one instant, and `x0` is its output at the first instant
   
   1 error
   [1]

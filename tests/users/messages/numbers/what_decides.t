@@ -119,7 +119,7 @@ Two mistakes of the same kind on a line are reported once:
   2 | main = proc p -> p.0 + p.1
     |                  ^- argument 1 of `.` is `a -> b`
     |
-    = hint: for the parts of a tuple, write an equation, `(a, b) = p`; for those of a pair, also `fst p` and `snd p`
+    = hint: to get the elements of a tuple, write an equation: `(a, b) = p`; for a pair, you can also write `fst p` and `snd p`
   
   1 error
   [1]

@@ -16,7 +16,7 @@ A superfluous factor:
   3 | fromHome p = sqrt (p.position.x ^ 2 + p.position.y ^ 2) * 1[m]
     |              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: remove `* 1[m]`: `sqrt (p.position.x ^ 2 + p.position.y ^ 2)` is in `m` already
+    = hint: remove `* 1[m]`: `sqrt (p.position.x ^ 2 + p.position.y ^ 2)` is already in `m`
   
   1 error
   [1]
@@ -35,7 +35,7 @@ A superfluous factor:
     |         |
     |         this is `Float`
     |
-    = hint: remove `/ 1[m]`: `d` is in `m` already
+    = hint: remove `/ 1[m]`: `d` is already in `m`
   
   1 error
   [1]
@@ -56,7 +56,7 @@ A factor that also converts the number stays:
   2 | f x = x * 1[km]
     |       ^^^^^^^^^ this is `Float[m^2]`
     |
-    = hint: write `sqrt (x * 1[km])`, which has that unit
+    = hint: write `sqrt (x * 1[km])`, which has the expected unit
     = hint: if this is the right result, write the signature as `f :: Distance -> Float[m^2]`
   
   1 error
@@ -80,7 +80,7 @@ A constant with the wrong unit, reported where it is defined:
   3 |     omega = 0.5[m/s]
     |             -------- `omega` is this number
     |
-    = hint: write `0.5[rad/s]` if that is its unit
+    = hint: write `0.5[rad/s]` if that is the right unit
   
   1 error
   [1]
@@ -111,7 +111,7 @@ A constant with the wrong unit, reported where it is defined:
   3 |     v = 0.2[m/s^2])
     |         ---------- `v` is this number
     |
-    = hint: write `0.2[m/s]` if that is its unit
+    = hint: write `0.2[m/s]` if that is the right unit
     = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
   
   1 error
@@ -162,7 +162,7 @@ A gain with the wrong unit, next to a gain for the rate:
     |             |
     |             this is `Float[1/s]`
     |
-    = hint: if the gain `2[rad/(m s)]` has another unit, write `2[rad/m]`
+    = hint: if the gain `2[rad/(m s)]` should have a different unit, write `2[rad/m]`
   
   1 error
   [1]
@@ -187,7 +187,7 @@ A gain with the wrong unit, next to a gain for the rate:
     |             |
     |             this is `Float[1/s]`
     |
-    = hint: if the gain `kD` has another unit, write `kD = 2[rad/m]`
+    = hint: if the gain `kD` should have a different unit, write `kD = 2[rad/m]`
   
   1 error
   [1]
@@ -254,7 +254,7 @@ A cutoff frequency for a time constant:
     |               |
     |               argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: this is a time constant: for the cutoff frequency `5[Hz]`, write `(1 / (2 * pi * 5[Hz]))`
+    = hint: this argument must be a time constant: for the cutoff frequency `5[Hz]`, write `(1 / (2 * pi * 5[Hz]))`
   
   1 error
   [1]
@@ -276,7 +276,7 @@ The settings of a function come before its signal:
     |               |
     |               argument 1 of `lowPass` is `Time` (s)
     |
-    = hint: write `0.5[s]` if that is its unit
+    = hint: write `0.5[s]` if that is the right unit
   
   1 error
   [1]
@@ -351,7 +351,7 @@ Two limits for `limit`:
     |               |
     |               with 2 arguments, its result is `Float[m/s]`
     |
-    = hint: `limit` has one limit for both directions; for two, write `clamp (-0.2[m/s]) 0.4[m/s] (v - 0.1[m/s])`
+    = hint: `limit` takes one limit for both directions; for two limits, write `clamp (-0.2[m/s]) 0.4[m/s] (v - 0.1[m/s])`
   
   1 error
   [1]
@@ -409,7 +409,7 @@ Numbers of a knob:
   3 |     v = knob "speed" 0 1 0.5 i)
     |         ---------------------- this defines `v`
     |
-    = hint: give its numbers the unit: `knob "speed" 0 1[m/s] 0.5[m/s] i`
+    = hint: give the numbers their unit: `knob "speed" 0 1[m/s] 0.5[m/s] i`
   
   1 error
   [1]
@@ -477,7 +477,7 @@ A speed and a turn rate for an output:
   3 | drive = proc i -> (min 0.3[m/s] (0.5[1/s] * frontSonar i), 0.2[rad/s])
     |                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: write `roMake (setVelTR (min 0.3[m/s] (0.5[1/s] * frontSonar i)) 0.2[rad/s])` for a robot's output: its speed and its turn rate
+    = hint: write `roMake (setVelTR (min 0.3[m/s] (0.5[1/s] * frontSonar i)) 0.2[rad/s])` for a robot's output with this speed and turn rate
   
   1 error
   [1]
@@ -545,7 +545,7 @@ A product in place of a quotient, with a constant:
   3 | wheel v = v * radius
     |           ^^^^^^^^^^ this is `Float[m^2/s]`
     |
-    = hint: write `v / radius`, which has that unit
+    = hint: write `v / radius`, which has the expected unit
   
   1 error
   [1]
@@ -592,7 +592,7 @@ A branch without a unit:
   5 |         False -> 0.3
     |                  --- `v` is this number
     |
-    = hint: write `0.3[m/s]` if that is its unit
+    = hint: write `0.3[m/s]` if that is the right unit
   
   1 error
   [1]
@@ -613,7 +613,7 @@ A branch without a unit:
     |       |
     |       argument 2 of `map` is `Array m n[u]`
     |
-    = hint: `map` is for arrays: apply the function itself, as in `(\x -> x * 2) d`
+    = hint: `map` is for arrays: apply the function directly, as in `(\x -> x * 2) d`
   
   1 error
   [1]

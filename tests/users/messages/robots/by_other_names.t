@@ -47,7 +47,7 @@ Names from other systems:
   3 | away = proc i -> 1[1/s] * (heading i + laser i) * i.pose.x
     |                                        ^^^^^
     |
-    = hint: for the distance ahead write `frontSonar i`; to the left, `sideSonar i`; to the right, `rightSonar i`
+    = hint: for the distance ahead, write `frontSonar i`; to the left, `sideSonar i`; to the right, `rightSonar i`
   
   error[E0205]: unknown name `moveForward`
    --> words.frob:6:5
@@ -63,7 +63,7 @@ Names from other systems:
   7 |     turnLeft 90[deg]
     |     ^^^^^^^^
     |
-    = hint: to turn on the spot in a task, write `turnBy 90[deg]`; a positive angle turns left
+    = hint: to turn in place in a task, write `turnBy 90[deg]`; a positive angle turns left
   
   error[E0205]: unknown name `stop`
    --> words.frob:8:5
@@ -71,7 +71,7 @@ Names from other systems:
   8 |     stop
     |     ^^^^
     |
-    = hint: use `restingOutput` for a robot at rest; in a task, `sleepT 1[s] restingOutput` rests for a time
+    = hint: to stop the robot, use the output `restingOutput`; in a task, `sleepT 1[s] restingOutput` stops it for 1 s
   
   5 errors
   [1]
@@ -86,7 +86,7 @@ Names from other systems:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (0.1[1/s] * i.pose.x) 0))
     |                                                                  ^^^^
     |
-    = hint: for the robot's position write `place i`, with the fields `x` and `y`, or `robotPose i`, with `position` and `heading`
+    = hint: for the robot's position, write `place i`, with the fields `x` and `y`, or `robotPose i`, with `position` and `heading`
   
   1 error
   [1]

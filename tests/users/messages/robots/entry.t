@@ -20,7 +20,7 @@ be.
   1 | main = 3
     | ^^^^^^^^
     |
-    = hint: use `constant e` for a signal function that always returns it, or `main = reactimateRobot (constant e)` for a robot program
+    = hint: use `constant e` for a signal function that always outputs the value `e`, or `main = reactimateRobot (constant e)` for a robot program
   
   1 error
   [1]
@@ -53,7 +53,7 @@ be.
   10 | scaled k = proc x -> k * x
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
-     = hint: define another one with the argument, as in `main = scaled …`
+     = hint: define a signal function that supplies the argument, as in `main = scaled …`
   
   1 error
   [1]
@@ -113,13 +113,13 @@ A program that leaves its robot open cannot be run without an option.
   > main = reactimateRobot (proc _ -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
-  error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, whose output is not the output of a robot
+  error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, so its output is not a robot's output
    --> robot.frob:2:35
     |
   2 | main = reactimateRobot (proc _ -> 0.3[m/s])
     |                                   ^^^^^^^^
     |
-    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to create a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]

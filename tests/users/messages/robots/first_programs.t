@@ -68,7 +68,7 @@ languages:
     |
     = hint: as in `\x -> x + 1`; write `\case` without a space
   
-  error[E0114]: a tuple without some of its elements cannot be part of a pattern
+  error[E0114]: a tuple with missing elements cannot be part of a pattern
    --> lambda.frob:8:8
     |
   8 | second (, x) = x
@@ -150,7 +150,7 @@ instead of mapSF, a name that several modules have:
     |         |
     |         argument 1 of `switch` is `SF Float (a, Event b)`
     |
-    = hint: return the output and the event that ends it: `(follow &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
+    = hint: return the output and the event that ends the mode: `(follow &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
   
   error[E0312]: expected `Int`, found `Float`
     --> types.frob:14:17
@@ -160,7 +160,7 @@ instead of mapSF, a name that several modules have:
      |           |
      |           argument 1 of `times` is `Int`
      |
-     = hint: write a whole number without a point: `2`
+     = hint: write a whole number without a decimal point: `2`
   
   error[E0301]: expected a number, found `Point2`
     --> types.frob:17:11

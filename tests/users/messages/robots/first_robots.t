@@ -58,7 +58,7 @@ An event where a Bool or a number is expected.
   4 | stops = proc i -> if edge (bumped i) then 0 else 1
     |                      ^^^^^^^^^^^^^^^
     |
-    = hint: for the whole time that the condition is True, write `bumped i`; for the one instant at which it becomes True, `isEvent (edge (bumped i))`
+    = hint: to test whether the condition is True, write `bumped i`; to test whether it becomes True in this instant, write `isEvent (edge (bumped i))`
   
   error[E0301]: expected a number, found `Event Float`
    --> events.frob:7:18
@@ -78,7 +78,7 @@ A position written as a pair.
   > main = reactimateTask (driveTo (3, 4))
   > FROB
   $ frobc check place.frob
-  error[E0301]: expected `Point2`, found a tuple of 2
+  error[E0301]: expected `Point2`, found a tuple with 2 elements
    --> place.frob:2:32
     |
   2 | main = reactimateTask (driveTo (3, 4))
@@ -86,7 +86,7 @@ A position written as a pair.
     |                        |
     |                        argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 3[m], y = 4[m] }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 3[m], y = 4[m] }`, with `import Geometry`
   
   1 error
   [1]
@@ -98,7 +98,7 @@ The output of a robot without `roMake`.
   > main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not a robot's output
    --> no_make.frob:2:35
     |
   2 | main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
@@ -116,7 +116,7 @@ The same in a signal function, in a function, and if a signature states the outp
   > main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not a robot's output
    --> no_make.frob:2:18
     |
   2 | main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
@@ -133,7 +133,7 @@ The same in a signal function, in a function, and if a signature states the outp
   > main = proc _ -> setVelTR 0.1[m/s] 0
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: its output is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `PioneerOutput -> PioneerOutput`, not a robot's output
    --> no_make.frob:4:18
     |
   4 | main = proc _ -> setVelTR 0.1[m/s] 0

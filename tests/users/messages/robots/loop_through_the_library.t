@@ -30,7 +30,7 @@ Removes the line number in the library, which does not matter here.
     ::: stdlib/Control.frob:N:22
      |
    N | previous = proc x -> fromMaybe x (delay Nothing (Just x))
-     |                      ------------------------------------ `previous` passes `x` to this in the same instant
+     |                      ------------------------------------ `previous` passes `x` to this output in the same instant
      |
     ::: main.frob:2:1
      |

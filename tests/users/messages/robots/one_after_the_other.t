@@ -11,7 +11,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   2 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
     |                       ^            - a `)` is missing before this
     |
-    = hint: a `;` ends a definition: write tasks below each other in a `do`
+    = hint: a `;` ends a definition: write each task on its own line of a `do`
   
   1 error
   [1]
@@ -86,7 +86,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
     |                  |
     |                  with one argument, its result is `Float[m s]`
     |
-    = hint: it starts at 0: for another initial value, write `5[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
+    = hint: `integral` starts at 0: for another initial value, write `5[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
   1 error
   [1]

@@ -38,7 +38,7 @@ what is missing.
   216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: `roMake` returns the commands for a robot: the signature, or the other outputs here, must be `RobotOutput` too, not `Float[m/s]`
+      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also be `RobotOutput`, not `Float[m/s]`
   
   1 error
   [1]
@@ -54,7 +54,7 @@ what is missing.
   2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
     |                                          ^^^^^^
     |
-    = hint: return the output and the event that ends it: `(roMake (setVelTR 0.2[m/s] 0), after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
+    = hint: return a pair of the output and an event: `(roMake (setVelTR 0.2[m/s] 0), after 1[s] ())` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` becomes True
   
   1 error
   [1]
@@ -70,7 +70,7 @@ what is missing.
    --> hidden.frob:4:5
     |
   3 |     forward <- ask frontSonar
-    |     ------- it means this local `forward`
+    |     ------- the name refers to this local `forward`
   4 |     forward 1[m])
     |     ^^^^^^^ ---- it is applied to an argument here
   

@@ -40,7 +40,7 @@ A component of the expected type: the message shows how to construct the whole.
     |          ^^^^^^^^^^ this is `SF d Distance`
     |
     = hint: to read it once, write `ask frontSonar`
-    = hint: to run it for a time, write `mkTask (frontSonar &&& after 5[s])`; to run it without end, `mkTask (frontSonar &&& never)`
+    = hint: to run it for a fixed time, write `mkTask (frontSonar &&& after 5[s])`; to run it forever, `mkTask (frontSonar &&& never)`
   
   1 error
   [1]
@@ -58,7 +58,7 @@ A name that has only a signature is reported once:
   > main = reactimateRobot drive
   > FROB
   $ frobc check alone.frob
-  error[E0214]: the signature of `drive` has no definition
+  error[E0214]: `drive` has a signature but no definition
    --> alone.frob:3:1
     |
   3 | drive :: SF RobotInput RobotOutput

@@ -17,7 +17,7 @@ A sensor function without its input, read like a field, or in a task:
     |            |
     |            this is `SF a Distance`
     |
-    = hint: run it on `i`: `frontSonar i`
+    = hint: run the signal function on `i`: `frontSonar i`
   
   1 error
   [1]
@@ -99,7 +99,7 @@ A sensor function without its input, read like a field, or in a task:
     |                                                   ^^^^^^^
     |
     = hint: an equation holds at every instant, so a signal function need not call itself to continue
-    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`; replace `…` by the signal function to run next, which may be this one
+    = hint: to change what runs after an event, use `switch (proc x -> (output, event)) (\_ -> …)`; replace `…` with the signal function to run next, which may be this one
   
   1 error
   [1]
@@ -112,13 +112,13 @@ A result that is not an output, or that takes time:
   > main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
   > FROB
   $ frobc check speed_as_output.frob
-  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, whose output is not the output of a robot
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, so its output is not a robot's output
    --> speed_as_output.frob:3:35
     |
   3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
     |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: use `roMake` to make the output of a robot, as in `roMake (setVelTR v omega)`
+    = hint: use `roMake` to create a robot's output, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -148,7 +148,7 @@ A result that is not an output, or that takes time:
   >     driveTo 0 0)
   > FROB
   $ frobc check place_as_two_numbers.frob
-  error[E0301]: expected `Point2`, found a number of `m`
+  error[E0301]: expected `Point2`, found a number in `m`
    --> place_as_two_numbers.frob:4:13
     |
   4 |     driveTo 1[m] 2[m]
@@ -156,7 +156,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> place_as_two_numbers.frob:5:13
@@ -166,7 +166,7 @@ A result that is not an output, or that takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 0, y = 0 }`, with `import Geometry`
   
   2 errors
   [1]

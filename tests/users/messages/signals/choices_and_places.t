@@ -37,7 +37,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
     |                     |
     |                     this `i` is a signal of the `proc`
     |
-    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
+    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that, not in a later `where`
   
   1 error
   [1]
@@ -55,7 +55,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
     |                                this `s` is a signal of the `proc`
     |
     = note: `s` is a unit: write it in brackets directly after a number, as in `3[s]`
-    = hint: a `proc` ends at the bracket or comma that follows it; its signals cannot be used after that, nor in a `where` after that
+    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that, not in a later `where`
   
   1 error
   [1]
@@ -115,7 +115,7 @@ There are no assignments, in any branch; use `case` to choose between constructo
   5 |         | Idle -> 0
     |         ^
     |
-    = hint: use `case m of`, and each branch on a line below it, as in `Idle -> …`
+    = hint: use `case m of`, and write each branch on a line below it, as in `Idle -> …`
   
   1 error
   [1]
@@ -131,7 +131,7 @@ There are no assignments, in any branch; use `case` to choose between constructo
    --> small.frob:5:5
     |
   4 |     stop -> 0
-    |     ---- this starts with a lower-case letter, so it is a name for any value
+    |     ---- this starts with a lower-case letter, so it is a variable that matches any value
   5 |     Go v -> v
     |     ^^^^ the branches before it cover all its values
     |
@@ -331,7 +331,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |        |
     |        argument 1 of `switch` is `SF n[m] (n[m], Event a)`
     |
-    = hint: end it with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True
+    = hint: end the mode with an event: `edge b` occurs when `b` becomes True, `when b` whenever `b` is True
   
   1 error
   [1]
@@ -404,7 +404,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   1 error
   [1]

@@ -60,7 +60,7 @@ An event as a condition:
 
   $ try 'SF Bool Float' '    y = if edge x then 1 else 0' '    y = if x then 1 else 0'
   error[E0301]: a condition must be `Bool`, but this is `Event ()`
-    = hint: for the whole time that the condition is True, write `x`; for the one instant at which it becomes True, `isEvent (edge x)`
+    = hint: to test whether the condition is True, write `x`; to test whether it becomes True in this instant, write `isEvent (edge x)`
   [1]
   $ try 'SF Bool Bool' '    y = hold False (edge x)' '    y = hold False (tag (edge x) True)'
   error[E0301]: expected `Event Bool`, found `Event ()`

@@ -99,13 +99,13 @@ A signal function that an equation names:
    --> named.frob:2:15
     |
   2 | f = proc _ -> t > 5[s] where
-    |               ^   ---- this is a number of `s`
+    |               ^   ---- this is a number in `s`
     |               |
     |               this is `SF a Time`
   3 |     t = time
     |         ---- this defines `t`
     |
-    = hint: run it on `()` in its definition: `t = time ()`
+    = hint: run the signal function on `()` in its definition: `t = time ()`
   
   1 error
   [1]
@@ -149,7 +149,7 @@ A signal function in a test:
   4 | test "starts at 0" = ramp 0 == 0
     |                      ^^^^^^ only a `proc` can run a signal function
     |
-    = hint: run it in the test for some time: `during 1[s] (proc () -> ramp 0 == 0)`
+    = hint: in the test, run it for some time: `during 1[s] (proc () -> ramp 0 == 0)`
   
   1 error
   [1]

@@ -88,7 +88,7 @@ A function that runs signal functions:
     |        |
     |        argument 1 of `reactimateRobot` is `SF a b`
     |
-    = hint: `drive` runs signal functions, so it must be one itself: write `drive :: SF RobotInput RobotOutput`, and `drive = proc i -> …`
+    = hint: `drive` runs signal functions, so it must be a signal function itself: write `drive :: SF RobotInput RobotOutput` and `drive = proc i -> …`
   
   1 error
   [1]
@@ -102,7 +102,7 @@ An output that is not made, in another definition:
   > main = reactimateRobot drive
   > FROB
   $ frobc check not_made.frob
-  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not the output of a robot
+  error[E0411]: `main` cannot run: its output is a function, `b -> b`, not a robot's output
    --> not_made.frob:2:19
     |
   2 | drive = proc _ -> setVelTR 0.3[m/s] 0
@@ -121,7 +121,7 @@ A turn rate that lacks:
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0.3[m/s]))
   > FROB
   $ frobc check turn_rate.frob
-  error[E0301]: expected a function of one argument, found one of 2: `AngularVelocity -> a -> a`
+  error[E0301]: expected a function that takes one argument, found one that takes 2: `AngularVelocity -> a -> a`
    --> turn_rate.frob:2:43
     |
   2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0.3[m/s]))
@@ -183,7 +183,7 @@ An integral or a derivative too many:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: remove `integral`: `v` is in `m/s` already
+    = hint: remove `integral`: `v` is already in `m/s`
   
   1 error
   [1]

@@ -18,7 +18,7 @@ Events from two Bools:
     |           |
     |           argument 1 of `mergeE` is `Event a`
     |
-    = hint: for two conditions, write `a || b`; for an event, write `edge (bumpedLeft i)`, which occurs when it becomes True, or `when (bumpedLeft i)`, which occurs whenever it is True
+    = hint: to combine two conditions, write `a || b`; for an event, write `edge (bumpedLeft i)`, which occurs when the condition becomes True, or `when (bumpedLeft i)`, which occurs whenever it is True
   
   1 error
   [1]
@@ -162,7 +162,7 @@ Each event of `accum` carries a function:
   4 |     d = hold 0[m] (frontSonar i))
     |         ---- ----  ^^^^^^^^^^^^
     |         |    |
-    |         |    because this is a number of `m`
+    |         |    because this is a number in `m`
     |         argument 2 of `hold` is `Event n[m]`
     |
     = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, hold `tag e (frontSonar i)`; otherwise, remove the `hold`
@@ -206,7 +206,7 @@ A value where an event with that value is expected:
   > main = reactimateRobot (proc i -> roMake (playTone 440[Hz]))
   > FROB
   $ frobc check tone.frob
-  error[E0301]: expected `Event Tone`, found a number of `1/s`
+  error[E0301]: expected `Event Tone`, found a number in `1/s`
    --> tone.frob:4:52
     |
   4 | main = reactimateRobot (proc i -> roMake (playTone 440[Hz]))
@@ -214,7 +214,7 @@ A value where an event with that value is expected:
     |                                           |
     |                                           argument 1 of `playTone` is `Event Tone`
     |
-    = hint: use `tag e (Tone { pitch = …, lasting = … })`, which has this value when the event `e` occurs, or `NoEvent`
+    = hint: use `tag e (Tone { pitch = …, lasting = … })`, which occurs with this value when the event `e` occurs, or `NoEvent`, which never occurs
   
   1 error
   [1]

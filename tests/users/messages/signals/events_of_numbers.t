@@ -11,7 +11,7 @@ Events that are held or summed.
   2 | main = proc b -> hold 2[s] b
     |                  ---- ---- ^
     |                  |    |
-    |                  |    because this is a number of `s`
+    |                  |    because this is a number in `s`
     |                  argument 2 of `hold` is `Event n[s]`
     |
     = hint: to find out if a condition was True within the last 2 seconds, write `within 2[s] b`, with `import Past`; `hold x0 e` keeps the value of an event

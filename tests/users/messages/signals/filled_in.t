@@ -10,7 +10,7 @@ A setting that changes: one instance runs for each value.
   > FROB
   $ frobc check setting.frob 2>&1 | grep -e ^error -e hint
   error[E0340]: the arguments of `lowPass` before its signal must be static, but `tau` is a signal
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = lowPass 1[s] x` and `two = lowPass 0.1[s] x`, and write `if noisy then one else two` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = lowPass 1[s] x` and `two = lowPass 0.1[s] x`, and write `if noisy then one else two` here
   $ cat > pasted.frob <<'FROB'
   > import Control
   > main :: SF (Float, Bool) Float
@@ -27,10 +27,10 @@ A setting that changes: one instance runs for each value.
   >     'low :: Pid[1, 1]' 'low = Pid { kp = 1, ki = 0, kd = 0, largest = 1 }' > settings.frob
   >   frobc check settings.frob 2>&1 | grep hint
   > done
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = rateLimit 1[1/s] x` and `two = rateLimit 2[1/s] x`, and write `if fast then one else two` here
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = delayBy 0.1[s] x`, `two = delayBy 0.2[s] x` and `three = delayBy 2[s] x`, and write `if fast then one else if x > 1 then two else three` here
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = lowPass 0.1[s] x` and `two = lowPass 1[s] x`, and write `if fast then one else two` here
-    = hint: run one for each setting, and choose between their outputs: add the equations `one = pid low x` and `two = pid (low { kp = 2 }) x`, and write `if fast then one else two` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = rateLimit 1[1/s] x` and `two = rateLimit 2[1/s] x`, and write `if fast then one else two` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = delayBy 0.1[s] x`, `two = delayBy 0.2[s] x` and `three = delayBy 2[s] x`, and write `if fast then one else if x > 1 then two else three` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = lowPass 0.1[s] x` and `two = lowPass 1[s] x`, and write `if fast then one else two` here
+    = hint: run one instance for each setting, and choose between their outputs: add the equations `one = pid low x` and `two = pid (low { kp = 2 }) x`, and write `if fast then one else two` here
     = hint: a static value must be known when the signal function starts: run one signal function for each of a few constant settings and choose between their outputs, pass the signal in the input, or use `initially` to keep its first value
   $ cat > pasted.frob <<'FROB'
   > import Control
@@ -109,7 +109,7 @@ A signal of another `proc`:
   > main = proc i -> roMake (setVelTR (0.3[1/s] * ahead) 0)
   > FROB
   $ frobc check other.frob 2>&1 | grep hint
-    = hint: a signal can only be used inside its `proc`: add a `where` to the `proc` in `main`, and `ahead = frontSonar i` below it, or make the value a part of this `proc`'s input
+    = hint: a signal can only be used inside its `proc`: add a `where` to the `proc` in `main`, and write `ahead = frontSonar i` below it, or make the value a part of this `proc`'s input
   $ sed '6s/$/ where\n    ahead = frontSonar i/' other.frob > pasted.frob && frobc check pasted.frob
 
 The first part of `switch` without an event, and `hold` without one:
@@ -128,7 +128,7 @@ The first part of `switch` without an event, and `hold` without one:
   3 | ahead = switch (proc _ -> roMake (setVelTR 0.3[m/s] 0)) (\_ -> away)
     |                           ^^^^^^
     |
-    = hint: return the output and the event that ends it: `(roMake (setVelTR 0.3[m/s] 0), after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
+    = hint: return a pair of the output and an event: `(roMake (setVelTR 0.3[m/s] 0), after 1[s] ())` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` becomes True
   
   1 error
   [1]
@@ -148,7 +148,7 @@ An index that changes, a field by its first letters, and modules that are built 
 
   $ printf 'xs :: Array 3 Float\nxs = [1, 2, 3]\nmain :: SF Int Float\nmain = proc k -> xs ! (k + 1)\n' > index.frob
   $ frobc check index.frob 2>&1 | grep hint
-    = hint: use `at (k + 1) 0 xs`, which takes any index, and returns `0` if there is no such element
+    = hint: use `at (k + 1) 0 xs`, which takes any index and returns `0` if there is no such element
   $ sed 's/xs ! (k + 1)/at (k + 1) 0 xs/' index.frob > pasted.frob && frobc check pasted.frob
   $ printf 'import Geometry\nmain :: SF Pose Distance\nmain = proc p -> p.pos.x\n' > field.frob
   $ frobc check field.frob 2>&1 | grep hint
@@ -161,5 +161,5 @@ An index that changes, a field by its first letters, and modules that are built 
     = hint: remove this line: mathematical functions are built in, as in `sin x` and `sqrt x`
     = hint: remove this line: time is built in; write `time ()` for the time since the start of the program
     = hint: remove this line: arrays are built in, as in `map f xs` and `foldl (+) 0 xs`
-    = hint: write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with seed 1
+    = hint: write `import Sources` instead; `whiteNoise 1 ()` returns random numbers, with 1 as the seed
   $ sed 1d module.frob > pasted.frob && frobc check pasted.frob

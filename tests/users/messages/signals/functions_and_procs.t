@@ -11,7 +11,7 @@ A function or signal function that does not begin like one.
   2 | f = x -> x + 1
     |       ^^
     |
-    = hint: write an anonymous function as `\x -> x + 1`, a signal function as `proc x -> …`
+    = hint: write an anonymous function as `\x -> x + 1`, or a signal function as `proc x -> …`
   
   1 error
   [1]

@@ -178,7 +178,7 @@ or the output of the program.
     |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `go`
     |
     = note: frobc must know all signal functions that can run, so their number must be finite
-    = hint: restart it with the same signal functions each time; numbers may change
+    = hint: restart it with the same signal functions each time; only numbers may change
   
   1 error
   [1]

@@ -24,9 +24,9 @@ A task of the library runs first; the growing one is the program's.
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `twice`
     |
     = note: frobc must know all tasks that can run, so their number must be finite
-    = hint: restart it with the same tasks each time; numbers may change
+    = hint: restart it with the same tasks each time; only numbers may change
   
-  warning[W0306]: `Geometry` is imported but nothing from it is used
+  warning[W0306]: `Geometry` is imported, but nothing from it is used
    --> tasks.frob:2:1
     |
   2 | import Geometry
@@ -55,12 +55,12 @@ A task of the library runs first; the growing one is the program's.
     |     ----------
   6 |         forward 1[m]
   7 |         t)
-    |         ^- on the way, `search` starts here
+    |         ^- between the restarts, `search` starts here
     |         |
     |         it restarts here, with one more `search`
     |
     = note: frobc must know all tasks that can run, so their number must be finite
-    = hint: restart it with the same tasks each time; numbers may change
+    = hint: restart it with the same tasks each time; only numbers may change
   
   1 error
   [1]
@@ -88,7 +88,7 @@ A task of the library runs first; the growing one is the program's.
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `turn` keeps running while the signal function here runs
     |
     = note: a signal function may only restart itself as the whole result of a continuation; otherwise each restart would need more memory
-    = hint: use `switch`, whose continuation replaces it; `rSwitch` never ends
+    = hint: use `switch`, which ends when its continuation starts; `rSwitch` never ends
   
   1 error
   [1]

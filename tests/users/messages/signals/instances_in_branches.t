@@ -58,7 +58,7 @@ For stateful code, the program must state which of two meanings it has.
     |                                        ^^^^^^^^^ its output depends on when it started
     |
     = hint: to run it at every instant, add the equation `after'Now = after' ()`, and write `after'Now` here
-    = hint: to restart it whenever this is chosen, `switch` between signal functions
+    = hint: to restart it whenever this alternative is chosen, use `switch` to change between signal functions
   
   error[E0342]: `edge` is run in a guard
    --> remembers.frob:5:9
@@ -67,7 +67,7 @@ For stateful code, the program must state which of two meanings it has.
     |         ^^^^^^ its output depends on when it started
     |
     = hint: to run it at every instant, add the equation `edgeNow = edge b`, and write `edgeNow` here
-    = hint: to restart it whenever this is chosen, `switch` between signal functions
+    = hint: to restart it whenever this alternative is chosen, use `switch` to change between signal functions
   
   error[E0343]: `delay` is run in the function `f`
    --> remembers.frob:8:15
@@ -96,17 +96,17 @@ every instant.
    --> only_there.frob:2:39
     |
   2 | main = proc (e, ds) -> (x, map (\d -> derivative d) ds, slope (ds ! 0)) where
-    |                                  -    ^^^^^^^^^^^^ `d` only has a value here
+    |                                  -    ^^^^^^^^^^^^ `d` has a value only here
     |                                  |
     |                                  `d` is bound here
     |
-    = hint: use `mapSF derivative` to run one for each element of an array
+    = hint: use `mapSF derivative` to run one instance for each element of an array
   
   error[E0342]: `integral` is run in a branch
    --> only_there.frob:4:20
     |
   4 |         Event v -> integral v
-    |               -    ^^^^^^^^^^ `v` only has a value here
+    |               -    ^^^^^^^^^^ `v` has a value only here
     |               |
     |               `v` is bound here
     |
@@ -116,7 +116,7 @@ every instant.
    --> only_there.frob:6:15
     |
   6 |     slope d = derivative d
-    |           -   ^^^^^^^^^^^^ `d` only has a value here
+    |           -   ^^^^^^^^^^^^ `d` has a value only here
     |           |
     |           `d` is bound here
     |

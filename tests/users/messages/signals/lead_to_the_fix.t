@@ -57,7 +57,7 @@ An event in an event:
   2 | f = proc x -> tag (edge (x > 1)) (Event ())
     |               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `tag` makes the event: write the value alone, `tag (edge (x > 1)) ()`
+    = hint: `tag` creates the event: pass only the value, `tag (edge (x > 1)) ()`
   
   1 error
   [1]
@@ -78,7 +78,7 @@ An event in an event:
   2 | f = proc b -> Event (edge b)
     |               ^^^^^^^^^^^^^^
     |
-    = hint: the content is an event already: write `edge b` without `Event`
+    = hint: the content is already an event: write `edge b` without `Event`
   
   1 error
   [1]
@@ -97,7 +97,7 @@ An event that is compared with a number:
   2 | f = proc e -> e < 3
     |               ^   - this is a number
     |
-    = hint: an event has a value only when it occurs: write `hold 30 e` for its latest value; `30` is its value at first, with which the comparison is False
+    = hint: an event has a value only when it occurs: write `hold 30 e` for its latest value; the initial value `30` makes the comparison False
   
   1 error
   [1]
@@ -195,7 +195,7 @@ An input that is a pair, with one name:
   > f = proc (a, b, c) -> a + b
   > FROB
   $ frobc check too_many_inputs.frob
-  error[E0301]: expected a tuple of 2, found one of 3
+  error[E0301]: expected a tuple with 2 elements, found one with 3
    --> too_many_inputs.frob:2:10
     |
   1 | f :: SF (Float, Float) Float
@@ -228,7 +228,7 @@ A record as an output:
   216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: for a robot of your own, define its output at rest: `instance RobotOutput Out where restingOutput = Out { speed = 0, braked = False }`; a Pioneer has the type `RobotOutput`
+      = hint: for a robot of your own, define its output at rest: `instance RobotOutput Out where restingOutput = Out { speed = 0, braked = False }`; for a Pioneer, use the type `RobotOutput`
   
   1 error
   [1]
@@ -252,7 +252,7 @@ Numbers as an output:
   44 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` requires `RobotOutput o` here
      |
-     = hint: a robot takes commands, not numbers: make an output of the speed and the turn rate with `roMake (setVelTR v omega)`
+     = hint: a robot takes commands, not numbers: turn the speed and the turn rate into an output with `roMake (setVelTR v omega)`
   
   1 error
   [1]
@@ -277,7 +277,7 @@ Numbers as an output:
   216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: `roMake` returns the commands for a robot: the signature, or the other outputs here, must be `RobotOutput` too, not `(Velocity, AngularVelocity)`
+      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also be `RobotOutput`, not `(Velocity, AngularVelocity)`
   
   1 error
   [1]
@@ -338,7 +338,7 @@ A missing argument, by its name:
   > f = proc _ -> roMake (setVelTR 0.3[m/s])
   > FROB
   $ frobc check missing_turn.frob
-  error[E0301]: expected a function of one argument, found one of 2: `AngularVelocity -> a -> a`
+  error[E0301]: expected a function that takes one argument, found one that takes 2: `AngularVelocity -> a -> a`
    --> missing_turn.frob:3:23
     |
   3 | f = proc _ -> roMake (setVelTR 0.3[m/s])
@@ -412,11 +412,11 @@ A sensor in a task:
   4 |     let x = frontSonar
     |             ---------- this defines `x`
   5 |     if x < 1[m] then forward 1[m] else return False
-    |        ^   ---- this is a number of `m`
+    |        ^   ---- this is a number in `m`
     |        |
     |        this is `SF a Distance`
     |
-    = hint: in a task, read its current value first: `x <- ask frontSonar` in place of `let x = frontSonar`
+    = hint: in a task, first read the current value: write `x <- ask frontSonar` in place of `let x = frontSonar`
   
   1 error
   [1]
@@ -429,7 +429,7 @@ A mode without an event:
   > f = switch (proc x -> x) (\_ -> constant 0)
   > FROB
   $ frobc check no_event.frob
-  error[E0301]: this mode of `switch` returns no event
+  error[E0301]: this mode of `switch` does not return an event
    --> no_event.frob:2:23
     |
   1 | f :: SF Float Float
@@ -437,7 +437,7 @@ A mode without an event:
   2 | f = switch (proc x -> x) (\_ -> constant 0)
     |                       ^
     |
-    = hint: the first argument of `switch` returns a pair, its output and the event that ends it: `(x, after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
+    = hint: the first argument of `switch` must return a pair of an output and an event: `(x, after 1[s] ())` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` becomes True
   
   1 error
   [1]
@@ -458,7 +458,7 @@ A mode without an event:
     |     |
     |     argument 1 of `switch` has the output `(a, Event b)`
     |
-    = hint: the first argument of `switch` returns a pair, its output and the event that ends it: `(x + 1, after 1[s] ())` ends it after 1 s, `(…, edge c)` when a condition `c` becomes True
+    = hint: the first argument of `switch` must return a pair of an output and an event: `(x + 1, after 1[s] ())` ends the mode after 1 s, and `(…, edge c)` ends it when a condition `c` becomes True
   
   1 error
   [1]
@@ -479,7 +479,7 @@ A mode without an event:
     |     |
     |     argument 1 of `switch` is `SF a (b, Event c)`
     |
-    = hint: return the output and the event that ends it: `(constant 1 &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
+    = hint: return the output and the event that ends the mode: `(constant 1 &&& after 1[s])` ends it after 1 s; to end it when a condition `c` becomes True, return a pair, `(…, edge c)`
   
   1 error
   [1]
@@ -561,7 +561,7 @@ Numbers in place of a position:
   > go = driveTo (1, 2)
   > FROB
   $ frobc check two_numbers.frob
-  error[E0301]: expected `Point2`, found a tuple of 2
+  error[E0301]: expected `Point2`, found a tuple with 2 elements
    --> two_numbers.frob:3:14
     |
   3 | go = driveTo (1, 2)
@@ -569,7 +569,7 @@ Numbers in place of a position:
     |      |
     |      argument 1 of `driveTo` is `Point2`
     |
-    = hint: write a vector with the names of its fields: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
+    = hint: write a vector with its field names: `Vec2 { x = 1[m], y = 2[m] }`, with `import Geometry`
   
   1 error
   [1]
@@ -591,7 +591,7 @@ A comma between arguments:
     |               |
     |               argument 1 of `roMake` is `a -> a`
     |
-    = hint: a comma makes a tuple: write the arguments without it, `(setVelTR 0.3[m/s] 0)`
+    = hint: a comma makes a tuple: separate the arguments with spaces, `(setVelTR 0.3[m/s] 0)`
   
   1 error
   [1]
@@ -637,7 +637,7 @@ A condition in place of the next mode:
     |     |      because this is `SF a (b, Event ())`
     |     argument 2 of `switch` is `() -> SF a b`
     |
-    = hint: the second argument of `switch` takes the value of the event and returns the next mode: `\_ -> …`; the event itself is in the output of the first argument, as in `(output, edge b)`
+    = hint: the second argument of `switch` takes the value of the event and returns the next mode: `\_ -> …`; the event itself belongs in the output of the first argument, as in `(output, edge b)`
   
   1 error
   [1]
@@ -659,7 +659,7 @@ A value of an event that lacks its unit:
     |               ^^^^^^^^^^^^^^^^ this is `Event Float`
     |
     = note: expected `Event Velocity`, found `Event Float`
-    = hint: write `0.5[m/s]` if that is its unit
+    = hint: write `0.5[m/s]` if that is the right unit
   
   1 error
   [1]

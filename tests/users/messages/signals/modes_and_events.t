@@ -13,7 +13,7 @@ Switches whose event is an argument, and events used as values.
   3 |     v = switch slow (when (1 > 0)) (\_ -> constant 0.4[m/s])
     |                ----  ^^^^^^^^^^^^
     |                |
-    |                this must return it together with its output
+    |                this mode must return the event together with its output
     |
     = hint: write `switch (proc x -> (slow x, when (1 > 0))) (\_ -> constant 0.4[m/s])`
   
@@ -33,7 +33,7 @@ Switches whose event is an argument, and events used as values.
   4 | main = reactimateRobot (switch cruise (proc i -> edge (frontSonar i < 0.5[m])) (\_ -> back))
     |                                ------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                                |
-    |                                this must return it together with its output
+    |                                this mode must return the event together with its output
     |
     = hint: write `switch (cruise &&& (proc i -> edge (frontSonar i < 0.5[m]))) (\_ -> back)`
   
@@ -52,7 +52,7 @@ Switches whose event is an argument, and events used as values.
   3 |     y = switch (constant 1) (edge (x > 2)) (constant 3) x
     |                 ----------   ^^^^^^^^^^^^
     |                 |
-    |                 this must return it together with its output
+    |                 this mode must return the event together with its output
     |
     = hint: write `switch (proc x -> (constant 1 x, edge (x > 2))) (\_ -> constant 3) x`
   
@@ -125,7 +125,7 @@ Switches whose event is an argument, and events used as values.
    --> accum_wrong.frob:2:30
     |
   2 | main = proc e -> accumHold 0 (+1) e
-    |                              ^^^^ - the event must carry it
+    |                              ^^^^ - the event must carry the function
     |
     = hint: write `accumHold 0 (tag e (+1))`
   
@@ -222,7 +222,7 @@ Switches whose event is an argument, and events used as values.
     |            |
     |            this is `Event Frame`
     |
-    = hint: an event has a value only when it occurs: write `mapE (\x -> x.number) f` for the event of its `number`; to keep the latest value, `hold x0` that event, where `x0` is the initial value
+    = hint: an event has a value only when it occurs: write `mapE (\x -> x.number) f` for an event with its `number`; to keep the latest value, apply `hold x0` to that event, where `x0` is the initial value
   
   1 error
   [1]
@@ -257,7 +257,7 @@ Switches whose event is an argument, and events used as values.
     |            ^^^^^^^^^^ this is `SF a (Event ())`
     |
     = note: expected `Bool`
-    = hint: its output is an event: for a condition, write `elapsed 5[s] ()`
+    = hint: its output is an event: to use the event as a condition, write `elapsed 5[s] ()`
   
   1 error
   [1]

@@ -49,7 +49,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
   2 | main = proc x -> x + 1
     |        ^^^^^^^^^^^^^^^
     |
-    = hint: for a signal function, write the type `SF Float Float`
+    = hint: if you want a signal function, change the type to `SF Float Float`
   
   1 error
   [1]
@@ -92,7 +92,7 @@ A parameter that a definition runs is a function unless its signature says `SF`.
     |        |
     |        argument 1 of `twice` is `a -> a`
     |
-    = hint: if `twice` should run it, write an `SF` type in the signature of `twice`
+    = hint: if `twice` should run the signal function, give the parameter an `SF` type in the signature of `twice`
   
   1 error
   [1]
@@ -157,7 +157,7 @@ Operators on Bools do not accept events.
   2 | either a b = a || b
     |              ^ -- argument 1 of `||` is `Bool`
     |
-    = hint: use `mergeE a b`, which occurs when one of two events does
+    = hint: use `mergeE a b`, which occurs when either event does
   
   error[E0301]: expected `Bool`, found `Event Int`
    --> operators.frob:3:12
@@ -175,7 +175,7 @@ Operators on Bools do not accept events.
     |                   |
     |                   argument 1 of `not` is `Bool`
     |
-    = hint: for the whole time that the condition is True, write `b`; for the one instant at which it becomes True, `isEvent (edge b)`
+    = hint: to test whether the condition is True, write `b`; to test whether it becomes True in this instant, write `isEvent (edge b)`
   
   3 errors
   [1]
@@ -215,7 +215,7 @@ The event that ends a mode was not run; a function determines when a task is abo
     |                                                                   |
     |                                                                   argument 2 of `abortWhen` is `SF a (Event b)`
     |
-    = hint: use `proc x -> edge (bumped x)`, which occurs when the condition becomes True
+    = hint: use `proc x -> edge (bumped x)`: its event occurs when the condition becomes True
   
   1 error
   [1]

@@ -33,7 +33,7 @@ intentions.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: run each in a separate equation, and choose between their outputs
+    = hint: run each signal function in a separate equation, and choose between their outputs
   
   1 error
   [1]
@@ -60,7 +60,7 @@ A task that continues as itself must take time.
   89 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
-     = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+     = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error

@@ -12,7 +12,7 @@ Bools, events, functions and signal functions, each used instead of another.
   3 |     v = if after 5[s] () then 0 else 0.2[m/s])
     |            ^^^^^^^^^^^^^
     |
-    = hint: this occurs at one instant only: write `elapsed 5[s] ()`, which is True from then on
+    = hint: this occurs at only one instant: write `elapsed 5[s] ()`, which is True from then on
   
   1 error
   [1]
@@ -31,7 +31,7 @@ Bools, events, functions and signal functions, each used instead of another.
     |         |
     |         with one argument, its result is `Event ()`
     |
-    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only on a condition, write `whenT c t`
+    = hint: for a choice between two values, write `if c then a else b`; for a task that runs only if a condition holds, write `whenT c t`
   
   1 error
   [1]
@@ -76,7 +76,7 @@ A signature with a function type: reported at the definition, and not again wher
   3 | go = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> rest)
     |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: for a signal function, write the type `SF RobotInput RobotOutput`
+    = hint: if you want a signal function, change the type to `SF RobotInput RobotOutput`
   
   1 error
   [1]
@@ -113,7 +113,7 @@ A signature with a function type: reported at the definition, and not again wher
   2 | main = reactimateRobot (go `until` edge bumped)
     |                             ^^^^^
     |
-    = hint: to run another signal function after an event, use `switch`; to end a task at an event, write ``t `abortWhen` sf``
+    = hint: to run another signal function after an event, use `switch`; to end a task when an event occurs, write ``t `abortWhen` sf``
   
   1 error
   [1]
@@ -132,7 +132,7 @@ A signature with a function type: reported at the definition, and not again wher
   3 |     let d = frontSonar i
     |                        ^
     |
-    = hint: only a `proc` has a name for the robot's input, as in `proc i -> …`; in a task, write `d <- ask frontSonar` to read it once
+    = hint: only a `proc` can name the robot's input, as in `proc i -> …`; in a task, write `d <- ask frontSonar` to read a sensor once
   
   1 error
   [1]

@@ -21,10 +21,10 @@ it.
   7 |     go
     |     -- `go` may start itself again at its own first instant
     |
-    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
+    = note: no time passes between these steps when `go` ends as soon as it starts
     = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
-  warning[W0306]: `Geometry` is imported but nothing from it is used
+  warning[W0306]: `Geometry` is imported, but nothing from it is used
    --> ask.frob:2:1
     |
   2 | import Geometry

@@ -102,7 +102,7 @@ A patrol that may never pause:
   89 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
-     = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+     = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
@@ -169,7 +169,7 @@ Tasks in an array:
     |                        |
     |                        argument 1 of `watching` is `Task (Watched a) b c`
     |
-    = hint: to run tasks one after the other, write a `do`, and below it each task on a line of its own: `forward 1[m]`, `turnBy 90[deg]`
+    = hint: to run tasks one after the other, write each task on its own line below a `do`: `forward 1[m]`, `turnBy 90[deg]`
   
   1 error
   [1]

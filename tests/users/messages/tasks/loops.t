@@ -21,8 +21,8 @@ A time that may be 0: the task with the time-out repeats, not `timeOut`.
     |     ^^^^^^^^^^^^^^^^^^^^^^^^ this may end as soon as it starts
   6 |     blink q
     |     ------- `blink` may start itself again at its own first instant
-    = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
-    = hint: wait for at least 1 ns: `max 1[ms] q`
+    = note: no time passes between these steps when `blink` ends as soon as it starts
+    = hint: make the wait at least 1 ns long, for example with `max 1[ms] q`
   
   1 error
   $ sed 's/`timeOut` q/`timeOut` max 1[ms] q/;s/max 1.ms. q/(&)/' blink.frob > cured.frob
@@ -47,7 +47,7 @@ A task that may be empty, forever:
     |                        ^^^^^^^^^^^^ `look` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
-    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
+    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
   
   1 error
   [1]

@@ -12,7 +12,7 @@ Commands of the robot:
 
   $ try "$M roMake (setVelTR 0.3[m/s] 0)\n    forward 1[m]" "$M sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))\n    forward 1[m]"
   error[E0371]: `roMake` does not return a task, but `Task i o a` is needed here
-    = hint: a command of the robot is not a task: to give it for a time, write `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))`; until an event `e`, `mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0), e))`
+    = hint: a robot command is not a task: to give it for a fixed time, write `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))`; to give it until an event `e`, write `mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0), e))`
   [1]
   $ try "$M sleepT 2[s] (setVelTR 0.3[m/s] 0)\n    forward 1[m]" "$M sleepT 2[s] (roMake (setVelTR 0.3[m/s] 0))\n    forward 1[m]"
   error[E0301]: expected the robot's output during that time, found `b -> b`
@@ -29,7 +29,7 @@ Commands of the robot:
   [1]
   $ try "$M (0.3[m/s], 0))" "$M roMake (setVelTR 0.3[m/s] 0))"
   error[E0301]: expected `Program RobotInput RobotOutput`, found `Program RobotInput (Float[m/s], n[u])`
-    = hint: write `roMake (setVelTR 0.3[m/s] 0)` for a robot's output: its speed and its turn rate
+    = hint: write `roMake (setVelTR 0.3[m/s] 0)` for a robot's output with this speed and turn rate
   [1]
 
 Results and signal functions:
@@ -42,7 +42,7 @@ Results and signal functions:
   $ W='wander :: (HasSonar i, DiffDrive o) => SF i o\nwander = proc _ -> roMake (setVelTR 0.2[m/s] 0)'
   $ try "$M wander\n    forward 1[m]\n$W" "$M mkTask (wander &&& after 5[s])\n    forward 1[m]\n$W"
   error[E0371]: expected a task, found a signal function
-    = hint: to run it for a time, write `mkTask (wander &&& after 5[s])`; to run it without end, `mkTask (wander &&& never)`
+    = hint: to run it for a fixed time, write `mkTask (wander &&& after 5[s])`; to run it forever, `mkTask (wander &&& never)`
   [1]
   $ try 'f :: Float -> Float\nf x = do\n    let y = x * 2\n    return y' 'f :: Float -> Float\nf x = y where\n    y = x * 2'
   error[E0301]: expected `Float`, found `Task a b c`
@@ -53,7 +53,7 @@ An event as an output that must be a truth value:
 
   $ try 'f :: SF () Bool\nf = proc () -> after 5[s] ()' 'f :: SF () Bool\nf = proc () -> elapsed 5[s] ()'
   error[E0301]: expected `Bool`, found `Event ()`
-    = hint: this occurs at one instant only: write `elapsed 5[s] ()`, which is True from then on
+    = hint: this occurs at only one instant: write `elapsed 5[s] ()`, which is True from then on
   [1]
   $ try 'f :: SF Bool Bool\nf = proc b -> falling b' 'f :: SF Bool Bool\nf = proc b -> isEvent (falling b)'
   error[E0301]: expected `Bool`, found `Event ()`

@@ -44,7 +44,7 @@ A task is not a condition; its result is.
   4 |     if forward 1[m]
     |        ^^^^^^^^^^^^
     |
-    = hint: run the task on the line before, `ok <- forward 1[m]`, and write `ok` here
+    = hint: run the task with `ok <- forward 1[m]` on the line before this one, and write `ok` here
   
   1 error
   [1]
@@ -100,7 +100,7 @@ Several tasks in a branch:
   8 |         forward 1[m]
     |         ^^^^^^^ one too many
     |
-    = hint: put `do` before several tasks below each other
+    = hint: put `do` before a sequence of tasks
   
   1 error
   [1]

@@ -32,7 +32,7 @@ Tasks with the statements of other languages.
   3 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
     |                       ^            - a `)` is missing before this
     |
-    = hint: a `;` ends a definition: write tasks below each other in a `do`
+    = hint: a `;` ends a definition: write each task on its own line of a `do`
   
   1 error
   [1]
