@@ -64,7 +64,7 @@ class Run:
         self.page.at(0)
 
     def go(self, instant):
-        """Moves to the instant with the page's keys, in steps of 50 and then of 10 instants."""
+        """Moves to the instant with the page's keys, in steps of 50 and then 10 instants."""
         self.page.press(Keys.HOME)
         self.page.at(0)
         for k in range(50, instant + 1, 50):

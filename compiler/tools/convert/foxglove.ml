@@ -63,7 +63,7 @@ let frame_transform =
       ("rotation", quaternion);
     ]
 
-(* Kinds of shapes in an entity, other than lines. *)
+(* The other kinds of shapes that an entity can contain, besides lines. *)
 let other_shapes = [ "arrows"; "cubes"; "spheres"; "cylinders"; "triangles"; "texts"; "models" ]
 
 let scene_update =

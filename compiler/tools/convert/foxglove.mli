@@ -5,7 +5,8 @@ type schema = string * string
 (** The name of the schema, and its JSON Schema. *)
 
 val number : string -> string
-(** Converts the text of a number to JSON; empty if it is not finite. *)
+(** Converts a number, given as text, to JSON. Returns the empty string if the number is not
+    finite. *)
 
 val words : string -> string
 (** Converts a text to a JSON string. *)
@@ -26,7 +27,7 @@ val of_transform : time:int -> parent:string -> child:string -> pose -> string
 val scene_update : schema
 
 type echo = { id : string; seat : pose; half_angle : float; range : float; lasts : int }
-(** [lasts]: how long the echo is shown unless another one with the same [id] replaces it *)
+(** [lasts]: how long the echo is displayed, unless one with the same [id] replaces it sooner *)
 
 val of_echoes : time:int -> frame:string -> echo list -> string
 (** Shows each echo as a cone that contains all places where it may have originated. *)

@@ -14,4 +14,4 @@ val folder_of : string -> string
 (** The folder [LOG.frames] for a recording [LOG.csv] or [LOG.csv.gz]. *)
 
 val is_name : string -> bool
-(** Can a file in that folder have this name? *)
+(** Whether a file in that folder can have this name. *)

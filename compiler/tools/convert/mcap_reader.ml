@@ -11,7 +11,8 @@ let damaged () = wrong "it is damaged: a checksum does not match its content"
 
 (* {1 Fields}
 
-   Each function returns a field at this offset of the text and the offset of the next field. *)
+   Each function returns the field at the given offset in the text. [string] also returns the offset
+   of the next field. *)
 
 let long text at = Int64.to_int (String.get_int64_le text at)
 let u16 text at = String.get_uint16_le text at

@@ -6,8 +6,9 @@ type t = {
   mutable position : int;
   mutable crc : int;  (** CRC of all bytes before [position] *)
   chunk : Buffer.t;  (** records of the current chunk *)
-  mutable chunk_times : (int * int) option;  (** times of the first and last messages in it *)
-  mutable times : (int * int) option;  (** times of the first and last messages of the file *)
+  mutable chunk_times : (int * int) option;  (** times of the first and last messages in the
+                                                 chunk *)
+  mutable times : (int * int) option;  (** times of the first and last messages in the file *)
   (* Data for the summary. Each list is in reverse order. *)
   mutable schemas : (string * string) list;  (** names and schemas *)
   mutable channels : (channel * string) list;

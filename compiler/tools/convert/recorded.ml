@@ -41,8 +41,8 @@ let mark = "\xef\xbb\xbf"
 let without_mark line =
   if String.starts_with ~prefix:mark line then String.sub line 3 (String.length line - 3) else line
 
-(* Whether a column is the time or belongs to the program. If the dialect names columns, all others
-   are ignored. *)
+(* Whether a column contains the time or a value of the program. If the dialect names columns, all
+   other columns are ignored. *)
 let is_ours name =
   name = "time"
   || List.exists
@@ -53,7 +53,8 @@ let is_ours name =
 
 let check_name number k name =
   if not (is_text name) then
-    wrong number "the name of column %d, `%s`, has a control character: rename it" (k + 1)
+    wrong number "the name of column %d, `%s`, contains a control character: rename the \
+                  column" (k + 1)
       (Basis.Printable.name name)
 
 (* Calls [head] for each comment before the header, [header] for the header, and [row] for each row,

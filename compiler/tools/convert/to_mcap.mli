@@ -1,5 +1,5 @@
-(** Converts a recording to MCAP. The result contains its values for plots, and everything that can
-    be displayed in 3D or as an image.
+(** Converts a recording to MCAP. The result contains the recorded values for plots, and everything
+    that can be displayed in 3D or as an image.
 
     The recording itself is attached, so that it can be restored byte for byte. Topics: one for each
     group of columns ([/in], [/out], [/probe]) with all their values; [/pose/…] for values with a

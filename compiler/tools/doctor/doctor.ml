@@ -63,8 +63,8 @@ let versions () =
   | _ ->
       Missing
         (Printf.sprintf
-           "this is %s, %s, but the PATH has another version: %s; remove one, or put the folder of \
-            the other first in PATH"
+           "this is %s, %s, but the PATH has another version: %s; remove one of them, or put the \
+            folder of the one that you want first in the PATH"
            Version.number Sys.executable_name (String.concat ", " different))
 
 let host_fault path = function
@@ -107,7 +107,7 @@ let cache () =
   | Error folder ->
       Missing
         (Printf.sprintf
-           "cannot write in %s, so each command compiles again: set XDG_CACHE_HOME to a folder of \
+           "cannot write to %s, so every command compiles from scratch: set XDG_CACHE_HOME to a folder of \
             your own"
            folder)
 
@@ -136,7 +136,7 @@ let c_compiler () =
       Broken
         (Printf.sprintf
            "%s does not handle generated code correctly%s: set the environment variable CC to \
-            another compiler; `frobc selftest` shows more"
+            another compiler; `frobc selftest` shows the details"
            shown reason)
   | Error (Not_found _) -> Broken (Sys.executable_name ^ " is missing: reinstall frobc")
 
@@ -187,7 +187,7 @@ let python () =
            [ Some 3; Some 9 ]
          < 0 ->
       Missing
-        (Printf.sprintf "Python %s is too old for the package frob, which needs 3.9"
+        (Printf.sprintf "Python %s is too old for the package frob, which needs 3.9 or later"
            (String.trim version))
   | Ok version -> Fine ("Python " ^ String.trim version)
   | Error (Not_found _) -> Missing ("for `frobc falsify` and notebooks: " ^ install)
@@ -219,13 +219,13 @@ let serial () =
     match Unix.access path [ R_OK; W_OK ] with () -> true | exception Unix.Unix_error _ -> false
   in
   match (ports, List.filter (fun path -> not (is_open path)) ports) with
-  | [], _ -> Missing "no serial port of a robot is connected (/dev/ttyUSB*, /dev/ttyACM*)"
+  | [], _ -> Missing "no robot is connected to a serial port (/dev/ttyUSB*, /dev/ttyACM*)"
   | _, [] -> Fine (String.concat ", " ports)
   | _, refused ->
       let user = Option.value (variable "USER") ~default:"$USER" in
       Missing
         (Printf.sprintf
-           "you may not open %s: `sudo usermod -aG dialout %s`, then log out and in again"
+           "you do not have permission to open %s: run `sudo usermod -aG dialout %s`, then log out and in again"
            (String.concat ", " refused) (Basis.Printable.name user))
 
 let boot_loaders () =
@@ -247,7 +247,7 @@ let boot_loaders () =
 let ros () =
   match (variable "ROS_DISTRO", variable "AMENT_PREFIX_PATH") with
   | Some name, _ -> Fine (Basis.Printable.name name)
-  | None, Some _ -> Fine "a distribution without a name (AMENT_PREFIX_PATH)"
+  | None, Some _ -> Fine "an unnamed distribution (AMENT_PREFIX_PATH)"
   | None, None -> (
       match entries "/opt/ros" with
       | setup :: _ ->
@@ -270,7 +270,7 @@ let looks (resources : Resources.t) =
       ("fonts", fonts);
       ( "AprilTags",
         fun () ->
-          library "libapriltag.so.3" ~purpose:"programs that look for tags"
+          library "libapriltag.so.3" ~purpose:"programs that detect tags"
             ~package:"libapriltag-dev" );
       ( "JPEG",
         fun () ->

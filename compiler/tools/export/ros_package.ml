@@ -2,7 +2,7 @@ open Basis.Let_syntax.Result
 
 let ( / ) = Filename.concat
 
-(* Names of packages must be in lower case. *)
+(* Package names must be in lower case. *)
 let package_of name = String.lowercase_ascii name
 
 let dependencies =
@@ -33,8 +33,8 @@ let is_of_messages package =
 
 let lines ?(packages = dependencies) one = String.concat "\n" (List.map one packages)
 
-(* The packages of the messages on the program's own topics, and the names of all topics. The node
-   loads the libraries of these packages when it starts. *)
+(* The packages that define the messages of the program's own topics. The node loads the libraries
+   of these packages when it starts. *)
 let own_packages (node : Cgen.Node_table.t option) =
   let package (t : Cgen.Node_table.topic) = List.hd (String.split_on_char '/' t.type_) in
   match node with
