@@ -42,5 +42,5 @@ A broken link is reported:
 
   $ mkdir -p broken/docs && echo '[x](nowhere.md)' > broken/README.md
   $ python3 -B $top/docs/site/build.py broken $(command -v frobc) pages
-  README.md: there is no nowhere.md
+  README.md: the file nowhere.md does not exist
   [1]

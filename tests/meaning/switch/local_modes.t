@@ -130,7 +130,7 @@ instant.
   3 |     go n = switch (proc v -> (v + n + x, edge (v > 2))) (\_ -> go (n + 1))
     |                                       - `go` is a signal: it depends on `x` here
     |
-    = hint: static values are known when it starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
+    = hint: static values must be known when the signal function starts: pass a signal in its input, or use `initially` to start it with the first value of a signal
   
   1 error
   [1]
@@ -167,7 +167,7 @@ The rules for tail position are the same as at the top level.
     |                                                            ^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
     = note: frobc must know all signal functions that can run, so their number must be finite
-    = hint: restart it with the same signal functions each time; numbers may change
+    = hint: restart it with the same signal functions each time; only numbers may change
   
   1 error
   [1]
@@ -192,7 +192,7 @@ The rules for tail position are the same as at the top level.
     |                 -- `release` uses `up` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = hint: for a value that depends on its own past, write an equation with `delay` in a `proc`, as in `n = delay 0 n + 1`
   
   1 error
   [1]
@@ -209,7 +209,7 @@ The rules for tail position are the same as at the top level.
     |     ^                   - `f` uses `f` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = hint: for a value that depends on its own past, write an equation with `delay` in a `proc`, as in `n = delay 0 n + 1`
   
   1 error
   [1]

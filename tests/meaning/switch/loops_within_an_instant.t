@@ -24,8 +24,8 @@ message shows what makes each step possible.
     |                                    |
     |                                    `after` may occur at the first instant of `rest`
     |
-    = note: no time passes between these steps at an instant at which each ends as soon as it starts
-    = hint: wait for at least 1 ns: `after (max 1[ms] q)`
+    = note: no time passes between these steps when each ends as soon as it starts
+    = hint: make the wait at least 1 ns long, for example with `after (max 1[ms] q)`
   
   1 error
   [1]

@@ -34,7 +34,7 @@ A signal function that grows at each restart would need a mode for each size.
     |                                                        ^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
     = note: frobc must know all signal functions that can run, so their number must be finite
-    = hint: restart it with the same signal functions each time; numbers may change
+    = hint: restart it with the same signal functions each time; only numbers may change
   
   1 error
   [1]
@@ -78,7 +78,7 @@ A signal function that calls itself outside a continuation.
     |                `main` uses `main` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = hint: for a value that depends on its own past, write an equation in a `proc`, with `delay`, as in `n = delay 0 n + 1`
+    = hint: for a value that depends on its own past, write an equation with `delay` in a `proc`, as in `n = delay 0 n + 1`
   
   1 error
   [1]
@@ -98,7 +98,7 @@ A continuation must be static.
     |             |
     |             `x` is a signal: it comes from the `proc`'s input here
     |
-    = hint: pass it in the event of the `switch`, or use `initially`
+    = hint: pass the value in the event of the `switch`, or use `initially`
   
   1 error
   [1]
@@ -139,12 +139,12 @@ cycle.
    --> round.frob:3:58
     |
   2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
-    |                                                        ----------------------- on the way, `back` starts here
+    |                                                        ----------------------- between the restarts, `back` starts here
   3 | back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
     |                                                          ^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |
     = note: frobc must know all signal functions that can run, so their number must be finite
-    = hint: restart it with the same signal functions each time; numbers may change
+    = hint: restart it with the same signal functions each time; only numbers may change
   
   1 error
   [1]
@@ -192,7 +192,7 @@ their number.
   5 | each = proc x -> applied sin x + applied (* 2) x + applied (\y -> y - 1) x
     |                                                    ^^^^^^^^^^^^^^^^^^^^^^^ `applied` is called here
     |
-    = note: frobc makes a copy for each combination of types, functions and signal functions among the arguments; numbers do not count
+    = note: frobc makes a separate copy for each combination of types, functions and signal functions in the arguments, but not for different numbers
     = hint: to allow more, use the option `--specialization-limit`
   
   1 error

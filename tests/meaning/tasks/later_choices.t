@@ -45,7 +45,7 @@ if the time-out may be 0.
   ...
   91 |     blocked = when (looks && inTheWay || stuck i))
      |     ---------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
-     = note: no time passes between these steps at an instant at which `driveTo` occurs as soon as `timeOut` starts
+     = note: no time passes between these steps when `driveTo` occurs as soon as `timeOut` starts
      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
@@ -59,8 +59,8 @@ if the time-out may be 0.
   ...
   10 |         Nothing -> return ()
      |         -------------------- `visit` may start itself again at its own first instant
-     = note: no time passes between these steps at an instant at which `visit` ends as soon as it starts
-     = hint: wait for at least 1 ns: `max 1[ms] q`
+     = note: no time passes between these steps when `visit` ends as soon as it starts
+     = hint: make the wait at least 1 ns long, for example with `max 1[ms] q`
   1 error
 
 Both engines agree if the task does end at its first instant.

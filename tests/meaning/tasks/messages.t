@@ -45,7 +45,7 @@ as signal functions.
   5 |     2 * x
     |     ^^^^^
     |
-    = hint: use `let x = …` to name a value, `return x` for a task that returns it immediately
+    = hint: use `let x = …` to name a value, or `return x` for a task that returns it immediately
   
   error[E0371]: expected a task, found a signal function
    --> mistakes.frob:9:10
@@ -57,7 +57,7 @@ as signal functions.
     |          ^^^^^^^^^^ this is `SF Float[u] Float[u/s]`
     |
     = hint: to read it once, write `ask derivative`
-    = hint: to run it for a time, write `mkTask (derivative &&& after 5[s])`; to run it without end, `mkTask (derivative &&& never)`
+    = hint: to run it for a fixed time, write `mkTask (derivative &&& after 5[s])`; to run it forever, `mkTask (derivative &&& never)`
   
   error[E0301]: `sleepT` lacks its last argument, the output during that time
     --> mistakes.frob:10:5
@@ -79,7 +79,7 @@ as signal functions.
   11 |     4
      |     ^
      |
-     = hint: use `let x = …` to name a value, `return x` for a task that returns it immediately
+     = hint: use `let x = …` to name a value, or `return x` for a task that returns it immediately
   
   error[E0302]: `g` is `Task Float Float Float`, not a function
     --> mistakes.frob:15:8
@@ -97,7 +97,7 @@ as signal functions.
   17 | h2 = g
      |      ^ this is `Task Float Float Float`
      |
-     = hint: use `runTask g`, a signal function that returns `Left` and the output while the task runs, then `Right` and the result
+     = hint: use `runTask g`, a signal function that returns `Left` with the output while the task runs, then `Right` with the result
   
   error[E0371]: expected a signal function, found a task
     --> mistakes.frob:19:44
@@ -107,9 +107,9 @@ as signal functions.
      |      |
      |      argument 2 of `switch` is `SF a n[1]`
      |
-     = hint: `switch` goes on with a signal function: to go on with a task, write a `do` with two lines, `mkTask (…)` around the first argument of `switch`, and `g`; `reactimateTask` turns it into a program
+     = hint: `switch` continues with a signal function: to continue with a task, write a `do` with two lines: first `mkTask (…)` around the first argument of `switch`, then `g`; `reactimateTask` turns the `do` into a program
   
-  error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
+  error[E0301]: expected a task that returns `()`, but this one returns a number in `m`
     --> mistakes.frob:22:17
      |
   21 | i :: Bool -> Task Float Float ()
@@ -119,7 +119,7 @@ as signal functions.
      |
      = hint: to drop the result of this task, write `mapT (const ()) (return 1[m])`; in a `do`, you can also write `return ()` below it
   
-  error[E0301]: expected a task that returns `()`, but this one returns a number of `m`
+  error[E0301]: expected a task that returns `()`, but this one returns a number in `m`
     --> mistakes.frob:23:36
      |
   23 | j b = if b then sleepT 1[s] 2 else return 1[m]
@@ -145,7 +145,7 @@ as signal functions.
      |        |
      |        argument 1 of `timeOut` is `Task a b c`
      |
-     = hint: to run it for a time, write `mkTask (sf &&& after 5[s])`; to run it without end, `mkTask (sf &&& never)`
+     = hint: to run it for a fixed time, write `mkTask (sf &&& after 5[s])`; to run it forever, `mkTask (sf &&& never)`
   
   11 errors
   [1]

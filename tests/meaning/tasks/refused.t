@@ -138,7 +138,7 @@ immediately …
     |                 ^^^^^^^^^^^^^ `snapT` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
-    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, `sleepT 10[ms] …` takes 10 ms; write the robot's output in place of `…`
+    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
   
   1 error
 
@@ -166,7 +166,7 @@ immediately …
   4 |     other m
     |     ------- `go` may start itself again at its own first instant
     |
-    = note: no time passes between these steps at an instant at which `go` ends as soon as it starts
+    = note: no time passes between these steps when `go` ends as soon as it starts
     = note: frobc found no end within 1000 steps, the maximum for one instant
     = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
@@ -203,8 +203,8 @@ is accepted.
       |     forever t
       |     --------- `sleepT` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `sleepT` ends as soon as it starts
-      = hint: wait for at least 1 ns: `max 1[ms] q`
+      = note: no time passes between these steps when `sleepT` ends as soon as it starts
+      = hint: make the wait at least 1 ns long, for example with `max 1[ms] q`
   
   1 error
   $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
@@ -234,7 +234,7 @@ fixes it: it neither waits for a change nor stops.
       |         forEachT (i + 1)
       |         ---------------- `past` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `when` occurs as soon as `past` starts
+      = note: no time passes between these steps when `when` occurs as soon as `past` starts
       = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
@@ -266,7 +266,7 @@ The message shows a task in a combinator of the library under the task's own nam
       |     forever t
       |     --------- `blink` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
+      = note: no time passes between these steps when `blink` ends as soon as it starts
       = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
@@ -295,7 +295,7 @@ both.
       |     forever t
       |     --------- `blink` may start itself again at its own first instant
       |
-      = note: no time passes between these steps at an instant at which `blink` ends as soon as it starts
+      = note: no time passes between these steps when `blink` ends as soon as it starts
       = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   1 error
@@ -318,7 +318,7 @@ Parameters that grow.
     |    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, with one more `withSF`
     |
     = note: frobc must know all tasks that can run, so their number must be finite
-    = hint: restart it with the same tasks each time; numbers may change
+    = hint: restart it with the same tasks each time; only numbers may change
   
   1 error
   [1]
@@ -350,7 +350,7 @@ the program that calls it, with the part that takes time.
     N |     arrived = atPlace goal i
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
-     = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+     = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
      = note: frobc found no end within 1000 steps, the maximum for one instant
      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
@@ -378,7 +378,7 @@ the program that calls it, with the part that takes time.
     N |         forEachT (i + 1)
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
-      = note: no time passes between these steps at an instant at which `atPlace` occurs as soon as `driveTo` starts
+      = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
       = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
