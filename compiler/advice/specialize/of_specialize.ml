@@ -1,8 +1,8 @@
 open Basis
 
 let outside ~at ~index ~size =
-  Diagnostic.error ~code:"E0418" ~at "index %d is out of range for an array of %d element%s"
-    index size
+  Diagnostic.error ~code:"E0418" ~at "index %d is out of range for an array of %d element%s" index
+    size
     (if size = 1 then "" else "s")
   |> Diagnostic.note "%s"
        (if size = 1 then "its only element has index 0"

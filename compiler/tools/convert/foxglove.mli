@@ -5,8 +5,8 @@ type schema = string * string
 (** The name of the schema, and its JSON Schema. *)
 
 val number : string -> string
-(** Converts a number, given as text, to JSON. Returns the empty string if the number is not
-    finite. *)
+(** Converts a number, given as text, to JSON. Returns the empty string if the number is not finite.
+*)
 
 val words : string -> string
 (** Converts a text to a JSON string. *)

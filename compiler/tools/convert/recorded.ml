@@ -53,9 +53,8 @@ let is_ours name =
 
 let check_name number k name =
   if not (is_text name) then
-    wrong number "the name of column %d, `%s`, contains a control character: rename the \
-                  column" (k + 1)
-      (Basis.Printable.name name)
+    wrong number "the name of column %d, `%s`, contains a control character: rename the column"
+      (k + 1) (Basis.Printable.name name)
 
 (* Calls [head] for each comment before the header, [header] for the header, and [row] for each row,
    together with its line. Calls [damaged] with the reason if the end is missing. A row that is too

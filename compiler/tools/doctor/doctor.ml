@@ -107,8 +107,8 @@ let cache () =
   | Error folder ->
       Missing
         (Printf.sprintf
-           "cannot write to %s, so every command compiles from scratch: set XDG_CACHE_HOME to a folder of \
-            your own"
+           "cannot write to %s, so every command compiles from scratch: set XDG_CACHE_HOME to a \
+            folder of your own"
            folder)
 
 (* {1 Compilers} *)
@@ -225,7 +225,8 @@ let serial () =
       let user = Option.value (variable "USER") ~default:"$USER" in
       Missing
         (Printf.sprintf
-           "you do not have permission to open %s: run `sudo usermod -aG dialout %s`, then log out and in again"
+           "you do not have permission to open %s: run `sudo usermod -aG dialout %s`, then log out \
+            and in again"
            (String.concat ", " refused) (Basis.Printable.name user))
 
 let boot_loaders () =
@@ -270,8 +271,8 @@ let looks (resources : Resources.t) =
       ("fonts", fonts);
       ( "AprilTags",
         fun () ->
-          library "libapriltag.so.3" ~purpose:"programs that detect tags"
-            ~package:"libapriltag-dev" );
+          library "libapriltag.so.3" ~purpose:"programs that detect tags" ~package:"libapriltag-dev"
+      );
       ( "JPEG",
         fun () ->
           library "libturbojpeg.so.0" ~purpose:"cameras that send JPEG" ~package:"libturbojpeg0" );
