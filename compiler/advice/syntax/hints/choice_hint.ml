@@ -244,10 +244,52 @@ let otherwise found =
   | ELSE, Some { token = BAR; _ } -> Some "write the last guard as `| otherwise`"
   | _ -> None
 
+(* `if (c) a else b`: the condition in brackets, and the value that follows it *)
+let condition_of_c found (by : Layout.origin) =
+  let text = between found by.by.stop.pos_cnum found.token.start.pos_cnum in
+  let rec closing i depth =
+    if i >= String.length text then None
+    else
+      match text.[i] with
+      | '(' -> closing (i + 1) (depth + 1)
+      | ')' -> if depth = 1 then Some i else closing (i + 1) (depth - 1)
+      | _ -> closing (i + 1) depth
+  in
+  if text = "" || text.[0] <> '(' then None
+  else
+    match closing 0 0 with
+    | None -> None
+    | Some last ->
+        let value = String.trim (String.sub text (last + 1) (String.length text - last - 1)) in
+        if value = "" then None else Some (String.sub text 1 (last - 1), value)
+
 let without_then found =
-  match (found.token.token, found.before) with
-  | ELSE, _ when opens_with Layout.If found.context ->
-      Some "put `then` after the condition: `if c then a else b`"
+  match (found.token.token, found.context) with
+  | ELSE, (If, by) :: _ ->
+      let other =
+        Text_place.without_closing (Operator_hint.rest_of_line found found.token.stop.pos_cnum)
+      in
+      Some
+        (match condition_of_c found by with
+        | Some (condition, value) when other <> "" ->
+            Printf.sprintf "put `then` after the condition: `if %s then %s else %s`" condition value
+              other
+        | _ -> "put `then` after the condition: `if c then a else b`")
+  | _ -> None
+
+(* `if c then a, b else d, e` *)
+let tuple_in_a_branch found =
+  match (found.token.token, found.context) with
+  | COMMA, (Then, by) :: _ -> (
+      let before = between found by.by.stop.pos_cnum found.token.start.pos_cnum in
+      let rest = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
+      match (Text_place.find " then " before, Text_place.find " else " rest) with
+      | Some i, Some j ->
+          let first = String.sub before (i + 6) (String.length before - i - 6) in
+          Some
+            (Printf.sprintf "put each tuple in parentheses, as in `then (%s, %s) else …`" first
+               (String.trim (String.sub rest 0 j)))
+      | _ -> Some "put the tuple in parentheses: `(a, b)`")
   | _ -> None
 
 let chain found =

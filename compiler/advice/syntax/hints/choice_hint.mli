@@ -28,6 +28,8 @@ val otherwise : Found.rule
 (** A guard with `else`. *)
 
 val without_then : Found.rule
+
+val tuple_in_a_branch : Found.rule
 (** An `else` directly after the condition. *)
 
 val chain : Found.rule

@@ -209,6 +209,19 @@ let statement found =
               value name)
   | _ -> None
 
+(* Does the text have a comma outside brackets? *)
+let is_tuple text =
+  let rec search i depth =
+    i < String.length text
+    &&
+    match text.[i] with
+    | '(' | '[' | '{' -> search (i + 1) (depth + 1)
+    | ')' | ']' | '}' -> search (i + 1) (depth - 1)
+    | ',' when depth = 0 -> true
+    | _ -> search (i + 1) depth
+  in
+  search 0 0
+
 (* `a, b = p`, as in Python *)
 let without_parentheses found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
@@ -219,7 +232,9 @@ let without_parentheses found =
       let value = Operator_hint.rest_of_line found found.token.stop.pos_cnum in
       Some
         (Printf.sprintf "put a tuple pattern in parentheses: `(%s) = %s`" line
-           (if value = "" || String.length value > 50 then "…" else value))
+           (if value = "" || String.length value > 50 then "…"
+            else if is_tuple value then "(" ^ value ^ ")"
+            else value))
   | _ -> None
 
 (* `y = z = x` *)

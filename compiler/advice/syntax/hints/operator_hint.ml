@@ -107,6 +107,27 @@ let seeds found (point : Layout.token) =
     Printf.sprintf "use ``%s `to` %s`` without brackets; it includes both numbers" first last
   else "use ``1 `to` 20`` without brackets; it includes both numbers"
 
+(* `roMake (c) >> roMake (d)` *)
+let combines_commands found =
+  let make = "roMake (" in
+  let command text =
+    match (Text_place.find make text, String.rindex_opt text ')') with
+    | Some i, Some j when i + String.length make < j ->
+        let first = i + String.length make in
+        Some (String.sub text first (j - first))
+    | _ -> None
+  in
+  let at = found.token.start.pos_cnum in
+  let before = command (between found found.token.start.pos_bol at) in
+  let rest = rest_of_line found found.token.stop.pos_cnum in
+  match (before, command rest) with
+  | Some first, Some second when String.starts_with ~prefix:make rest ->
+      Some
+        (Printf.sprintf
+           "to give two robot commands at once, combine them with `.`: `roMake (%s . %s)`" first
+           (Text_place.without_closing second))
+  | _ -> None
+
 (* An operator of another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
@@ -132,6 +153,7 @@ let foreign_operator found (before : Layout.token) =
            else "to shift the bits of an Int, write `shiftL bits n`")
     | "<>" -> Some "use `/=` to compare for inequality"
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
+    | ">>" when combines_commands found <> None -> combines_commands found
     | ">>" | ">>=" -> Some "write each task on its own line in a `do`"
     | "++" when after found = ' ' ->
         Some

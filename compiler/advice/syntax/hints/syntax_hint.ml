@@ -175,6 +175,7 @@ let expressions =
     Expression_hint.pattern_of_proc;
     Choice_hint.otherwise;
     Choice_hint.without_then;
+    Choice_hint.tuple_in_a_branch;
     Choice_hint.chain;
     Expression_hint.fat_arrow;
     Expression_hint.function_handle;

@@ -58,6 +58,7 @@ let of_values =
     Array_mistake.computed;
     Array_mistake.mapped_over_a_value;
     Signal_function_mistake.conditions;
+    Signal_function_mistake.choice;
     Signal_function_mistake.constant;
     Tuple_mistake.selected;
     Event_mistake.operand;

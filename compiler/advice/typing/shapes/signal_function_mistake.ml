@@ -268,6 +268,20 @@ let conditions fact =
         |> hint "to combine two conditions, write `&&`")
   | _ -> None
 
+(* `switch c a b` with a condition `c` *)
+let choice fact =
+  match (fact.wanted, fact.given, fact.expected.because) with
+  | ( Signal_function _,
+      Bool,
+      Parameter { callee = Some ("switch" | "dSwitch"); position = 1; given; _ } ) ->
+      let text (e : Resolve.Ir.expr) = Wording.quote fact.words e.span in
+      Some
+        (match List.map text given with
+        | [ Some c; Some a; Some b ] ->
+            hinted fact "to choose a value by a condition, write `if %s then %s else %s`" c a b
+        | _ -> hinted fact "to choose a value by a condition, write `if c then a else b`")
+  | _ -> None
+
 let constant fact =
   match (fact.wanted, fact.given, other_operand fact) with
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->

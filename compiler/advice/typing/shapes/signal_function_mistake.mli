@@ -17,5 +17,8 @@ val in_place_of_a_function : Shape_fact.rule
 val conditions : Shape_fact.rule
 (** A condition as an operand of an operator on signal functions, as in [x > 0 &&& y > 0]. *)
 
+val choice : Shape_fact.rule
+(** A condition as the first argument of [switch]: [if] chooses between values. *)
+
 val constant : Shape_fact.rule
 (** A value where a signal function is expected. *)

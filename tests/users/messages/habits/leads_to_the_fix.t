@@ -739,3 +739,37 @@ A `:` after the patterns of a `case`:
   error[E0103]: unexpected character `:`
     = hint: write `->` after a pattern in a `case`: `Forward -> …`
   $ frobc fix --all case.frob > /dev/null 2>&1; frobc check case.frob
+
+An `if` of C without `then`, tuples without parentheses, and a `switch` on a condition. Each hint
+contains the code to paste:
+
+  $ cat > branches.frob << 'END'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = if (x > 0) 1 else 2
+  > END
+  $ frobc check branches.frob 2>&1 | grep hint
+    = hint: put `then` after the condition: `if x > 0 then 1 else 2`
+  $ sed -i 's/if (x > 0) 1/if x > 0 then 1/' branches.frob && frobc check branches.frob
+  $ printf 'main :: SF Float (Float, Float)\nmain = proc x -> if x > 0 then 1, 2 else 3, 4\n' > pair.frob
+  $ frobc check pair.frob 2>&1 | grep hint
+    = hint: put each tuple in parentheses, as in `then (1, 2) else …`
+  $ sed -i 's/1, 2 else 3, 4/(1, 2) else (3, 4)/' pair.frob && frobc check pair.frob
+  $ printf 'main :: SF Float Float\nmain = proc x -> v + w where\n    v, w = x, 2 * x\n' > names.frob
+  $ frobc check names.frob 2>&1 | grep hint
+    = hint: put a tuple pattern in parentheses: `(v, w) = (x, 2 * x)`
+  $ sed -i 's/v, w = x, 2 \* x/(v, w) = (x, 2 * x)/' names.frob && frobc check names.frob
+  $ printf 'main :: SF Float Float\nmain = proc x -> switch (x > 0) 1 2\n' > switch.frob
+  $ frobc check switch.frob 2>&1 | grep hint
+    = hint: to choose a value by a condition, write `if x > 0 then 1 else 2`
+  $ sed -i 's/switch (x > 0) 1 2/if x > 0 then 1 else 2/' switch.frob && frobc check switch.frob
+
+Two robot commands in one instant:
+
+  $ cat > commands.frob << 'END'
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0.1[m/s] 0) >> roMake (setLight On))
+  > END
+  $ frobc check commands.frob 2>&1 | grep hint
+    = hint: to give two robot commands at once, combine them with `.`: `roMake (setVelTR 0.1[m/s] 0 . setLight On)`
+  $ sed -i 's/roMake (setVel.*/roMake (setVelTR 0.1[m\/s] 0 . setLight On))/' commands.frob && frobc check commands.frob

@@ -16,7 +16,7 @@ C and Arduino:
   4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
     |                                             ^^^^
     |
-    = hint: put `then` after the condition: `if c then a else b`
+    = hint: put `then` after the condition: `if frontSonar i > 0.5[m] then 0.3[m/s] else 0`
   
   1 error
   [1]
