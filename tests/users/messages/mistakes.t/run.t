@@ -40,7 +40,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
     |                                             ^^^^
     |
-    = hint: put `then` after the condition: `if c then a else b`
+    = hint: put `then` after the condition: `if frontSonar i > 0.5[m] then 0.3[m/s] else 0`
   
   1 error
   # 005_sonar_in_a_task.frob
