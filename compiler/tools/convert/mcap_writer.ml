@@ -6,8 +6,8 @@ type t = {
   mutable position : int;
   mutable crc : int;  (** CRC of all bytes before [position] *)
   chunk : Buffer.t;  (** records of the current chunk *)
-  mutable chunk_times : (int * int) option;  (** times of the first and last messages in the
-                                                 chunk *)
+  mutable chunk_times : (int * int) option;
+      (** times of the first and last messages in the chunk *)
   mutable times : (int * int) option;  (** times of the first and last messages in the file *)
   (* Data for the summary. Each list is in reverse order. *)
   mutable schemas : (string * string) list;  (** names and schemas *)

@@ -107,8 +107,8 @@ let cache () =
   | Error folder ->
       Missing
         (Printf.sprintf
-           "cannot write to %s, so every command compiles from scratch: set XDG_CACHE_HOME to a folder of \
-            your own"
+           "cannot write to %s, so every command compiles from scratch: set XDG_CACHE_HOME to a \
+            folder of your own"
            folder)
 
 (* {1 Compilers} *)
@@ -225,7 +225,8 @@ let serial () =
       let user = Option.value (variable "USER") ~default:"$USER" in
       Missing
         (Printf.sprintf
-           "you do not have permission to open %s: run `sudo usermod -aG dialout %s`, then log out and in again"
+           "you do not have permission to open %s: run `sudo usermod -aG dialout %s`, then log out \
+            and in again"
            (String.concat ", " refused) (Basis.Printable.name user))
 
 let boot_loaders () =
