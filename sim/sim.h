@@ -33,7 +33,7 @@ struct frob_imu;   /* <frob/imu.h> */
 
 struct frob_sim_settings {
     const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
-    uint64_t seed;     /* seed of all noise */
+    uint64_t seed;     /* seed for all noise */
     /* If positive, the distance from a wall is measured, and this replaces `distance` in the world
      * file's [measure]. If 0, the world file specifies the measurement. */
     double wall_distance_m;

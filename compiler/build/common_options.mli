@@ -6,7 +6,7 @@ type format = Text | Json
 type asserts =
   | Off  (** they are not compiled *)
   | Count  (** hosts judge them and report the results *)
-  | Stop  (** the same, and the first violated assertion ends the run *)
+  | Stop  (** like [Count], but the first violated assertion ends the run *)
   | Margin  (** hosts judge them and report how far each was from being violated *)
 
 type t = {
@@ -16,7 +16,7 @@ type t = {
   lint : bool;  (** check each stage's invariants *)
   specialization_limit : int;
   real : Basis.Real.t;  (** the precision of [Float] *)
-  robot : string option;  (** for programs that work with several robots *)
+  robot : string option;  (** the robot, for a program that works with several robots *)
   probes : string list;  (** names of inner signals to show; see {!Probe.Selection} *)
   asserts : asserts;
   params : string list;  (** values of the program's parameters, each [NAME=VALUE] *)
@@ -31,4 +31,4 @@ val to_repeat : t -> sources:string list -> string list
     a program. [sources] are the files given with [--with]. *)
 
 val assert_options : t -> string list
-(** The options of a host process for these assertions. *)
+(** The options with which a host treats assertions in this way. *)

@@ -11,8 +11,8 @@ val accepted :
   string ->
   (Request.t -> 'result -> int) ->
   int
-(** Continues with the result of a query. If there is none, prints the reason and returns the exit
-    status. [quiet] suppresses warnings, because another call has already printed them. *)
+(** Continues with the result of a query. If there is no result, prints the reason and returns the
+    exit status. [quiet] suppresses warnings, because another call has already printed them. *)
 
 val to_c :
   ?quiet:bool ->

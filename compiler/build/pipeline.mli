@@ -13,8 +13,8 @@ type front = {
   typed : Typing.Ir.program;
   core : Core.Ir.program;
   margin : Span.t -> Core.Formula.t option;
-      (** for each assertion, by its place: how far it is from being violated, if the request
-          includes margins *)
+      (** if the request includes margins: the formula that measures how far the assertion at this
+          place is from being violated *)
 }
 
 (** The results that remain valid even if a later stage fails. *)
@@ -37,16 +37,17 @@ val to_flow :
   written:Typing.Ir.definition ->
   Core.Ir.program * Core.Ir.Global.t ->
   ((Core.Ir.program * Core.Ir.Global.t) * Flow.Ir.program) option
-(** Finds the console, specializes the entry and checks causality. The messages quote the sources.
-    [written] is the entry as written in the source, and the last argument is the program closed for
-    a robot, with its entry. The result contains the same program with the fields of its console. *)
+(** Finds the controls of the console, specializes the entry and checks causality. The messages
+    quote the sources. [written] is the entry as written in the source. The last argument is the
+    program for a specific robot, with its entry. The result contains this program, with the
+    console's fields added. *)
 
 (** {1 From Flow to C} *)
 
 val optimize : Request.t -> Diagnostic.sink -> Flow.Ir.program -> Flow.Ir.program option
 
 val lower : Request.t -> Diagnostic.sink -> Flow.Ir.program -> Step.Ir.program option
-(** Turns an optimized program into state, reset and step. *)
+(** Translates an optimized program to state structs, reset functions and step functions. *)
 
 val emit :
   Request.t ->
@@ -57,5 +58,5 @@ val emit :
   ?node:Cgen.Node_table.t ->
   Step.Ir.program ->
   Cgen.Emit.t option
-(** [units]: for the comments of members; [named]: the constants that keep their names; [node]: the
-    topics of a node. *)
+(** [units]: the units to state in the comments of struct members; [named]: the constants that keep
+    their names in C; [node]: the topics, if the program is a ROS 2 node. *)

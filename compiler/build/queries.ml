@@ -13,8 +13,8 @@ let within_stack stages sink sources r =
 let for_a_robot r { Pipeline.resolved; typed; core; _ } entry : Robots.program =
   { typed; core; entry; signed = Typing.Entry.is_signed resolved entry; own = Request.own_robot r }
 
-(* Checks a program for several robots without choosing one or, if a robot is needed, with any that
-   fits. *)
+(* Checks one entry. If neither the entry nor the request determines the robot, checks the entry for
+   the first robot that fits, or without a robot if it cannot run on any. *)
 let check_entry (r : Request.t) sink sources (front : Pipeline.front)
     (written : Typing.Ir.definition) =
   let program = for_a_robot r front written.name in
@@ -87,7 +87,7 @@ let program sink sources (r : Request.t) =
   let { Pipeline.resolved; typed; margin; core = _ } = front in
   Some { resolved; typed; written; closed; flow; margin }
 
-(* Adds the probes, and the data about the assertions that hosts need. *)
+(* Adds the probes and, if [asserts] is true, the data about assertions that hosts need. *)
 let observed (r : Request.t) sink p ~asserts names =
   let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
   let causal, hidden = Probes.causal p.flow (List.map fst probes) in
@@ -179,7 +179,8 @@ let for_both_engines sink =
   of_checked
     (fun r sink sources ({ closed = core, entry; flow; _ } as program) ->
       let* step = lowered r sink flow in
-      (* Without a user-defined robot, the robot's structs become part of the program's header. *)
+      (* If the request names no user-defined robot, the program's header contains the robot's
+         structs. *)
       let* files = emitted { r with robot = None } sink sources program step in
       Some (core, entry, files))
     sink

@@ -1,8 +1,8 @@
 (** The questions that commands ask the compiler.
 
-    Each query compiles as far as its answer needs. It emits diagnostics to the sink, and adds the
-    texts of the modules to the sources. An answer is [None] if the program was rejected, or if the
-    request asks to stop after an earlier stage. *)
+    Each query runs only the stages that its answer requires. It emits diagnostics to the sink, and
+    adds the texts of the modules to the sources. An answer is [None] if the program was rejected,
+    or if the request asks to stop after an earlier stage. *)
 
 open Basis
 
@@ -40,7 +40,7 @@ val measures : Measures.t list option t
 (** The measures that a judge computes. *)
 
 val origins : (Columns.t list * Probe.Origin.t list) option t
-(** The same as {!columns}, and the sources of their values. *)
+(** The same columns as {!columns}, and where their values come from. *)
 
 (** {1 Programs for engines} *)
 
@@ -48,7 +48,7 @@ val flow : Flow.Ir.program option t
 (** The entry as optimized equations. *)
 
 val step : Step.Ir.program option t
-(** The entry as state, reset and step. *)
+(** The entry as state structs, reset functions and step functions. *)
 
 val watched : (Step.Ir.program * Step.Ir.program option) option t
 (** The program of {!step}, and, if that program has assertions, a second program that judges them.

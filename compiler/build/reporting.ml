@@ -12,7 +12,8 @@ let print_diagnostics (format : Common_options.format) sources sink =
   | diagnostics, Text ->
       prerr_string (Render_text.diagnostics ~colour:(colour ()) sources diagnostics)
   | diagnostics, Json -> prerr_string (Render_json.diagnostics sources diagnostics));
-  (* A rejected program determines the exit status even if the messages cannot be printed. *)
+  (* Ignores the error: even if the messages cannot be printed, the exit status still shows that the
+     program was rejected. *)
   try flush stderr with Sys_error _ -> ()
 
 let wrong_use text =
@@ -31,8 +32,8 @@ let report_exception = function
   | Diagnostic.Bug { stage; message } -> report_bug stage message
   | Stack_overflow ->
       wrong_use
-        "this is too large, or nested too deeply, for the stack of frobc; run `ulimit -s \
-         unlimited` for a larger stack"
+        "the input is too large, or nested too deeply, for the stack of frobc; run `ulimit -s \
+         unlimited` to allow a larger stack"
   | Sys_error reason -> wrong_use reason
   | Unix.Unix_error (reason, _, what) ->
       let what = if what = "" then "frobc" else what in

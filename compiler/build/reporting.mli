@@ -7,7 +7,7 @@ val print_diagnostics : Common_options.format -> Basis.Source.t -> Basis.Diagnos
 (** Prints all diagnostics on standard error. *)
 
 val status : Basis.Diagnostic.sink -> int
-(** The exit status of a command that compiled a program as far as possible. *)
+(** The exit status of a command that compiles a program, given the diagnostics in the sink. *)
 
 val wrong_use : string -> int
 (** Prints an error about the command line, and returns {!Exit_status.wrong_use}. *)
@@ -16,8 +16,8 @@ val ( let* ) : ('a, string) result -> ('a -> int) -> int
 (** Continues with a value, or reports a usage error. *)
 
 val report_bug : string -> string -> int
-(** [report_bug stage message] reports a fault of the compiler. *)
+(** [report_bug stage message] reports a bug in the compiler. *)
 
 val report_exception : exn -> int
 (** Reports the exception that ended the command: an error of the operating system, with the status
-    {!Exit_status.wrong_use}, or a fault of the compiler, with the status {!Exit_status.bug}. *)
+    {!Exit_status.wrong_use}, or a bug in the compiler, with the status {!Exit_status.bug}. *)

@@ -32,10 +32,10 @@ val judges : t -> bool
 (** Whether the verdicts on assertions are part of the output, for hosts. *)
 
 val measures_margins : t -> bool
-(** Whether the output also contains how far each assertion was from being violated. *)
+(** Whether the output also states how far each assertion was from being violated. *)
 
 val probes : t -> string list
-(** The probes of the options, with those that margins need. *)
+(** The probes that the options request, and those that margins need. *)
 
 val stage :
   t ->
@@ -46,8 +46,8 @@ val stage :
   'a ->
   'a option
 (** Finishes a stage. If the options request it, checks the invariants of the result, which hold for
-    programs without errors, and prints the result. [None] if there were errors, or if the options
-    stop after this stage. *)
+    programs without errors, and prints the result. Returns [None] if there were errors, or if the
+    options end the compilation after this stage. *)
 
 val each_pass : t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
 (** Prints the program after each pass that changes it, if the options request it. *)

@@ -5,8 +5,9 @@ let lint flow =
   Flow.Lint.program flow;
   Flow.Initialization.check flow
 
-(* Specializes the program, and checks the rules for all programs before any pass moves an
-   equation, so that messages refer to equations as they were written. *)
+(* Specializes the program, and checks the rules that every program must follow. These checks
+   precede the passes that move equations, so that messages refer to equations as they were
+   written. *)
 let with_room ~options ~default ~name ~entry sink ~sources ~(written : Typing.Ir.definition) core
     marks =
   let options = { options with Specialize.Context.marks } and span = written.span in

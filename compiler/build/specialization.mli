@@ -14,8 +14,9 @@ val program :
   Core.Ir.program ->
   Flow.Ir.program option
 (** The program must have a bounded size, be causal and have no instantaneous loops; otherwise the
-    result is [None], after messages that quote the sources. If the request includes the drawing,
-    the program has room for all its marks. [written] is the entry as written in the source. *)
+    messages quote the sources, and the result is [None]. If the request includes the drawing, the
+    result has room for all marks of the program. [written] is the entry as written in the source.
+*)
 
 val lint : Flow.Ir.program -> unit
 (** Checks the invariants of Flow between two stages. *)

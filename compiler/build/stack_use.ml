@@ -38,9 +38,9 @@ let report sink sources file =
   in
   Diagnostic.error ~code:"E0106" ~at
     "the program is too large, or nested too deeply, for the stack of frobc"
-  |> Diagnostic.note "this is its largest definition, of %d characters" size
+  |> Diagnostic.note "this is its largest definition, with %d characters" size
   |> Diagnostic.hint "split it into several definitions"
-  |> Diagnostic.hint "or run `ulimit -s unlimited` for a larger stack"
+  |> Diagnostic.hint "or run `ulimit -s unlimited` to allow a larger stack"
   |> Diagnostic.emit sink
 
 let guarded sink sources (r : Request.t) ~otherwise f =

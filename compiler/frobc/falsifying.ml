@@ -15,12 +15,12 @@ let inputs =
     ~doc:
       "Search over this input, named like a column of a trace, in base units: $(b,--input \
        'in.speed=0 to 1'). With a single value, as in $(b,in.speed=0.5), the input is constant. \
-       Give every input of the program."
+       Use this option for every input of the program."
 
 let disturbances =
   several "disturbance" ~docv:"TABLE.KEY=\"LOW to HIGH\""
     ~doc:
-      "For robot programs: search over this number of the world file, as in $(b,--disturbance \
+      "For robot programs: search over this number in the world file, as in $(b,--disturbance \
        'sonar.noise=0 to 0.05') or $(b,--disturbance 'start.x=1 to 2'). Can be repeated."
 
 let seeds =
@@ -38,9 +38,8 @@ let rate = Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc:"Instant
 
 let check_rate =
   let doc =
-    "Run each violation that is found again with this many instants per second, and report it only \
-     if the assertion is violated then, too. This is useful for programs that model a continuous \
-     system."
+    "Repeat each violating run with this many instants per second, and report the violation only \
+     if it also occurs at this rate. This is useful for programs that model a continuous system."
   in
   Arg.(value & opt (some float) None & info [ "check-rate" ] ~docv:"HZ" ~doc)
 
@@ -50,7 +49,7 @@ let points =
 
 let linear =
   let doc =
-    "Interpolate each input linearly between these values. By default, it changes in steps."
+    "Interpolate each input linearly between its values, instead of changing it in steps."
   in
   Arg.(value & flag & info [ "linear" ] ~doc)
 
@@ -67,8 +66,8 @@ let seed =
 
 let method_ =
   let doc =
-    "$(b,cma) for CMA-ES, which needs the Python package cma, or $(b,random) for random search, \
-     which needs no package."
+    "The search method: $(b,cma) for CMA-ES, which needs the Python package cma, or $(b,random) \
+     for random search, which needs no package."
   in
   let all = [ ("cma", "cma"); ("random", "random") ] in
   Arg.(value & opt (enum all) "cma" & info [ "method" ] ~docv:"METHOD" ~doc)
@@ -104,17 +103,17 @@ let falsify =
     [
       `S Manpage.s_description;
       `P
-        "Searches given ranges of parameters and inputs for a run that violates an assertion of \
-         the program. The search prefers runs that come close to a violation. The margin of a \
-         comparison, the difference between its two sides, measures how close. If an assertion has \
-         several comparisons, the one that determines the result counts.";
+        "Searches the given ranges of parameters and inputs for a run that violates an assertion \
+         of the program. The search prefers runs that come close to a violation, as measured by \
+         the margin of a comparison: the difference between its two sides. If an assertion has \
+         several comparisons, the search uses the one that determines the result.";
       `P
         "Robot programs run in the simulator. For them, the search varies parameters, disturbances \
          and seeds, and also looks for collisions.";
       `P
-        "Prints a line for each assertion, and for each violated assertion the command that shows \
-         the run. The exit status is 1 if an assertion was violated. Finding no violation does not \
-         prove that there is none.";
+        "Prints a line for each assertion and, if the assertion was violated, the command that \
+         shows the run. The exit status is 1 if an assertion was violated. Finding no violation \
+         does not prove that there is none.";
       `P "Needs Python packages, which $(b,frobc extras install search) installs.";
     ]
   in

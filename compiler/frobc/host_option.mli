@@ -16,7 +16,7 @@ val one :
   docv:string ->
   doc:string ->
   string list Term.t
-(** [print] formats a value for the host; the default is the converter's notation. [absent] is the
+(** [print] formats a value for the host; the default is the converter's printer. [absent] is the
     host's own default, shown in the manual page. *)
 
 val many : string -> docv:string -> doc:string -> string list Term.t

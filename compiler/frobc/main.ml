@@ -14,8 +14,8 @@ let check =
 let format =
   let check =
     let doc =
-      "Write nothing. Print the name of each file that would change and its first line that would \
-       change, and exit with status 1 if there are any."
+      "Write nothing. Print the name of each file that would change, with the first line that \
+       would change, and exit with status 1 if there are any such files."
     in
     Arg.(value & flag & info [ "check" ] ~doc)
   in
@@ -31,7 +31,7 @@ let format =
       `S Manpage.s_description;
       `P
         "Formats spaces, indentation and empty lines in the style of the library and the examples. \
-         $(tname) keeps existing line breaks and columns that are aligned by spaces, and breaks \
+         $(tname) keeps existing line breaks and columns that are aligned with spaces, and breaks \
          lines of more than 100 characters. Nothing else changes: $(tname) checks that the result \
          is the same program with the same comments. A file with syntax errors is left unchanged.";
     ]
@@ -88,12 +88,12 @@ let compile =
   let run general entry batch standalone folder file =
     Commands.compile general entry ~batch ~standalone folder file
   in
-  command "compile" ~doc:"translate a program to C, into NAME.c and NAME.h"
+  command "compile" ~doc:"translate a program to C, as NAME.c and NAME.h"
     Term.(const run $ not_judging general $ entry $ batch $ standalone $ folder $ file)
 
 let markers =
   let doc =
-    "With $(b,--ros2): include the drawing of the program, which the node publishes as markers."
+    "With $(b,--ros2): include the program's drawing, which the node publishes as markers."
   in
   Arg.(value & flag & info [ "markers" ] ~doc)
 
@@ -196,7 +196,7 @@ let header =
       required
       & pos 0 (some string) None
       & info [] ~docv:"ROBOT"
-          ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of your own robot."))
+          ~doc:("The robot: " ^ robot_names ^ ", or the module file of your own robot."))
   in
   command "header" ~doc:"write the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)
@@ -206,9 +206,9 @@ let selftest =
   let cc =
     some [ "cc" ] ~docv:"CC"
       ~doc:
-        "The command of the C compiler, with options if you like. The default is the one that the \
-         other commands use: the environment variable $(b,CC), or $(b,cc), $(b,gcc) or $(b,clang), \
-         or the compiler that comes with frobc."
+        "The command that starts the C compiler; it may contain options. The default is the \
+         compiler that the other commands use: the one in the environment variable $(b,CC), or \
+         $(b,cc), $(b,gcc) or $(b,clang), or the compiler that comes with frobc."
   in
   let cflags =
     some [ "cflags" ] ~docv:"FLAGS"
@@ -300,16 +300,16 @@ let extras =
     match (action, groups) with
     | `Install, groups -> Tools.Extras.install groups
     | `List, [] -> Tools.Extras.list ()
-    | `List, _ -> Reporting.wrong_use "`frobc extras list` takes no groups"
+    | `List, _ -> Reporting.wrong_use "`frobc extras list` takes no groups: remove them"
   in
   let man =
     [
       `S Manpage.s_description;
       `P
         "Some commands use third-party Python packages. $(tname) installs them from the Python \
-         package index in a virtual environment in $(b,~/.local/share/frobc) (or \
+         Package Index into a virtual environment in $(b,~/.local/share/frobc) (or \
          $(b,XDG_DATA_HOME)), and frobc then uses that environment. A new environment replaces the \
-         old one when it is complete.";
+         old one only once it is complete.";
       `P
         "If you have activated a virtual environment of your own, frobc uses that one instead: \
          install the packages there with $(b,pip).";
@@ -320,11 +320,11 @@ let extras =
 
 let ros2 =
   let action =
-    let doc = "$(b,import) writes the module of a type of messages." in
+    let doc = "$(b,import) writes a module for a message type." in
     Arg.(required & pos 0 (some (enum [ ("import", `Import) ])) None & info [] ~docv:"ACTION" ~doc)
   in
   let type_ =
-    let doc = "The package and the type of the messages, as in $(b,my_msgs/Wheels)." in
+    let doc = "The message type, with its package, as in $(b,my_msgs/Wheels)." in
     Arg.(required & pos 1 (some string) None & info [] ~docv:"PACKAGE/TYPE" ~doc)
   in
   let output =
@@ -332,23 +332,24 @@ let ros2 =
     Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE.frob" ~doc)
   in
   let most =
-    let doc = "The maximum number of elements of sequences that have no maximum in ROS." in
+    let doc = "The maximum length of sequences that are unbounded in ROS." in
     Arg.(value & opt int 16 & info [ "most" ] ~docv:"N" ~doc)
   in
   let run `Import type_ output most =
-    if most < 1 then Reporting.wrong_use "--most is at least 1"
+    if most < 1 then Reporting.wrong_use "--most must be at least 1"
     else Tools.Ros_import.import ~most ~output type_
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "Reads the definition of a type of messages from the packages of the sourced ROS 2, and \
-         writes a module with its record, for nodes with topics of their own. The file states what \
-         it omits, such as text. You can edit it.";
+        "Reads the definition of a message type from the packages of the ROS 2 installation whose \
+         setup script you have sourced. Writes a module with a record for this type, for nodes \
+         that define their own topics. Comments in the file say which fields it omits, such as \
+         text. You can edit the file.";
     ]
   in
-  command "ros2" ~man ~doc:"import message types of ROS 2"
+  command "ros2" ~man ~doc:"import ROS 2 message types"
     Term.(const run $ action $ type_ $ output $ most)
 
 let doctor =
@@ -375,7 +376,7 @@ let lsp =
       `S Manpage.s_description;
       `P
         "A language server for editors: it reports messages while you type, and provides types, \
-         definitions, completion, renaming and more by the Language Server Protocol. \
+         definitions, completion, renaming and more through the Language Server Protocol. \
          docs/editors.md describes how to set up an editor.";
     ]
   in
@@ -384,7 +385,7 @@ let lsp =
 
 let help names =
   let topic =
-    let doc = "The command. The default is the help of frobc itself." in
+    let doc = "The command to describe. The default is frobc itself." in
     Arg.(value & pos 0 (some string) None & info [] ~docv:"COMMAND" ~doc)
   in
   let show = function
@@ -478,8 +479,9 @@ let collect_seldom () =
       custom_major_ratio = 1_000_000;
     }
 
-(* The flags of a C compiler look like options (`--cflags -O2`), and so do the arguments for ROS 2,
-   which end at `--` as for every node (`--ros-args -r odom:=base/odom --`). *)
+(* Prevents cmdliner from parsing the flags of a C compiler (`--cflags -O2`) and the arguments for
+   ROS 2 as options of frobc. As for every ROS 2 node, these arguments end at `--` (`--ros-args -r
+   odom:=base/odom --`). *)
 let rec with_flags = function
   | "--cflags" :: flags :: rest -> ("--cflags=" ^ flags) :: with_flags rest
   | "--ros-args" :: rest -> with_ros_arguments rest
@@ -500,12 +502,12 @@ let messages =
   let flush () = try flush stderr with Sys_error _ -> () in
   Format.make_formatter put flush
 
-(* 200,000 branches of a `case` need more than the usual 8 MB, because some passes recurse along
-   lists. A larger stack would be slow: each minor collection scans the whole stack, so a function
-   that recurses until the stack is full takes time quadratic in the stack's size. *)
+(* A `case` with 200,000 branches needs more stack than the usual 8 MB, because some passes recurse
+   along lists. A larger stack would be slow: each minor collection scans the whole stack, so a
+   function that recurses until the stack is full takes time quadratic in the stack's size. *)
 let largest_stack = 1 lsl 25
 
-(* Commands of other tools whose names cmdliner would correct to the wrong command. *)
+(* Command names from other tools, for which cmdliner would suggest the wrong command. *)
 let command_meant = function "fmt" -> Some "format" | "lint" -> Some "check" | _ -> None
 
 let evaluate () =

@@ -94,7 +94,7 @@ let general =
   let robot =
     let doc =
       "The robot to compile for: " ^ robot_names
-      ^ ", or, for your own robot, the file of its module, as in $(b,Rover.frob)."
+      ^ ", or the module file of your own robot, as in $(b,Rover.frob)."
     in
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
@@ -125,7 +125,7 @@ let probed =
   let make general names = { general with Common_options.probes = List.concat names } in
   Term.(const make $ general $ names)
 
-(* The option for a command; [default] applies without the option. *)
+(* Adds the option [--asserts], with its default and its description for a command. *)
 let with_asserts ~default ~doc general =
   let all =
     [
@@ -153,10 +153,10 @@ let not_judging general =
        margin by which each assertion holds. With $(b,off), the default, the generated C does not \
        check them."
 
-(* For commands that run a program. *)
+(* Adds the option [--param], for commands that run a program. *)
 let with_params general =
   let doc =
-    "Run with this value of a parameter that the program declares by $(b,param), as in \
+    "Run with this value of a parameter that the program declares with $(b,param), as in \
      $(b,kTurn=5[1/m]). The value is a Frob expression with the parameter's unit. Can be repeated."
   in
   let settings = Arg.(value & opt_all string [] & info [ "param" ] ~docv:"NAME=VALUE" ~doc) in
@@ -205,7 +205,10 @@ let dialect =
       | Some i when i > 0 && i < String.length text - 1 ->
           Ok (String.sub text 0 i, String.sub text (i + 1) (String.length text - i - 1))
       | Some _ | None ->
-          Error (`Msg (Printf.sprintf "`%s` is not NAME=COLUMN, as in.speed=wheel_speed" text))
+          Error
+            (`Msg
+               (Printf.sprintf
+                  "`%s` does not have the form NAME=COLUMN; for example, in.speed=wheel_speed" text))
     in
     let print ppf (name, column) = Format.fprintf ppf "%s=%s" name column in
     let column = Arg.conv (parse, print) in
@@ -228,5 +231,5 @@ let jobs =
   Arg.(value & opt (some int) None & info [ "j"; "jobs" ] ~docv:"N" ~doc)
 
 let positive name = function
-  | Some n when n < 1 -> Error (Printf.sprintf "%s must be a number of at least 1" name)
+  | Some n when n < 1 -> Error (Printf.sprintf "%s must be at least 1" name)
   | _ -> Ok ()

@@ -9,7 +9,7 @@ let trace =
     let doc =
       "The recorded input: CSV with a header, which may be compressed ($(b,.csv.gz), \
        $(b,.csv.zst)). $(b,-) is standard input. Alternatively, a ROS 2 bag with the instants of a \
-       node: a folder, or a file $(b,.db3) or $(b,.mcap)."
+       node: a folder, or a $(b,.db3) or $(b,.mcap) file."
     in
     Arg.(value & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
   in
@@ -104,13 +104,13 @@ let for_robots =
       many "set" ~docv:"NAME=VALUE"
         ~doc:
           "With $(b,--device) or $(b,--ros2): change a setting of the robot's driver or of a \
-           camera, as in $(b,camera.up=0.3). An unknown setting lists all settings.";
+           camera, as in $(b,camera.up=0.3). To list all settings, give an unknown name.";
       many "camera" ~docv:"SOURCE"
         ~doc:
           "With $(b,--device) or $(b,--ros2): the source of the camera's frames. This is a device \
            ($(b,/dev/video0)); an MJPEG stream ($(b,http://HOST:PORT/PATH)); a folder of pictures; \
            or a pipe or file of pictures (PPM, PGM, JPEG) or of raw frames, whose \
-           $(b,camera.width) and $(b,camera.height) you set by $(b,--set). If the program has \
+           $(b,camera.width) and $(b,camera.height) you set with $(b,--set). If the program has \
            several cameras, give $(b,LABEL=SOURCE) for each.";
       one Arg.int "priority" ~docv:"N"
         ~doc:"With $(b,--device) or $(b,--ros2): run with this real-time priority, 1 to 99.";
@@ -156,7 +156,8 @@ let ros_arguments =
 
 let lifecycle =
   let doc =
-    "With $(b,--ros2): be a managed node, which waits until other nodes configure and activate it."
+    "With $(b,--ros2): run as a managed node, which waits until other nodes configure and activate \
+     it."
   in
   Arg.(value & flag & info [ "lifecycle" ] ~doc)
 
@@ -166,7 +167,7 @@ let way device ros2 lifecycle ros_arguments =
   match (device, ros2, ros_arguments) with
   | _, false, _ when lifecycle -> Error "--lifecycle only works with --ros2: add it"
   | Some _, true, _ ->
-      Error "the robot is either on a serial line or in ROS 2: remove --device or --ros2"
+      Error "a robot cannot be both on a serial line and in ROS 2: remove --device or --ros2"
   | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
   | _, true, arguments -> Ok (Some (Ros2 { lifecycle; arguments }, "--ros2"))
   | Some device, false, [] -> Ok (Some (Device device, "--device"))

@@ -4,7 +4,7 @@ open Options
 let serve =
   let robot =
     some_string "robot" ~docv:"ROBOT"
-      ~doc:"The robot, or the file of the module of your own robot. The default is $(b,pioneer)."
+      ~doc:"The robot, or the module file of your own robot. The default is $(b,pioneer)."
   in
   let world =
     some_string "world" ~docv:"WORLD.toml"
@@ -37,11 +37,13 @@ let serve =
     some_string "link" ~docv:"PATH" ~doc:"Maintain a symbolic link to the device at this path."
   in
   let sources =
-    let doc = "A C file of your own robot, with its body or its board. Can be repeated." in
+    let doc = "A C file that defines the body or the board of your own robot. Can be repeated." in
     Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
   in
   let stamped =
-    let doc = "With the robot $(b,ros): commands are of the type TwistStamped instead of Twist." in
+    let doc =
+      "With the robot $(b,ros): accept commands of the type TwistStamped instead of Twist."
+    in
     Arg.(value & flag & info [ "stamped" ] ~doc)
   in
   let ros_arguments =
@@ -69,5 +71,5 @@ let serve =
          node and of its topics.";
     ]
   in
-  command "serve" ~man ~doc:"simulate a robot at a serial port, or in ROS 2"
+  command "serve" ~man ~doc:"simulate a robot on a serial port or in ROS 2"
     Term.(const make $ robot $ sources $ world $ log $ link $ stamped $ ros_arguments $ host)

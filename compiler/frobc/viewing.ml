@@ -43,7 +43,7 @@ let file =
   Arg.(required & pos 1 (some string) None & info [] ~docv:"FILE" ~doc)
 
 let port =
-  let doc = "The port of the page. The default is any free port." in
+  let doc = "The port on which to serve the page. The default is any free port." in
   Arg.(value & opt (some int) None & info [ "port" ] ~docv:"N" ~doc)
 
 let world =
@@ -72,7 +72,7 @@ let compare =
   Arg.(value & opt (some string) None & info [ "compare" ] ~docv:"OTHER.csv" ~doc)
 
 let seed =
-  let doc = "The seed of the run in the simulator, to drive the same run again." in
+  let doc = "The seed of the recorded simulator run, so that the page can repeat the run." in
   Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
 
 let at =

@@ -11,8 +11,8 @@
 struct reader {
     const char *start;
     const char *at;
-    const char *expected;            /* set by the first failure */
-    const struct frob_value *choice; /* set by the first failure */
+    const char *expected;            /* what was expected at the first failure */
+    const struct frob_value *choice; /* the value whose constructor was expected, or NULL */
     void *base;
     const struct frob_frames *frames;
 };
@@ -149,7 +149,7 @@ static bool read_single(struct reader *r, float *result)
     return ok;
 }
 
-/* Reads a whole number, in decimal or after 0x, of at most `most`. */
+/* Reads a non-negative integer of at most `most`, in decimal or, after 0x, in hexadecimal. */
 static bool read_natural(struct reader *r, uint64_t most, uint64_t *result)
 {
     char *end;
@@ -283,7 +283,7 @@ static bool read_constructor(struct reader *r, const struct frob_value *value)
 
 static bool read_value(struct reader *r, const struct frob_value *value)
 {
-    /* A tuple's own parenthesis must not be skipped. */
+    /* A tuple's own parenthesis must not be skipped here, because read_tuple reads it. */
     bool tuple = value->kind == FROB_PRODUCT && value->constructors[0].name == NULL;
     int parentheses = 0;
     bool ok = false;

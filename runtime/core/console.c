@@ -24,7 +24,7 @@ void frob_console_key(const struct frob_program *program, void *input, int32_t k
     unsigned char *bytes = (unsigned char *)input;
     if (event == NULL)
         return;
-    bytes[event->offset] = key >= 0; /* the tag: NoEvent, Event */
+    bytes[event->offset] = key >= 0; /* the tag: 0 is NoEvent, 1 is Event */
     if (key >= 0)
         memcpy(bytes + event->constructors[1].fields[0].value->offset, &key, sizeof key);
 }
@@ -55,7 +55,7 @@ static void set_number(void *input, const struct frob_value *value, double x)
 
 static void set_event(void *input, const struct frob_value *event, bool occurs)
 {
-    ((unsigned char *)input)[event->offset] = occurs; /* the tag: NoEvent, Event */
+    ((unsigned char *)input)[event->offset] = occurs; /* the tag: 0 is NoEvent, 1 is Event */
 }
 
 /* Clamps x to the control's range. */

@@ -27,8 +27,8 @@ static size_t row_size(const struct frob_image *image)
     return (size_t)image->width * (size_t)frob_image_pixel_size(image->format);
 }
 
-/* Hashes a piece of data, eight bytes at a time, as if it were padded with zeros. Each step is that
- * of FNV-1a on 64-bit words, followed by folding the high bits into the low ones. */
+/* Hashes a piece of data, eight bytes at a time, as if it were padded with zeros. Each step applies
+ * FNV-1a to a 64-bit word, and then folds the high bits into the low ones. */
 static uint64_t hash_piece(uint64_t hash, const void *piece, size_t size)
 {
     const unsigned char *bytes = (const unsigned char *)piece;

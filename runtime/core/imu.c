@@ -10,7 +10,7 @@ static void set_vector(void *input, const struct frob_value *value, const double
         frob_camera_set_number(input, value->constructors[0].fields[i].value, numbers[i]);
 }
 
-/* Sets the value to `Just heading`, or for NaN to `Nothing`, with 0 as its
+/* Sets the value to `Just heading` or, if the heading is NaN, to `Nothing` with 0 in the
  * payload. */
 static void set_heading(void *input, const struct frob_value *value, double heading)
 {

@@ -84,8 +84,8 @@ static void become_stale(struct frob_robot *robot)
     robot->stop_due_ns = INT64_MIN;
 }
 
-/* Handles a gap between two polls. After a gap, the age of readings on the line is unknown, and
- * more of them may arrive. The driver's poll would begin by sending a pending command, so this
+/* Handles a gap between two polls. After a gap, the age of the readings on the line is unknown, and
+ * more old ones may follow. The driver's poll would begin by sending a pending command, so this
  * function stops the robot first. */
 static enum frob_status note_gap(struct frob_robot *robot)
 {
@@ -101,8 +101,8 @@ static enum frob_status note_gap(struct frob_robot *robot)
     return keep_still(robot);
 }
 
-/* Reports that the driver has given up or lost its line. If the line is not lost, a last stop
- * command may still get through. */
+/* Reports that the driver has given up or has lost its line. Unless the line is lost, sends a last
+ * stop command, which may still get through. */
 static enum frob_robot_state failed(struct frob_robot *robot, enum frob_status status)
 {
     if (robot->state != FROB_ROBOT_FAILED && status != FROB_LOST)

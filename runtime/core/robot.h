@@ -21,9 +21,9 @@
  *     frob_robot_halt has the same effect.
  *   - If the reading that the program used is older than the patience when the command arrives, the
  *     command is dropped and the robot stopped.
- *   - If the caller has not polled for longer than the patience (for example because its process was
- *     stopped), the line contains old readings. The robot stays stopped until a reading arrives later
- *     than one more patience; earlier ones are ignored.
+ *   - If the caller has not polled for longer than the patience (for example because its process
+ *     was stopped), the line contains old readings. Readings that arrive within one more patience
+ *     are ignored; the robot stays stopped until then.
  *   - No function waits, allocates or makes a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
@@ -41,7 +41,7 @@ enum frob_robot_state {
     FROB_ROBOT_READY, /* readings are recent enough, so the program may step */
     FROB_ROBOT_STALE, /* readings are too old; the robot is stopped */
     FROB_ROBOT_FAILED /* the connection has failed; `status` contains the reason. The caller must
-                       * close the robot, and may start again */
+                       * close the robot, and may then call frob_robot_start again */
 };
 
 /* Maximum size of a robot's output struct, in bytes. */
@@ -65,11 +65,11 @@ struct frob_robot {
     int64_t given_ns;        /* arrival time of the reading for the next command; INT64_MAX if
                               * unknown */
     uint32_t connections;
-    uint32_t stale; /* how often readings have become too old */
+    uint32_t stale; /* number of times that readings became too old */
     union {
         double aligned;
         unsigned char bytes[FROB_OUTPUT_MOST];
-    } limited; /* the last command */
+    } limited; /* a copy of the last output, with its drives limited */
 };
 
 /* Starts to connect. Copies what `serial` and `clock` point to; `settings` must stay valid.
@@ -79,7 +79,8 @@ void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver
                       const double *settings, const struct frob_serial *serial,
                       const struct frob_clock *clock, int64_t patience_ns);
 
-/* Reads the bytes that have arrived, sends the commands that are due, and checks the time. */
+/* Reads the bytes that have arrived, sends the commands that are due, and stops the robot if its
+ * readings are too old. */
 enum frob_robot_state frob_robot_poll(struct frob_robot *robot);
 
 /* Returns when to poll next, even if no byte arrives. */
@@ -101,8 +102,9 @@ bool frob_robot_stands(const struct frob_robot *robot);
 /* Stops the robot and ends its session. The caller must close the line. */
 void frob_robot_close(struct frob_robot *robot);
 
-/* Makes the drives in `output` finite and clamps them to the maximum of the driver's robot.
- * Returns true if it changed any. No other function limits drives. */
+/* If a drive in `output` is not finite, sets all drives to zero. Otherwise, clamps them to the
+ * maximums of the driver's robot. Returns true if it changed any. No other function limits
+ * drives. */
 bool frob_robot_limit(const struct frob_driver *driver, const void *device, void *output);
 
 #ifdef __cplusplus

@@ -38,7 +38,7 @@ extern "C" {
  * Every setting is a number. */
 struct frob_setting {
     const char *name; /* the name on the command line: "baud" */
-    double initial;   /* NAN: reported by the robot, or from the table of its model */
+    double initial;   /* NAN if the robot reports the value, or a table lists it for each model */
     double least, greatest;
     const char *meaning; /* a line for the user that states the unit */
 };
@@ -83,8 +83,8 @@ struct frob_driver {
      * none. */
     int64_t (*sensed_ns)(const void *device);
 
-    /* Fills in the robot's sensor readings. An event (an echo) is in the first input after its
-     * arrival, and in no later one. */
+    /* Fills in the robot's sensor readings. An event, such as an echo, occurs only in the first
+     * input after its arrival. */
     void (*sense)(void *device, void *input);
 
     /* Sends the commanded values to the robot. Each is a finite number within the limits. */

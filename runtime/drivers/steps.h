@@ -7,9 +7,9 @@
  * wanted speed.
  *
  * A number is always one of the two whole numbers next to the wanted one. The accumulated error is
- * dropped if the wanted number is zero, if the limit clamps it, and after a pause; a driver resets
- * it (all zero) when it stops the robot or connects. So the accumulated error never moves a robot
- * that should be at rest.
+ * dropped if the wanted number is zero or is clamped to the limit, and after a pause; a driver
+ * resets it (all zero) when the driver stops the robot or connects. So the accumulated error never
+ * moves a robot that should be at rest.
  *
  * Drivers and the simulator both use this header, so that a program drives the same path on a robot
  * and in the simulator. It has no casts, because C++ compiles it too. */
@@ -31,7 +31,7 @@ extern "C" {
 /* State of one number of the protocol. All zero: the robot is at rest, with no accumulated
  * error. */
 struct frob_steps {
-    double sent;    /* sent since `since_s`, in whole steps */
+    double sent;    /* the current number, sent at `since_s`, in whole steps */
     double missing; /* the commanded number minus `sent` */
     double owed;    /* accumulated error before `since_s`, in steps times seconds */
     double since_s;
@@ -62,9 +62,10 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
 
 /* Range and resolution of the two numbers in a robot's speed command. */
 struct frob_wire {
-    bool wheels;         /* speeds of the left and right wheel; otherwise forward and turn */
+    bool wheels;         /* true: speeds of the left and right wheel; false: forward speed and turn
+                          * rate */
     double step[2];      /* unit of each number: m/s, or rad/s of turning */
-    double most[2];      /* in the same units */
+    double most[2];      /* maximum of each number, in the same unit */
     double separation_m; /* distance between the wheels */
 };
 

@@ -20,8 +20,8 @@ static const uint32_t two_over_pi[40] = {
 static struct angle reduce_any(double x)
 {
     int const whole = exponent_of(x);
-    /* |x| = significand 2^exponent. The maximum keeps the index into the table valid; x is at least
-     * 1/2. */
+    /* |x| = significand 2^exponent. The lower bound keeps the table index valid; it has no effect,
+     * because |x| is at least 1/2. */
     int const exponent = (whole > -1 ? whole : -1) - 52;
     uint64_t const significand = (bits_of(x) & 0xfffffffffffffu) | 0x10000000000000u;
 
@@ -49,8 +49,9 @@ static struct angle reduce_any(double x)
         }
     }
 
-    /* The two leading bits count quarter turns. The other bits are the remainder, between -1/2 and
-     * 1/2, which is made positive first. */
+    /* The two leading bits count quarter turns, and the other bits are a fraction of one. The count
+     * is rounded to the nearest integer, so that the remainder is between -1/2 and 1/2; the
+     * absolute value of the remainder is computed first. */
     unsigned quarter = fraction[WORDS - 1] >> 30;
     bool const above = (fraction[WORDS - 1] >> 29 & 1u) != 0;
     for (int i = WORDS - 1; i > 0; --i)

@@ -21,7 +21,8 @@ double frob_hypot(double x, double y)
     if (b == 0.0)
         return a;
 
-    /* Scales both so that they are close to 1. Bits of b that are lost do not affect the result. */
+    /* Scales both, if necessary, so that their squares neither overflow nor underflow. Any bits
+     * that b loses do not affect the result. */
     double up = 1.0;
     double down = 1.0;
     if (a > 0x1p+500) {

@@ -1,8 +1,8 @@
 /* The natural logarithm to about 66 bits, shared by log and pow.
  *
  * Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
- * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a short c close to 1/m,
- * log(x) = k log(2) - log(c) + log(1 + r), r = m c - 1, |r| < 2^-6.9. */
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a c close to 1/m that has few
+ * bits, log(x) = k log(2) - log(c) + log(1 + r), r = m c - 1, |r| < 2^-6.9. */
 #ifndef FROB_ELEMENTARY_LOG_KERNEL_H
 #define FROB_ELEMENTARY_LOG_KERNEL_H
 
@@ -13,7 +13,7 @@ static inline struct pair log_pair(double x)
 {
     /* For each value of the seven leading bits of the significand: c, which has at most nine bits,
      * and -log(c), whose high part is a multiple of 2^-42. From the 53rd interval on, m is halved,
-     * so that c and the logarithm are exactly 1 and 0 on both sides of x = 1, which avoids
+     * so that c is exactly 1 and its logarithm exactly 0 on both sides of x = 1, which avoids
      * cancellation there. */
     static const struct {
         double c;

@@ -1,9 +1,10 @@
 /* Shared by the single-precision functions. Internal to the runtime; not installed.
  *
- * They compute with integers, which is the only fast and exact arithmetic on a small processor. An
- * integer of 32 bits has room for a float's 24 bits and eight more, and one instruction multiplies
- * two such integers. A result is rounded to a float once, at the end, so its error is only
- * slightly more than half a unit in the last place, and its bits are the same on every machine.
+ * These functions compute with integers, which is the only fast and exact arithmetic on a small
+ * processor. An integer of 32 bits has room for a float's 24 bits and eight more, and one
+ * instruction multiplies two such integers. A result is rounded to a float once, at the end, so its
+ * error is only slightly more than half a unit in the last place, and its bits are the same on
+ * every machine.
  *
  * "Qn" in a comment means that an integer represents its value times 2^-n. */
 #ifndef FROB_ELEMENTARY_SINGLE_H

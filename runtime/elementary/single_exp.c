@@ -53,8 +53,8 @@ float frob_expf(float x)
 }
 
 /* Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
- * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a short c close to 1/m,
- * log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a c close to 1/m that has few
+ * bits, log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
 struct logarithm frob_log2_of(struct scaled x)
 {
     /* For each value of the five leading bits of m: 512 c, and -log2(c) as Q62. From the 15th
@@ -97,7 +97,8 @@ struct logarithm frob_log2_of(struct scaled x)
         { 262, -INT64_C(0x02239a3aa266825e) },
         { 256, 0 },
     };
-    /* (log2(1 + r) / r - log2(e)) / r as Q31, found in the same way; error below 2^-37. */
+    /* (log2(1 + r) / r - log2(e)) / r as Q31: near-minimax, from interpolation at Chebyshev points;
+     * error below 2^-37. */
     static const int32_t q[6] = { -1549082005, 1032721336, -774540794,
                                   619632617,   -516928458, 443099571 };
     int64_t const unit = INT64_C(0x100000000); /* 1 in Q32 */

@@ -20,7 +20,7 @@ extern "C" {
 
 struct frob_serial_operations {
     /* Reads the bytes that have arrived, at most `room`, without waiting. If there are none,
-     * `*count` is 0 and the result FROB_OK. */
+     * `*count` is 0 and the result is FROB_OK. */
     enum frob_status (*read)(void *port, uint8_t *bytes, size_t room, size_t *count);
 
     /* Writes all bytes, waiting at most FROB_WRITE_PATIENCE_NS for room. After FROB_TIMEOUT the
@@ -36,7 +36,7 @@ struct frob_serial_operations {
      * device sets it, such as a bridge behind TCP. */
     enum frob_status (*set_rate)(void *port, uint32_t bits_per_s);
 
-    /* Discards bytes that have arrived and were not read. */
+    /* Discards the bytes that have arrived but have not been read. */
     enum frob_status (*discard)(void *port);
 };
 

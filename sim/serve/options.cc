@@ -17,7 +17,7 @@ const char usage[] =
     "  --model SUBCLASS   model of the pioneer: p3dx-sh, p3dx or p2dx\n"
     "  --own FILE.so      the compiled C files of your own robot, with that name\n"
     "  --world FILE       the world of the robot\n"
-    "  --seed N           the seed of all noise (1)\n"
+    "  --seed N           the seed for all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
     "  --camera PORT      the world's cameras as MJPEG over HTTP, on 127.0.0.1; 0: any free port\n"
     "  --for SECONDS      how long to run (until interrupted)\n"

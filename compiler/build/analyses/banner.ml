@@ -32,7 +32,8 @@ let library_line = function
       ]
 
 let lines (r : Request.t) sources =
-  (* Messages name library modules without their folder, so this compares the texts. *)
+  (* The names of library modules do not contain their folder, so this function compares the
+     texts. *)
   let is_library (file, text) =
     r.files.read (Filename.concat r.library (Filename.basename file)) = Ok text
   in

@@ -6,8 +6,8 @@ let ratio = 4.
 let decide { share; confidence } runs =
   let allowed = 1. -. share in
   let boundary = log (1. /. (1. -. confidence)) in
-  (* The amount by which one run changes the log-likelihood ratio between another failure rate and
-     the allowed one. *)
+  (* How much one run changes the log-likelihood ratio between another failure rate and the allowed
+     one. *)
   let gain other held =
     if held then log ((1. -. other) /. (1. -. allowed)) else log (other /. allowed)
   in
@@ -37,7 +37,7 @@ let at_most k n p =
     done;
     min 1. !sum
 
-(* Finds the point at which a function that decreases from 1 to 0 has this value. *)
+(* Finds, by bisection, where a function that decreases from 1 to 0 takes the given value. *)
 let crossing f value =
   let rec within low high rounds =
     let middle = (low +. high) /. 2. in

@@ -11,7 +11,7 @@ type t = { share : float; confidence : float  (** both between 0 and 1 *) }
 
 type decision =
   | Holds  (** it holds in at least the required proportion of runs *)
-  | Fails  (** it holds in fewer runs *)
+  | Fails  (** it holds in a smaller proportion of runs *)
   | Open  (** not decided yet *)
 
 val decide : t -> bool list -> decision * int

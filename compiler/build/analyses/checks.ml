@@ -21,8 +21,8 @@ let check_seeds sink at first last =
   if first >= 1 && last >= first then Some ()
   else
     refuse sink at
-      "the first seed must be at least 1, and the last must not be less than the first, but these \
-       are from %d to %d"
+      "the first seed must be at least 1, and the last seed must not be less than the first, but \
+       these seeds are %d to %d"
       first last
 
 let check_chance sink at ({ share; confidence } as chance : Chance.t) =

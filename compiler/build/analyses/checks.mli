@@ -1,12 +1,12 @@
 (** The tests and trials of a module, with everything that is known before they run.
 
-    Reports [E0392] if the description of a test or trial is invalid, or is not known before the
-    run. *)
+    Reports [E0392] if the description of a test or trial is invalid, or cannot be computed before
+    the run. *)
 
 open Basis
 
 type trial = {
-  world : string;  (** the name or file that the program specifies *)
+  world : string;  (** the name or file of the world, as written in the program *)
   first : int;
   last : int;  (** first and last seed *)
   chance : Chance.t option;

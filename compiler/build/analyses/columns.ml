@@ -21,11 +21,12 @@ let declared (typed : Ir.program) product =
   let ty (data : Ir.data) = Ir.Data { tycon = data.tycon; units = []; arguments = [] } in
   Option.map ty (List.find_opt (is_of product) typed.data)
 
-(* The type of a record is found by its name. For a tuple, [around] must supply the type. *)
+(* Looks up the type of a record by the record's name. The type of a tuple must be given in
+   [around]. *)
 let type_of typed product ~around =
   match declared typed product with Some ty -> Some ty | None -> around
 
-(* Builds the columns' names as in a trace. *)
+(* Names the columns as in a trace. *)
 let rec with_units typed written ~console name around (shape : Flow.Ir.shape) =
   let row name unit_ =
     { name; unit_; is_event = false; instance = ""; own = ""; file = ""; line = 0 }

@@ -4,7 +4,7 @@
 type t = {
   name : string;
       (** for example [in.odometry.position.x] or [probe.follow.v]; for an array, without [[0]] *)
-  unit_ : string;  (** for example [m/s]; may be empty *)
+  unit_ : string;  (** such as [m/s]; may be empty *)
   is_event : bool;
       (** for a probe: whether it is an event in the program, rather than a signal that exists only
           in some instants *)

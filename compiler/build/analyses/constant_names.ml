@@ -31,8 +31,8 @@ let operator (primitive : Ir.Global.t) : Flow.Ir.operator option =
   | Some Divide -> Some Divide
   | Some _ | None -> None
 
-(* The value of a number, of another constant, or of arithmetic on these. A whole number without a
-   signature, such as [k = 2[1/s]], is a Float wherever it is used as one. *)
+(* The value of a number, of another constant, or of arithmetic on numbers and constants. A whole
+   number without a signature, such as [k = 2[1/s]], is a Float wherever it is used as one. *)
 let rec value t (e : Ir.expr) =
   match (e.desc, e.ty) with
   | Number x, Number ((Float | Representation_variable _), _) -> Some (Real.of_exact t.real x)
@@ -68,8 +68,8 @@ let operand t place (e : Ir.expr) =
   | Some { constant; value } -> note t place value (One constant)
   | None -> Option.iter (fun value -> note t place value Ambiguous) (value t e)
 
-(* The arguments of a primitive operation. A function's arguments are operands in its own body, so
-   this ignores them. *)
+(* The arguments of a primitive operation. Returns no arguments for a function call: they are
+   operands in the function's own body. *)
 let rec arguments (e : Ir.expr) others =
   match e.desc with
   | Apply (f, argument) -> arguments f (argument :: others)

@@ -24,7 +24,7 @@ let without_bound sink (written : Typing.Ir.definition) =
   |> Diagnostic.emit sink;
   None
 
-(* A constructor's tag has one byte. *)
+(* A constructor's tag is stored in one byte. *)
 let most_labels = 256
 
 let check_labels sink (written : Typing.Ir.definition) (program : Flow.Ir.program) =

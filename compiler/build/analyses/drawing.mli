@@ -7,7 +7,7 @@ val probe : string
 (** The name that selects the drawing as a probe. *)
 
 val if_any : string
-(** A probe that gives hosts the drawing of a program; [None] for a program that does not draw. *)
+(** A name that requests the drawing of a program that draws, and nothing in other programs. *)
 
 val is_shown : Request.t -> bool
 (** Whether the request includes the drawing, by name or with all probes. *)

@@ -5,7 +5,7 @@ let measures (equation : Core.Ir.equation) =
   | Run { signal_function = { desc = Global (g, _); _ }; _ } -> Resolve.Labels.is_measuring g
   | Run _ | Pure _ -> false
 
-(* The places where equations of the main module name their measurements. *)
+(* The places where equations of the main module define a measurement. *)
 let places (core : Core.Ir.program) =
   let found = Hashtbl.create 8 in
   let rec add (e : Core.Ir.expr) =

@@ -4,9 +4,9 @@
 
 type t = {
   name : string;  (** for example [error]; preceded by its path if the name is not unique *)
-  unit_ : string;  (** for example [m/s]; or empty *)
+  unit_ : string;  (** such as [m/s]; may be empty *)
   probe : string;  (** name of the probe that contains it in the judge's output *)
 }
 
 val of_judge : Typing.Ir.program -> Core.Ir.program -> Probe.Catalogue.probe list -> t list
-(** In source order. *)
+(** The measurements, in source order. *)

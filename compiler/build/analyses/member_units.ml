@@ -11,7 +11,7 @@ type known = {
 
 (* {1 Declarations} *)
 
-(* In generated C an angle is a number of radians, which the types do not express. *)
+(* The types do not express that generated C represents an angle in radians. *)
 let rec angle (ty : Resolve.Ir.ty) =
   match ty.desc with
   | Named { tycon = { module_ = "Prelude"; name = "Angle" }; _ } -> Some "rad"
@@ -46,7 +46,7 @@ let numbers (program : Ir.program) =
 
 let number ty = Option.value (Types.unit_ ty) ~default:""
 
-(* A record of numbers whose unit is the record's parameter, such as a vector, has that unit. *)
+(* If a record contains only numbers of the same unit, like a vector, returns that unit. *)
 let record_unit known (ty : Ir.ty) tycon =
   let is_it (d : Ir.data) = d.tycon = tycon in
   match List.find_opt is_it known.typed.data with

@@ -3,15 +3,15 @@ open Probe.Origin
 
 let line = Span.line
 
-(* The end is exclusive: a span that ends at the first column of a line ends on the previous
-   line. *)
+(* The end of a span is exclusive: if it is the first column of a line, the last line is the
+   previous one. *)
 let last_line (place : Span.t) =
   let start = Span.position ~line:(line place.stop) ~column:1 in
   max (line place.start) (if place.stop = start then line place.stop - 1 else line place.stop)
 
 let back = function Instants n -> string_of_int n | First -> "FROB_FIRST" | Entry -> "FROB_ENTRY"
 
-(* A table for these rows; nothing if there are none. *)
+(* Writes a table of these rows and returns its name; [NULL] if there are no rows. *)
 let table out ~kind ~name ~last rows =
   if rows = [] then "NULL"
   else (

@@ -62,7 +62,8 @@ let atom : Interp.Value.t -> Flow.Ir.atom = function
 
 let evaluated core = (places core, Interp.Constant.program core)
 
-(* Evaluates only if no definition is recursive, because evaluation might not terminate. *)
+(* Evaluates the values only if no definition is recursive. Otherwise, the evaluation might not
+   terminate. *)
 let when_finite values sink (core : Core.Ir.program) =
   if core.params = [] then values sink core
   else

@@ -3,7 +3,7 @@
 open Basis
 
 val defaults : Diagnostic.sink -> Core.Ir.program -> (Core.Ir.param -> Flow.Ir.atom) option
-(** Reports E0391 for a value that is not known before the run, or is not a number. *)
+(** Reports E0391 for a value that is not known before the run, or that is NaN. *)
 
 type set = {
   param : Core.Ir.Global.t;
@@ -12,7 +12,7 @@ type set = {
 }
 
 val given : Diagnostic.sink -> Core.Ir.program -> set list option
-(** The parameters that are set. Reports E0391 for the same reasons. *)
+(** The parameters that the command line sets. Reports E0391 for the same reasons as {!defaults}. *)
 
 val host_options : set list -> string list
 (** The options with which a host sets these parameters. *)

@@ -33,17 +33,17 @@ val named :
   asserts:bool ->
   string list ->
   (Probe.Catalogue.probe * bool) list option
-(** The probes that {!Probe.Selection} finds for these names and, for each, whether a name selects
-    it. If [asserts] is true, the verdicts of assertions are added. *)
+(** The probes that {!Probe.Selection} finds for these names. If [asserts] is true, also returns the
+    verdicts of assertions. The Boolean says whether one of the names selects the probe. *)
 
 val causal :
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   Probe.Catalogue.probe list * Probe.Catalogue.probe list
-(** Splits probes into those that can be shown together, as many as possible, and the others. All
-    outputs of a switch depend on every input that any of its signal functions reads. Showing an
-    input that was not read before may therefore create a dependency of a signal on itself within an
-    instant. *)
+(** Splits probes into those that can be shown together, which are as many as possible, and the
+    others. All outputs of a switch depend on every input that any of its signal functions reads.
+    Showing an input that was not read before may therefore create a dependency of a signal on
+    itself within an instant. *)
 
 val warn_of_claims :
   Diagnostic.sink -> Typing.Ir.definition -> Core.Ir.program -> Flow.Ir.program -> unit

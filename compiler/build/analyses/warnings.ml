@@ -1,6 +1,6 @@
 open Basis
 
-(* Does a label of the diagnostics so far point to this place? *)
+(* Whether a label of the diagnostics reported so far points to this place. *)
 let mentioned sink =
   let labels = List.concat_map (fun (d : Diagnostic.t) -> d.labels) (Diagnostic.all sink) in
   fun at -> List.exists (fun (l : Diagnostic.label) -> l.at = at) labels

@@ -60,5 +60,6 @@ let check ?(beside_c = false) file =
          (String.lowercase_ascii name) file)
   else if String.length name > longest then
     Error
-      (Printf.sprintf "the name of %s is too long for C files: %d characters at most" file longest)
+      (Printf.sprintf "the name of %s is too long for C files: use at most %d characters" file
+         longest)
   else Ok ()

@@ -1,6 +1,6 @@
 let ( / ) = Filename.concat
 
-(* {1 The folder} *)
+(* {1 The cache folder} *)
 
 let rec make_folder path =
   if not (Sys.file_exists path) then (
@@ -38,7 +38,7 @@ let is_kept () =
 
 (* {1 Entries} *)
 
-(* The seal of an entry is a file with the checksum of the complete entry. *)
+(* The path of an entry's seal: a file that contains the checksum of the complete entry. *)
 let seal path = path ^ ".md5"
 
 let is_whole path =

@@ -11,11 +11,11 @@ val entry :
   (folder:string -> string -> (unit, string) result) ->
   (string, string) result
 (** [entry ~name ~key ~suffix ~reuse make] returns the path of an entry. [key] is a digest of
-    everything that it depends on; [name] is the start of its file name. If [reuse] is true, a
-    complete entry is reused. Otherwise, [make ~folder path] must create it at [path]; it may use
-    [folder] for temporary files. The error is a text for the user: the error of [make], or the
-    reason why nothing could be written. *)
+    everything that the entry depends on; the entry's file name starts with [name]. If [reuse] is
+    true, a complete entry is reused. Otherwise, [make ~folder path] must create it at [path]; it
+    may use [folder] for temporary files. The error is a message for the user: the error that [make]
+    returned, or the reason why the entry could not be written. *)
 
 val is_kept : unit -> (string, string) result
-(** [Ok] with the folder of the cache, or [Error] with the folder that cannot be used. In the latter
-    case, results are deleted when the command ends. *)
+(** [Ok] with the cache folder. If that folder cannot be used, [Error] with its name; results are
+    then deleted when the command ends. *)

@@ -25,8 +25,9 @@ let under prefix =
 
 let is_complete t = Sys.file_exists (t.library / "Prelude.frob")
 
-(* The operating system resolves symbolic links in the executable's path. During a build it is
-   therefore in _build/default/compiler/frobc, and the installation is elsewhere in _build. *)
+(* The operating system resolves symbolic links in the executable's path. During a build, the
+   executable is therefore found in _build/default/compiler/frobc, not in the installation elsewhere
+   in _build. *)
 let candidates () =
   let folder = Filename.dirname Sys.executable_name in
   let build = Filename.dirname (Filename.dirname (Filename.dirname folder)) in

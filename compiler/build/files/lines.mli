@@ -1,12 +1,12 @@
-(** Reads a text line by line, in bounded memory whatever the file contains. *)
+(** Reads a file line by line, in bounded memory whatever the file contains. *)
 
 type t
 
 exception Too_long
-(** A line of more than {!longest} bytes. *)
+(** A line is longer than {!longest} bytes. *)
 
 val longest : int
-(** The same limit as for a row of a trace. *)
+(** Maximum length of a line, in bytes. Rows of traces have the same limit. *)
 
 val of_channel : in_channel -> t
 (** Reads ahead, so no other code may read from the channel. *)

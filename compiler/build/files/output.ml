@@ -13,8 +13,8 @@ let rec each f = function
 
 (* {1 Permission to write} *)
 
-(* Identifies files with several names: an existing file by its device and inode, whatever links
-   lead to it; a new file by its folder and name. *)
+(* Identifies a file that may have several names. An existing file is identified by its device and
+   inode, whatever links lead to it; a new file by its folder and name. *)
 type identity = There of int * int | To_be of int * int * string | Nowhere of string
 
 let identity path =
@@ -84,7 +84,7 @@ let may_be_written path =
         (Printf.sprintf "cannot write %s: %s" (Basis.Printable.name path)
            (Unix.error_message reason))
 
-(* The first bytes of the file, which show what kind of file it is. *)
+(* As much of the file as is needed to recognize what kind of file it is. *)
 let beginning content path =
   let first channel =
     let text = Bytes.create 64 in
@@ -192,7 +192,7 @@ let put ?(finish = ignore) ~permissions files =
     | Ok () -> Ok (finish at)
     | Error reason -> Error (as_error path reason)
     | exception Sys_error reason ->
-        (* The user does not know the temporary file, so its name is removed from the message. *)
+        (* The user does not know about the temporary file, so the message omits its name. *)
         let reason = List.hd (List.rev (String.split_on_char ':' reason)) in
         Error (Printf.sprintf "cannot write %s:%s" (Basis.Printable.name path) reason)
   in
@@ -243,7 +243,8 @@ let rewrite path text =
            (Unix.error_message reason))
   | exception Sys_error reason -> Error (as_error path reason)
 
-(* Like the other functions, writes to a temporary file first, and removes it if anything fails. *)
+(* Like the other functions, writes to a temporary file first, and removes that file if anything
+   fails. *)
 let stream named work =
   let path, next = beside 0 named in
   let is_file = is_regular path || not (Sys.file_exists path) in

@@ -1,15 +1,15 @@
 (** Decides in one place which files may be written: never a file that is also read, never the same
-    file twice, and never a file that frobc did not create, except for programs to be rewritten.
-    Devices, pipes and empty files may be written. *)
+    file twice, and never a file that frobc did not create, except a program's source that the
+    command rewrites. Devices, pipes and empty files may be written. *)
 
 type content =
   | C  (** generated C and headers, recognized by their first line *)
   | Table  (** a trace or a recording, whose first column is [time] *)
   | Mcap  (** an MCAP file whose header names frobc *)
-  | Picture  (** PNG, or an SVG from frobc *)
+  | Picture  (** a PNG file, or an SVG file from frobc *)
   | Rows  (** the table of a sweep, whose first columns are [run,world,robot] *)
   | World  (** a world, recognized by its first line *)
-  | Program  (** an executable that contains a table for hosts *)
+  | Program  (** an executable that contains [frob_program], the table for hosts *)
   | Link  (** a symbolic link *)
   | Log  (** the log of a served robot, to which new lines are appended *)
   | Source  (** a program's source, which has been read and will be rewritten *)
@@ -24,16 +24,16 @@ val asked : content -> string -> string -> t
 (** [asked content option path] describes an output that the user requested. *)
 
 val check : reads:string list -> t list -> (unit, string) result
-(** Checks that a command that reads [reads] may write all these files. The error says which one it
-    may not write, why, and what to do. *)
+(** Checks that a command may write all these files if it reads the files [reads]. The error names
+    the first file that it may not write, the reason, and the fix. *)
 
 val write : (string * string) list -> (unit, string) result
 (** Writes texts to paths, all or none: writes temporary files first, and renames them when all are
     complete. *)
 
 val stream : string -> (string -> (unit, string) result) -> (unit, string) result
-(** [stream path work] is for outputs that are too large for memory: [work] writes the file whose
-    name it receives, and may raise [Sys_error]. *)
+(** [stream path work] is for outputs that are too large for memory: [work] receives a path and
+    writes that file; it may raise [Sys_error]. *)
 
 val rewrite : string -> string -> (unit, string) result
 (** [rewrite path text] writes a file and keeps its owner and permissions. If the file has several

@@ -44,7 +44,7 @@ let without_comments text =
   code 0;
   Buffer.contents kept
 
-(* The rest of a line after this preprocessor directive. *)
+(* The rest of the line after the directive [name]; [None] if the line is not such a directive. *)
 let directive name line =
   let line = String.trim line in
   let after prefix =
@@ -63,7 +63,7 @@ let directive name line =
 (* Removes code in [#if 0], which no C compiler reads. *)
 let without_dead_code lines =
   let is name line = Option.is_some (directive name line) in
-  (* [depth]: the number of conditions that are open inside the dead code; 0 outside. *)
+  (* [depth]: the nesting depth of conditionals inside the dead code; 0 outside it. *)
   let rec go depth = function
     | [] -> []
     | line :: others when depth = 0 ->

@@ -7,16 +7,17 @@ val is_header : string -> bool
 (** Decides by the file name extension. *)
 
 val reached : generated:string list -> folders:string list -> string list -> string list
-(** These files, and the files that they include in quotes, directly or through others. [generated]
-    lists the names of files that [frobc] writes itself. Searches for an included file in the folder
-    of the including file, then in [folders]; omits files that it does not find. *)
+(** These files, and the files that they include in quotes, directly or through other files.
+    [generated] lists the names of files that [frobc] writes itself. Searches for an included file
+    in the folder of the including file, then in [folders]; omits files that it does not find. *)
 
 val includes : string list -> folders:string list -> string -> bool
-(** Whether the file includes one of these names in quotes, directly or through others. *)
+(** Whether the file includes a header with one of these names in quotes, directly or through other
+    files. *)
 
 type t = {
   path : string;  (** path of the file *)
-  name : string;  (** path relative to the including files, as if they all were in one folder *)
+  name : string;  (** path relative to the including files, as if these were all in one folder *)
 }
 
 val of_sources : string list -> (t list, string) result
@@ -26,4 +27,5 @@ val of_sources : string list -> (t list, string) result
     folder. *)
 
 val of_text : folders:string list -> string -> (t list, string) result
-(** Like {!headers}, for the text of a generated file whose includes are in these folders. *)
+(** Like {!of_sources}, but for the text of a generated file, whose includes are searched for in
+    these folders. *)

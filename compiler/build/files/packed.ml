@@ -36,7 +36,7 @@ let rec status_of process =
 
 (* {1 Reading} *)
 
-(* Whether the first bytes of the file match its extension. *)
+(* Checks that the first bytes of the file match its extension. *)
 let named_rightly path channel =
   let magic = List.map (fun f -> (f, f.magic)) formats in
   let begins : type a. a * string -> bool =

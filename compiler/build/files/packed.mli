@@ -1,6 +1,6 @@
 (** Compressed files. Files with the extension [.gz] or [.zst] are read and written through [gzip]
-    or [zstd], which run as separate processes, as in hosts ([runtime/hosts/common/packed.h]). All
-    other files are used unchanged. *)
+    or [zstd], which run as separate processes. Hosts do the same ([runtime/hosts/common/packed.h]).
+    All other files are used unchanged. *)
 
 val stem : string -> string
 (** The name without [.gz] or [.zst]. *)
@@ -12,11 +12,12 @@ val with_input :
   string ->
   (in_channel -> ('a, string list) result) ->
   ('a, string list) result
-(** The result of the reader. If the archive turns out to be truncated or damaged, calls [damaged]
-    with the reason or, without that argument, returns an error in place of the reader's result. *)
+(** Opens the file, unpacks it if necessary, and returns the result of the reader. If the archive
+    turns out to be truncated or damaged, calls [damaged] with the reason; without [damaged],
+    returns an error instead of the reader's result. *)
 
 val read : most:int -> string -> (string, string) result
-(** The whole content, if its unpacked size does not exceed this number of bytes. *)
+(** The whole content, unpacked; an error if it is larger than [most] bytes. *)
 
 (** {1 Writing} *)
 

@@ -29,8 +29,8 @@ let of_another_kind file =
       Some
         ( "a C header",
           Printf.sprintf
-            "include it in a program by `foreign include \"%s\"`, and allow it on the command line \
-             by `--with %s`"
+            "include it in a program with `foreign include \"%s\"`, and allow it on the command \
+             line with `--with %s`"
             (Filename.basename file) word )
   | _ -> None
 
@@ -50,7 +50,7 @@ let of_a_folder folder =
       Printf.sprintf "; choose a program in it, such as %s"
         (Basis.Printable.path (Filename.concat folder first))
 
-(* Texts contain no zero bytes, but executables have one near the start. *)
+(* Text files contain no zero bytes, but executables have one near the start. *)
 let is_binary text = String.contains (String.sub text 0 (min 512 (String.length text))) '\000'
 
 let check file =

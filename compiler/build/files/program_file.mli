@@ -1,4 +1,4 @@
-(** The files of a program. The command line names one of them. *)
+(** Finds the files of a program, one of which is named on the command line. *)
 
 val files : Resolve.Files.t
 (** Reads files from the disk. The syntax trees of library modules are built into the compiler. *)
@@ -8,9 +8,9 @@ val modules : library:string -> string -> string list * string list
 *)
 
 val check : string -> (unit, string) result
-(** Checks that the file exists, can be read, and is not a different kind of file according to its
-    extension or its bytes, such as a world or a recording. The error is a text for the user that
-    names the command for this kind of file. *)
+(** Checks that the file exists, can be read, and does not have the extension or the content of
+    another kind of file, such as a world or a recording. The error is a message for the user; for
+    another kind of file, it names the command that uses such files. *)
 
 val with_tests : string list -> string list
 (** Files from the command line, without duplicates, each followed by its test file if it has one

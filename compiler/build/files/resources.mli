@@ -1,9 +1,10 @@
-(** The places of the standard library, the runtime and the hosts. *)
+(** The paths of the standard library, the runtime and the hosts. *)
 
 type t = {
   prefix : string;  (** folder of the installation, which contains [lib] and [share] *)
   library : string;  (** folder of the standard library's [.frob] files *)
-  headers : string;  (** folder for [-I], which contains [frob/program.h] … *)
+  headers : string;
+      (** folder for the C compiler's option [-I]; contains [frob/program.h] and other headers *)
   runtime : string;  (** archive [libfrob.a], which generated C is linked with *)
   robot_host : string;
       (** archive [libfrob-robot.a]: the host that drives a robot, without a program *)

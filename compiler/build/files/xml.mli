@@ -1,4 +1,4 @@
 (** Escapes text for SVG and JUnit files. *)
 
 val escaped : string -> string
-(** The text with characters escaped as required between tags or in quotes. *)
+(** Escapes the characters that may not occur literally between tags or in quoted attributes. *)

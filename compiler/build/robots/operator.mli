@@ -1,4 +1,4 @@
-(** Finds the controls that a program requests from its operator, for the table and the report. *)
+(** Finds the controls that a program's console needs, for the host's table and the report. *)
 
 val declared :
   Specialize.Context.options ->
@@ -8,5 +8,5 @@ val declared :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Core.Ir.program option
-(** Adds a field to the type [Console] for each control that the entry requests; knobs get their
-    units. Reports E0440, E0441 and E0442; [None] after an error. *)
+(** Adds a field to the type [Console] for each control that the entry requests, and sets the units
+    of knobs. Reports E0440, E0441 and E0442; [None] after an error. *)

@@ -135,7 +135,7 @@ let lacking p (robot : t) (lack : Fit.lack) =
   |> Diagnostic.note "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
        (quoted robot) lack.class_.name lack.of_.name
 
-(* The missing capabilities of each robot, without duplicates. *)
+(* Reports the first capability that each candidate lacks. *)
 let on_no_robot p candidates =
   let error =
     Diagnostic.error ~code:unfit ~at:(entry_span p) "no robot has everything that `%s` needs"
@@ -165,7 +165,7 @@ let mixed p (input : t) (output : t) =
 
 (* {1 Choosing a robot} *)
 
-(* The robots whose types occur in a closed type. *)
+(* The robots to which the input type and the output type of a closed program belong. *)
 let robots_of (p : program) =
   let named found (t : Typing.Ir.ty) =
     match t with
@@ -202,7 +202,8 @@ let open_program sink asked p =
     | asked -> asked
   in
   match (allowed, asked) with
-  (* If no robot is possible, leaves the program open. Running it will report the error. *)
+  (* If the types rule out every robot, leaves the program open. Running it will report the
+     error. *)
   | [], _ -> as_it_stands p
   | _, Some robot -> (
       match lacks p robot with
@@ -217,7 +218,7 @@ let open_program sink asked p =
 
 let is_open p = Fit.openness (typed_entry p) = Open_program
 
-(* A signal function that requires capabilities must belong to a robot. *)
+(* A signal function that requires capabilities is compiled for a robot. *)
 let asks p = (typed_entry p).scheme.context <> [] && fitting p <> []
 
 let closed sink asked p =

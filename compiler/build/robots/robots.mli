@@ -1,7 +1,7 @@
 (** The robots that programs can be compiled for, and the choice among them.
 
-    Reports [E0502] if the program does not determine the robot and no option does, and [E0503] if
-    the program does not fit the robot. *)
+    Reports [E0502] if neither the program nor an option determines the robot, and [E0503] if the
+    program does not fit the robot. *)
 
 open Basis
 
@@ -10,12 +10,12 @@ type t = Cgen.Robot.t
 val names : string list
 
 val unfit : string
-(** The code for a program that does not fit the robot, or any robot. *)
+(** The error code for a program that does not fit the chosen robot, or does not fit any robot. *)
 
 val known : string option -> (t option, string) result
 (** The robot that the option names, if the option is given: a robot of the library by its name, or
-    a user-defined robot by the file of its module, which ends in [.frob]. The error is a text for
-    the user. *)
+    a user-defined robot by the file of its module, which ends in [.frob]. The error is a message
+    for the user. *)
 
 val own_of : string option -> t option
 (** The robot that the option names, if it is the user's own and exists. *)
@@ -41,8 +41,8 @@ val is_open : program -> bool
 
 val closed : Diagnostic.sink -> t option -> program -> (Core.Ir.program * Core.Ir.Global.t) option
 (** The program for a specific robot, with its entry. If the program's type leaves the robot open,
-    this is the robot that the option names or, for an entry without a signature, the robot of
-    [RobotInput]. [None] after an error. *)
+    uses the robot that the option names or, for an entry without a signature, the robot of
+    [RobotInput]. Returns [None] after an error. *)
 
 val sampled : program -> (Core.Ir.program * Core.Ir.Global.t) option
 (** An open program for the first robot that fits, for checks that need a robot; [None] if none

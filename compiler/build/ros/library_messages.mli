@@ -1,5 +1,5 @@
 (** The library's records for messages that are parts of other messages. *)
 
 val all : ((string * string) * (string * string * string)) list
-(** For each message, given by its package and name: the module that has its record, the name to
-    import, and the type. *)
+(** Maps the package and name of each message to its record: the module that declares the record,
+    the name to import, and the type. *)

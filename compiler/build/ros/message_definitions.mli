@@ -1,8 +1,8 @@
-(** Finds the definitions of message types in the packages of the sourced ROS 2. The definitions of
-    common packages are found even without ROS 2. *)
+(** Finds the definitions of message types in the packages of the sourced ROS 2 installation. The
+    definitions of common packages are found even without ROS 2. *)
 
 val prefixes : unit -> string list
-(** The folders of the sourced ROS 2. *)
+(** The installation prefixes of the sourced ROS 2. *)
 
 type found =
   | Defined of Message_file.t
@@ -11,7 +11,7 @@ type found =
   | Unreadable of string  (** the file cannot be parsed; the error message names it *)
 
 val in_ros2 : package:string -> name:string -> found
-(** Searches only the sourced ROS 2. *)
+(** Searches only the sourced ROS 2 installation. *)
 
 val find : package:string -> name:string -> found
-(** Searches the sourced ROS 2 first, then the common packages. *)
+(** Searches the sourced ROS 2 installation first, then the common packages. *)

@@ -74,7 +74,8 @@ let words line =
   | [ type_; name ] -> Some (type_, name, "")
   | _ -> None
 
-(* The comment begins at the first `#` that is not part of a text constant. *)
+(* Splits off the comment, which begins at the first `#`, even if that is part of a string
+   constant. *)
 let apart line =
   match String.index_opt line '#' with
   | Some k ->
@@ -93,7 +94,7 @@ let constant_of (type_, name, rest) =
 
 let parse ~package ~file text =
   let fault number line =
-    Error (Printf.sprintf "%s:%d: not a field or a constant of a message: %s" file number line)
+    Error (Printf.sprintf "%s:%d: neither a field nor a constant of a message: %s" file number line)
   in
   let rec read number above found = function
     | [] -> Ok { fields = List.rev found.fields; constants = List.rev found.constants }

@@ -1,4 +1,4 @@
-(** The definitions of message types in ROS 2: files with the suffix [.msg]. *)
+(** Parses the definitions of ROS 2 message types: files with the extension [.msg]. *)
 
 type base =
   | Truth
@@ -20,17 +20,17 @@ type constant = { constant : string; base : base; value : string }
 type t = { fields : field list; constants : constant list }
 
 val parse : package:string -> file:string -> string -> (t, string) result
-(** Parses the text of a file of this package. The error names the file and the line. *)
+(** Parses the text of a file from this package. The error names the file and the line. *)
 
 val type_text : field -> string
 (** The field's type in ROS notation: [float32[<=8]]. *)
 
 val is_name : string -> bool
-(** Can this be the name of a package, a type or a field? *)
+(** Whether this can be the name of a package, a type or a field. *)
 
 val frob_name : string -> string
 (** The name of a field in a Frob record: [angleMin] for [angle_min], and [data_] for [data], which
     is a keyword in Frob. *)
 
 val is_named : string -> field -> bool
-(** Does a field with this name in a Frob record correspond to the field? *)
+(** Whether a field with this name in a Frob record corresponds to this field of the message. *)

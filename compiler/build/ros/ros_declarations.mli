@@ -1,5 +1,5 @@
-(** The declarations of a program's ROS 2 topics: records, and instances of classes of the module
-    Ros. *)
+(** The declarations that describe a program's ROS 2 topics: records, and instances of classes of
+    the module Ros. *)
 
 open Basis
 
@@ -26,10 +26,10 @@ val fields : t -> Typing.Ir.Global.t -> string list option
 (** The fields of a record; [None] if the type is not a record. *)
 
 val place : t -> Typing.Ir.Global.t -> string -> Span.t
-(** The type of a field in the record's declaration. *)
+(** The place of a field's type in the record's declaration. *)
 
 val name_place : t -> Typing.Ir.Global.t -> string -> Span.t
-(** The name of a field in the record's declaration. *)
+(** The place of a field's name in the record's declaration. *)
 
 val refuse : t -> ?code:string -> at:Span.t -> string -> string -> unit
 (** Reports an error with a hint. The default code is [E0509]. *)

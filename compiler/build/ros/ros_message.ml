@@ -48,7 +48,7 @@ let matches (base : F.base) shape =
   | Truth, Truth | Real _, Real | Whole _, Whole | Text, Text | Message _, Record _ -> true
   | (Truth | Real _ | Whole _ | Text | Message _), _ -> false
 
-(* How to declare a field of the record. *)
+(* Says how to declare a field of the record. *)
 let hint ~name (f : F.field) =
   let declared element =
     match f.length with
@@ -62,7 +62,7 @@ let hint ~name (f : F.field) =
   | Truth -> say "Bool" ""
   | Whole _ -> say "Int" ""
   | Real _ -> say "Float" ", with any unit"
-  | Text -> "declare a text as an enumeration with an instance of `RosText`, or omit the field"
+  | Text -> "declare strings as an enumeration with an instance of `RosText`, or omit the field"
   | Message { package = "std_msgs"; name = "Header" } ->
       say "Header Frame" ", where `Frame` is an enumeration with an instance of `RosText`"
   | Message { package; name = type_ } -> (
@@ -89,11 +89,11 @@ let no_field c ~at ~message ~tycon field (d : F.t) =
         match names with
         | [] -> "this message has no fields"
         | names ->
-            Printf.sprintf "remove it, or name it like one of the message's fields: %s"
+            Printf.sprintf "remove it, or give it the name of one of the message's fields: %s"
               (Enumeration.all names)))
 
-(* Is the record a library record for another message, with fields that this message does not
-   have? *)
+(* Whether the record is a library record for another message, with fields that this message does
+   not have. *)
 let is_of_other c ~message tycon =
   let is_field (d : F.t) field = List.exists (F.is_named field) d.fields in
   match (message.definition, fields c tycon) with
@@ -113,8 +113,8 @@ let rec check_part c ~checked ~at ~in_ ~message ~name (wanted : F.field option) 
   | Other, _ ->
       refuse c ~at
         (Printf.sprintf "%s cannot be part of a message: its type is `%s`" in_ (Typing.Show.ty ty))
-        "fields of messages are Bool, Int, Float, enumerations, arrays and records of them, and \
-         `Upto` for sequences; if you omit the field, messages contain its default"
+        "use Bool, Int, Float, an enumeration, an array or a record of these, or `Upto` for a \
+         sequence; or omit the field, so that messages contain its default value"
   | Elements (n, ty), Some ({ length = Exactly m; _ } as f) when n = m -> element (Some f) ty
   | Elements (n, ty), Some ({ length = At_most m; _ } as f) when n <= m -> element (Some f) ty
   | Elements (_, ty), Some ({ length = Any; _ } as f) -> element (Some f) ty
@@ -160,7 +160,8 @@ let check c ~named ~type_ ty tycon =
       | Unreadable why -> refuse c ~code:"E0510" ~at:named why "correct the definition"
       | No_message messages ->
           refuse c ~code:"E0510" ~at:named
-            (Printf.sprintf "the package %s of the sourced ROS 2 has no message %s" package name)
+            (Printf.sprintf "the package %s of the sourced ROS 2 installation has no message %s"
+               package name)
             (match Suggest.closest name messages with
             | Some other -> Printf.sprintf "did you mean `%s/msg/%s`?" package other
             | None -> Printf.sprintf "its messages are %s" (Enumeration.all messages)))

@@ -1,8 +1,8 @@
 (** Compares a record with its ROS 2 message type.
 
     Reports [E0509] for a field that no message can have, and [E0510] if the record does not match
-    the definition of its message type. A definition is known if its package is in the sourced ROS
-    2, or if it is a common one ({!Message_definitions}). *)
+    the definition of its message type. A definition is known if its package is in the sourced ROS 2
+    installation or is a common package ({!Message_definitions}). *)
 
 val check :
   Ros_declarations.t ->
@@ -11,5 +11,5 @@ val check :
   Typing.Ir.ty ->
   Typing.Ir.Global.t ->
   unit
-(** [type_]: for example [geometry_msgs/msg/Twist]; [named]: the place in the program that names it.
-*)
+(** [type_]: for example [geometry_msgs/msg/Twist]; [named]: the place in the program that names
+    this type. *)

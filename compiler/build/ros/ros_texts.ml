@@ -66,7 +66,7 @@ let check c ~at ~in_ ty =
             (fun text ->
               refuse c ~at:i.span
                 (Printf.sprintf "two constructors of `%s` have the text \"%s\"" name text)
-                "give each constructor a text of its own")
+                "give each constructor a different text")
             (repeated texts))
 
 let all c =

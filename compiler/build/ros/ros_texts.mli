@@ -2,10 +2,12 @@
     defines a text for each constructor. *)
 
 val is_enumeration : Ros_declarations.t -> Typing.Ir.ty -> bool
-(** A type whose constructors have no fields, or [Maybe] of one. *)
+(** Whether the type is an enumeration (its constructors have no fields), or a [Maybe] of an
+    enumeration. *)
 
 val check : Ros_declarations.t -> at:Basis.Span.t -> in_:string -> Typing.Ir.ty -> unit
-(** Checks that such a type has an instance, with different literal texts. *)
+(** Checks that such a type has an instance of [RosText], and that its texts are distinct literals.
+*)
 
 val all : Ros_declarations.t -> Cgen.Node_table.texts list
 (** All enumerations that have an instance of [RosText]. *)

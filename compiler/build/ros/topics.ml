@@ -32,7 +32,7 @@ let messages =
    instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes \
    the record of any other message"
 
-(* The type of the messages, for a Frob type. *)
+(* The ROS 2 message type for a Frob type. *)
 let message c ~at ~in_ (ty : Ir.ty) =
   match ty with
   | Bool -> Some "std_msgs/msg/Bool"
@@ -51,12 +51,12 @@ let message c ~at ~in_ (ty : Ir.ty) =
       | Some _ | None ->
           Ros_message.check c ~named:found.span ~type_:"" ty tycon;
           refuse c ~at:found.span
-            (Printf.sprintf "the instance of `%s` does not name a type of messages" tycon.name)
-            "return the name itself, as in `rosType _ = \"geometry_msgs/msg/Twist\"`";
+            (Printf.sprintf "the instance of `%s` does not name a message type" tycon.name)
+            "return the name as a string literal, as in `rosType _ = \"geometry_msgs/msg/Twist\"`";
           None)
   | _ ->
       refuse c ~at
-        (Printf.sprintf "%s is not a topic: `%s` is not a type of messages" in_ (Typing.Show.ty ty))
+        (Printf.sprintf "%s is not a topic: `%s` is not a message type" in_ (Typing.Show.ty ty))
         messages;
       None
 
@@ -98,7 +98,7 @@ let topic c ~in_record tycon field (ty : Ir.ty) : Cgen.Node_table.topic option =
       refuse c ~at
         (Printf.sprintf "%s cannot be a topic: `()` carries no data that a message could contain"
            in_)
-        "write `Event ()`, for messages of the type std_msgs/msg/Empty";
+        "write `Event ()` for messages of the type std_msgs/msg/Empty";
       None
   | ty -> of_message c ~at ~in_ field ty
 
@@ -110,7 +110,7 @@ let check_names c tycon (topics : Cgen.Node_table.topic list) =
         Option.iter
           (fun (other : Cgen.Node_table.topic) ->
             refuse c ~at:(place c tycon other.field)
-              (Printf.sprintf "the fields `%s` and `%s` are the same topic, %s" first.field
+              (Printf.sprintf "the fields `%s` and `%s` have the same topic, %s" first.field
                  other.field first.name)
               "rename one of them")
           (List.find_opt is_same others);
@@ -148,7 +148,7 @@ let side c ~in_record (ty : Ir.ty) =
         (Printf.sprintf "`%s` is a node, which %s a record of topics, not `%s`" c.entry.name.name
            verb (Typing.Show.ty ty))
         (Printf.sprintf "declare a record with a field for each topic, as in `%s`%s" example
-           (if in_record = `Output then ", or return `()` if there is none" else ""));
+           (if in_record = `Output then ", or return `()` if there are no topics" else ""));
       []
 
 let of_program sink ~resolved typed (entry : Ir.definition) ~rate =

@@ -1,7 +1,7 @@
 (** Child processes of frobc.
 
-    They end when frobc ends, even if SIGKILL ends it, because the kernel sends them a signal when
-    their parent has ended. *)
+    Except for those that may outlive it, they end when frobc ends, even if it is killed by SIGKILL,
+    because the kernel sends them a signal when their parent has ended. *)
 
 type life =
   | Outlives
@@ -9,7 +9,7 @@ type life =
   | Ends_with_us
   | Ends_with_all_it_started
       (** For programs that start others, such as compilers. The child has its own process group, so
-          it must not read the terminal. *)
+          it must not read from the terminal. *)
 
 val start :
   life ->

@@ -43,12 +43,13 @@ static void become(char *const *arguments, const int streams[3], int report)
 {
     int copies[3], error;
     put_stack_back();
-    /* First move the descriptors above 2, so that dup2 does not overwrite one still needed. */
+    /* First move the descriptors above 2, so that dup2 does not overwrite one that is still
+     * needed. */
     for (int i = 0; i < 3; i++)
         copies[i] = fcntl(streams[i], F_DUPFD_CLOEXEC, 3);
     for (int i = 0; i < 3; i++)
         dup2(copies[i], i);
-    /* execvp would run a file that is not an executable with a shell; this must be an error. */
+    /* execvp would pass a file that is not an executable to a shell; this must be an error. */
     if (strchr(arguments[0], '/') != NULL)
         execv(arguments[0], arguments);
     else
@@ -108,8 +109,8 @@ static void mind(pid_t frobc, char *const *arguments, const int streams[3], int 
     }
 }
 
-/* Takes the program with its arguments, the three streams, and the kind of life. Returns the
- * process id, or the negated errno of exec. */
+/* Takes the program with its arguments, the three streams, and a value of enum life. Returns the
+ * process id. Raises Unix_error if the process or the program cannot be started. */
 value frobc_child_start(value words, value files, value life)
 {
     CAMLparam3(words, files, life);

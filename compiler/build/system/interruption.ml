@@ -19,7 +19,7 @@ let reported report work =
 let protect ~finally work =
   let raise_it signal = raise (Signal signal) in
   let set behaviour s = (s, Sys.signal s behaviour) in
-  (* Ignoring SIGXFSZ turns a file that is too large into an error, like a full disk. *)
+  (* With SIGXFSZ ignored, writing a file that is too large returns an error, as on a full disk. *)
   let before =
     set Sys.Signal_ignore Sys.sigxfsz :: List.map (set (Sys.Signal_handle raise_it)) signals
   in
@@ -32,5 +32,5 @@ let protect ~finally work =
   | result -> result
   | exception Signal signal ->
       Unix.kill (Unix.getpid ()) signal;
-      (* Even if the signal is ignored, the process cannot continue, so it exits. *)
+      (* If the signal is ignored, the process exits here, because it cannot continue. *)
       exit (128 + if signal = Sys.sigint then 2 else 15)

@@ -1,8 +1,8 @@
 (** Handles Ctrl-C and SIGTERM while a file is being written. *)
 
 val protect : finally:(unit -> unit) -> (unit -> 'a) -> 'a
-(** Like [Fun.protect], but also delays these signals until [finally] has run; then they end the
-    process. Exceeding the file size limit becomes an error. *)
+(** Like [Fun.protect], but one of these signals ends the function early, and ends the process only
+    after [finally] has run. If a file exceeds the size limit, writing it returns an error. *)
 
 val reported : (unit -> string) -> (unit -> 'a) -> 'a
 (** Runs the second function. On Ctrl-C, prints the line that the first function returns (what was

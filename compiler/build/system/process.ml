@@ -9,8 +9,8 @@ let start life program arguments ~stdin ~stdout ~stderr =
   match Child.start life program arguments ~stdin ~stdout ~stderr with
   | pid -> Ok pid
   | exception Unix.Unix_error ((Unix.ENOENT | Unix.EACCES), _, _) -> Error (Not_found program)
-  (* for example ENOEXEC, for an executable of another machine; 126 is the exit status that shells
-     use *)
+  (* for example ENOEXEC, for an executable built for another machine; shells use the exit status
+     126 in this case *)
   | exception Unix.Unix_error (reason, _, _) ->
       Error (Failed { status = 126; errors = Unix.error_message reason })
 

@@ -13,12 +13,12 @@ val output : string -> string list -> (string, failure) result
     error. *)
 
 val result : string -> string list -> (string, failure) result
-(** Returns only the program's standard output. If the program succeeds, its standard error is
-    forwarded to ours; if it fails, the error contains its standard error. *)
+(** Like {!output}, but returns only the program's standard output. If the program succeeds, its
+    standard error is forwarded to ours; if it fails, the error contains its standard error. *)
 
 val hand_over : string -> string list -> (int, failure) result
-(** Runs a program with our own standard input, output and error; the result is its exit status (128
-    \+ n if signal n ended it). *)
+(** Runs a program with our own standard input, output and error. Returns its exit status (128 \+ n
+    if signal n ended it). *)
 
 val become : string -> string list -> failure
 (** Replaces this process with another program, which from then on also receives the signals sent to

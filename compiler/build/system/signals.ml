@@ -4,7 +4,7 @@ let status = function
   | Unix.WEXITED status -> status
   | Unix.WSIGNALED signal | Unix.WSTOPPED signal -> 128 + number signal
 
-(* The signals that end a process, by OCaml's numbers. *)
+(* The signals that end a process, with OCaml's signal numbers. *)
 let names =
   [
     ("SIGABRT", Sys.sigabrt);

@@ -2,9 +2,9 @@
 
 val keep_numbers : unit -> unit
 (** Call this before opening anything. If the parent process has closed a standard stream, this
-    function occupies its descriptor (0 to 2). Otherwise, the next file that is opened would get it,
-    and printed text would be written to that file, or sent to a robot. Reading and writing the
-    stream still fail. *)
+    function occupies its descriptor (0 to 2). Otherwise, the next file that is opened would get
+    that descriptor, and printed text would be written to that file, or sent to a robot. Reading and
+    writing the stream still fail. *)
 
 val output_fault : unit -> string option
 (** Flushes standard output. If that fails, returns the reason, now and in all later calls. *)

@@ -7,8 +7,8 @@ let host_table ~entry (files : Cgen.Emit.t) =
   | None ->
       Error
         (Printf.sprintf
-           "the input or output of `%s` has a foreign type, which a table cannot show; compile it \
-            and call it from C"
+           "the input or output of `%s` has a foreign type, which frobc cannot read or print; \
+            compile the program to C, and call it from your own C code"
            entry)
 
 let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
@@ -37,8 +37,8 @@ let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
   | Some _, _, sensor :: _ when not ros2 ->
       Error
         (Printf.sprintf
-           "%s uses %s, but only the simulator has one; on your own robot, the driver can fill a \
-            field of the input, and an instance can read it"
+           "%s uses %s, but only the simulator has one; for your own robot, let the driver fill a \
+            field of the input, and define an instance that reads this field"
            name sensor)
   | Some _, camera :: _, _ when not sees ->
       Error
@@ -53,8 +53,8 @@ let own_driver general =
   | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
   | None -> ""
 
-(* The linker's message depends on the locale. It is about the driver if it names the driver, but no
-   line of C. *)
+(* The wording of the linker's message depends on the locale. If the message contains the driver's
+   name but no name of a C file, it reports that the driver is missing. *)
 let is_driver_missing general ~sources text =
   let driver = own_driver general in
   let has word =
@@ -108,8 +108,8 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
       in
       continue resources program)
 
-(* All C files of a user-defined robot may be given, including its driver, which needs the runtime's
-   headers. *)
+(* The user may pass all C files of a user-defined robot, including its driver, which needs the
+   runtime's headers. *)
 let with_runtime general (resources : Resources.t) ~name:_ =
   let machine =
     Option.map

@@ -1,11 +1,11 @@
-(** Compiles programs to C, and builds this C with the runtime and the user's own files. *)
+(** Compiles programs to C, and builds the generated C with the runtime and the user's own files. *)
 
 type linked = {
   machine : Toolchain.machine option;  (** [None]: this machine *)
   inputs : string list;
   includes : string list;
   generated : (string * string) list;  (** additional files, with names and contents *)
-  sees : bool;  (** whether its hosts need to support cameras *)
+  sees : bool;  (** whether its host supports cameras *)
   ros2 : bool;  (** whether its host is a ROS 2 node *)
 }
 (** The files that generated C is linked with, and the target machine; see {!Toolchain.build}. *)
@@ -14,9 +14,10 @@ val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 (** The table with which hosts read and write the program's values. *)
 
 val for_robot : name:string -> sees:bool -> ?ros2:bool -> Cgen.Emit.t -> (unit, string) result
-(** Checks that the program [name] is for a robot, because executables and boards drive one; that it
-    has no cameras if the host does not support them; and that it is not for the robot [ros] if the
-    host is not a ROS 2 node. *)
+(** Checks that an executable can be built from the program [name]. The program must be for a robot,
+    or be a ROS 2 node if the host is one. It must not use cameras if the host does not support
+    them. If the host is not a ROS 2 node, it must not be for the robot [ros], or use a sensor that
+    only the simulator has. *)
 
 val built :
   ?quiet:bool ->
@@ -29,8 +30,9 @@ val built :
   string ->
   (Resources.t -> string -> int) ->
   int
-(** Compiles a file to C, and then this C together with the user's own [sources]. Continues with the
-    path of the result, or reports the errors. [name] is the base name of the C files. *)
+(** Compiles a file to C, and builds the generated C together with the user's own [sources]. Passes
+    the path of the result to the continuation, or reports the errors. [name] is the base name of
+    the C files. *)
 
 val shared :
   ?quiet:bool ->
@@ -55,7 +57,7 @@ val hosted :
   host:(Resources.t -> string) ->
   arguments:(Resources.t -> string -> string list) ->
   int
-(** Replaces this process with a host, which runs the program as a shared object; so the host
+(** Replaces this process with a host, which loads the program as a shared object. So the host
     receives the signals sent to frobc. [arguments] computes the host's arguments from the path of
     that object. If [goes_on] is true, the host is a child process instead, and the result is its
     exit status. *)

@@ -1,8 +1,9 @@
 let generated ~name (files : Cgen.Emit.t) =
   (name ^ ".h") :: List.map fst (Option.to_list files.robot_header)
 
-(* A generated header includes the headers that the program names. A C file that includes it
-   searches its own folder before the others, and must find the same headers. *)
+(* The generated header includes the headers that the program names. If a C file includes the
+   generated header, the C compiler searches the C file's folder first, but must find the same
+   headers. *)
 let check_same ~generated ~folders (headers : Flow.Ir.header list) file =
   let found folders (h : Flow.Ir.header) =
     List.find_opt Sys.file_exists (List.map (fun folder -> Filename.concat folder h.header) folders)

@@ -7,7 +7,7 @@ type place =
   | C's_own
   | Refused of string (* the path of the refused header *)
 
-(* The file that a C compiler finds first must be allowed, whatever its folder. *)
+(* The file that a C compiler finds first must be allowed, whatever folder it is in. *)
 let place ~is_allowed (h : Flow.Ir.header) folders =
   let is_in folder = Sys.file_exists (folder / h.header) in
   match List.find_opt is_in folders with

@@ -2,7 +2,7 @@ open Basis
 
 let is_part = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false
 
-(* Whether a name occurs as a separate word: in C, or in the symbol table of an object. *)
+(* Whether a name occurs as a separate word: in C code, or in the symbol table of an object file. *)
 let mentions text name =
   let n = String.length name in
   let is_free k = k < 0 || k >= String.length text || not (is_part text.[k]) in

@@ -3,8 +3,8 @@
 
 val check : calls:string list -> string list -> (unit, string) result
 (** Checks that each of these names is in {!Basis.C_names.pure}, is a kernel of the runtime
-    ({!Kernels}), or is mentioned in one of these C files of the user. The error lists the names
-    that are not. *)
+    ({!Kernels}), or is mentioned in one of these files, which the user has provided. The error
+    lists the names that are not. *)
 
 val unknown : calls:string list -> string list -> string list
 (** The names for which {!check} reports an error. *)

@@ -63,9 +63,9 @@ let check ~allowed ~sources ~folders output =
           in
           Error
             (Printf.sprintf
-               "the C compiler found an included file in `%s`, which the command line does not \
-                allow: C code can do anything on your computer; if you trust it, add `--with %s`; \
-                otherwise rename your header, or include the standard one as <%s>"
+               "the C compiler includes the file `%s`, which the command line does not allow: C \
+                code can do anything on your computer; if you trust it, add `--with %s`; otherwise \
+                rename your header, or include the standard one as <%s>"
                path (Basis.Printable.path path) (Filename.basename path))
   in
   visit [] (List.filter_map listed (lines output))

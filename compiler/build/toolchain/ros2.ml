@@ -4,8 +4,8 @@ let ( / ) = Filename.concat
 let variable = "AMENT_PREFIX_PATH"
 let tried = [ ("9.2.", "Jazzy"); ("10.1.", "Kilted") ]
 
-(* The packages that the host uses, and the libraries that it is linked with. It loads those of the
-   other packages when a program needs them. *)
+(* The packages that the host uses, and the libraries that it is linked with. The host loads the
+   libraries of the other packages when a program needs them. *)
 let needed =
   [
     ("rcl", [ "rcl" ]);

@@ -1,7 +1,5 @@
-(** An installation of ROS 2, with which the executables of [frobc run --ros2] are compiled and
-    linked.
-
-    frobc finds it through the environment variable [AMENT_PREFIX_PATH], which lists folders with
+(** Finds the installation of ROS 2 with which the executables of [frobc run --ros2] are compiled
+    and linked. The environment variable [AMENT_PREFIX_PATH] lists the folders that contain its
     packages. The setup scripts of ROS 2, which users source, set this variable. *)
 
 type t = {
@@ -13,4 +11,4 @@ val find : unit -> (t, string) result
 (** The error says which script the user should source, or what to install. *)
 
 val untried : unit -> string option
-(** A warning for the user if the installation is not of one of these distributions. *)
+(** A warning for the user if frobc is not tested with the installed distribution. *)

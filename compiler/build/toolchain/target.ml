@@ -5,7 +5,8 @@ type kind =
       port : string;
       script : string;
       options : string list;
-      single : string list;  (** options for hardware with single-precision floating point only *)
+      single : string list;
+          (** options for single-precision programs, to use the floating-point unit *)
     }
 
 type t = {
@@ -74,7 +75,7 @@ let files folder =
 
 let with_suffix suffix = List.filter (fun file -> Filename.check_suffix file suffix)
 
-(* The sources in these folders of the runtime, and the folders of headers that they may include. *)
+(* The source files in these folders of the runtime, and the headers that they may include. *)
 let from_sources (resources : Resources.t) folders =
   let runtime = resources.runtime_sources in
   let drivers = runtime / "drivers" in
@@ -92,7 +93,7 @@ let state_of name =
        void *const frob_program_state = &state;\n"
       name name )
 
-(* The symbol that [hosts/robot/drivers.c] and [hosts/board/loop.c] look up. *)
+(* The file that defines [frob_own_driver] for [hosts/robot/drivers.c] and [hosts/board/loop.c]. *)
 let own_driver ~name robot =
   ( name ^ "_driver.c",
     match robot with

@@ -17,7 +17,7 @@ val linked :
 (** [own]: the user-defined robot, whose driver is among the user's C files. *)
 
 val ros2 : Ros2.t -> Resources.t -> name:string -> Built.linked
-(** An executable for this machine that is a ROS 2 node. *)
+(** What to link into a ROS 2 node for this machine. *)
 
 val simulated_ros2 : Ros2.t -> Resources.t -> (string, string) result
 (** Compiles the ROS 2 node of a simulated robot, and returns its path. *)

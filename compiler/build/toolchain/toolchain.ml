@@ -110,7 +110,7 @@ let compile_flags = function
 
 let link_flags = function Shared_object -> [ "-shared" ] | Executable -> []
 
-(* frob-tcc has the same path in every version of frobc. *)
+(* frob-tcc has the same path in every version of frobc, so the key depends on its content. *)
 let own_compiler machine =
   if Tcc.is_own machine.compiler && Sys.file_exists machine.compiler then [ machine.compiler ]
   else []
@@ -173,7 +173,7 @@ let own_flags kind file =
   else flags @ compile_flags kind
 
 (* Compiles each of the user's files separately, so that it finds the headers in its own folder
-   first: another folder may have headers of the same names. *)
+   first: another folder may have headers with the same names. *)
 let compile_own machine ~headers ~folder kind foreign =
   let one foreign number file =
     compile_allowed machine ~lists:true (Some foreign)

@@ -37,5 +37,5 @@ val build :
     [files] (names and contents), and links them with the archives and sources [inputs], which may
     include [includes]. Uses the C compiler of this machine unless [machine] is given. Returns the
     path of the result. Results are stored in the {!Cache} under a digest of everything they depend
-    on, so a program is compiled only once, unless it uses files of the user: then it is always
-    recompiled. The error is a text for the user. *)
+    on, so a program is compiled only once. But a program that uses the user's files is always
+    recompiled. The error is a message for the user. *)

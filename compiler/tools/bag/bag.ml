@@ -1,4 +1,5 @@
-(* The profile in the header of an MCAP file, after the magic bytes, the opcode and two lengths. *)
+(* Reads the profile from the header of an MCAP file. It follows the magic bytes, the opcode and two
+   lengths. *)
 let profile path =
   let read channel =
     let head = really_input_string channel 21 in
@@ -17,7 +18,7 @@ let profile path =
 let is_bag path =
   Filename.check_suffix path ".db3"
   || (Filename.check_suffix path ".mcap" && profile path = Some "ros2")
-  (* Reading a file that `ros2 bag` has compressed reports what to do. *)
+  (* If `ros2 bag` has compressed the file, the error message of the reader says what to do. *)
   || List.exists (Filename.check_suffix path) [ ".db3.zstd"; ".mcap.zstd" ]
   || (Sys.file_exists path && Sys.is_directory path)
 
@@ -31,7 +32,8 @@ let read ~program bag =
   if not (Sys.file_exists bag) then cannot "it does not exist"
   else
     match Extras.python ~modules with
-    | None -> cannot "this needs Python: on Debian, `sudo apt-get install python3-venv`"
+    | None ->
+        cannot "this needs Python: on Debian, install it with `sudo apt-get install python3-venv`"
     | Some python -> (
         match
           Process.result python [ "-m"; "frob.bag_command"; bag; C_file.name program; table ]

@@ -1,5 +1,5 @@
 (** Bags: the recordings of messages that ROS 2 writes. A program that runs as a ROS 2 node
-    publishes its instants, so a bag contains a recording of it. *)
+    publishes its instants, so a bag can contain a recording of the program. *)
 
 val recording : program:string -> string -> (string, string) result
 (** Returns the path of the program's recording in the bag, which is extracted to a temporary file.

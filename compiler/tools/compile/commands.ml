@@ -43,7 +43,7 @@ let check general files =
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
-(* Reports an [-o] that names a file, as for other compilers, instead of a folder. *)
+(* Reports an error if [-o] names a file, as in other compilers, instead of a folder. *)
 let not_a_file ~folder file =
   let name = C_file.name file in
   let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in

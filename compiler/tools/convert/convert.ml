@@ -48,8 +48,8 @@ let copy_file from at =
       copy input output;
       flush output)
 
-(* Calls [write] with the channel for the recording. The output is compressed if the file name says
-   so. *)
+(* Calls [write] with the channel for the recording. The extension of [path] determines whether the
+   output is compressed. *)
 let writing path at write =
   let writer = Packed.writer ~named:path at in
   match write writer.channel with
@@ -98,7 +98,7 @@ let write_frame folder message =
       (* The name contains a hash of the content, so if the file exists, it already has the right
          content. *)
       if Sys.file_exists path then Ok () else Output.write [ (path, text) ]
-  | Some _ | None -> Error "it contains an image that no recording can contain"
+  | Some _ | None -> Error "it contains an image that is not a frame of a recording"
 
 let of_mcap from path =
   let folder = Temporary.folder () and attached = ref None in
@@ -133,8 +133,8 @@ let of_mcap from path =
 
 (* {1 MCAP of another program to recording} *)
 
-(* Writes the table that the Python package frob extracts as a recording. The recording is
-   compressed if the file extension says so. *)
+(* Writes the table that the Python package frob extracts from the file. The extension of [path]
+   determines whether the output is compressed. *)
 let of_others from path =
   let name = Basis.Printable.name from in
   let cannot reason = Error (Printf.sprintf "cannot read %s: %s" name reason) in
@@ -144,7 +144,7 @@ let of_others from path =
   | None ->
       cannot
         (other
-       ^ ", and reading it needs Python: on Debian, `sudo apt-get install python3-venv`, then \
+       ^ ", and reading it needs Python: on Debian, run `sudo apt-get install python3-venv`, then \
           `frobc extras install mcap`")
   | Some python -> (
       match Process.result python [ "-m"; "frob.mcap_command"; from; table ] with

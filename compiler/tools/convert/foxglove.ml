@@ -6,8 +6,8 @@ let number text =
   match float_of_string text with
   | x when Float.is_nan x || Float.abs x = infinity -> ""
   | x -> (
-      (* Keeps the text if it is a number in JSON syntax: with digits on both sides of the point,
-         and without a plus sign. *)
+      (* Keeps the text if it already is a JSON number, which must have digits on both sides of the
+         decimal point and no leading plus sign. *)
       let n = String.length text in
       let digit i = i < n && text.[i] >= '0' && text.[i] <= '9' in
       let first = if text.[0] = '-' then 1 else 0 in

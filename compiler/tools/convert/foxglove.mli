@@ -35,8 +35,8 @@ val of_echoes : time:int -> frame:string -> echo list -> string
 (** {1 Images} *)
 
 val raw_image : schema
-(** In addition to Foxglove's members, the message has two members with the name and the header of
-    the frame's file. *)
+(** In addition to Foxglove's members, the message has two members of our own: the name and the
+    header of the frame's file. *)
 
 type image = { file : string; head : string; width : int; height : int; pixels : string }
 

@@ -2,7 +2,7 @@
     are in uncompressed chunks, with indexes, a summary, and all CRCs
     ({{:https://mcap.dev/spec} the specification}). The output is deterministic.
 
-    Times are nanoseconds and not negative. Messages must be in the order of their times. Writing
+    Times are nanoseconds and not negative. Messages must be written in chronological order. Writing
     raises [Sys_error]. *)
 
 type t

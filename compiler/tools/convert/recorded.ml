@@ -57,8 +57,8 @@ let check_name number k name =
       (k + 1) (Basis.Printable.name name)
 
 (* Calls [head] for each comment before the header, [header] for the header, and [row] for each row,
-   together with its line. Calls [damaged] with the reason if the end is missing. A row that is too
-   short is an error, unless it is the last row, which may be truncated. *)
+   together with its line. If the end of the file is missing, calls [damaged] with the reason. A row
+   that is too short is an error, unless it is the last row, which may be truncated. *)
 let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
   let read channel =
     let width = ref 0 and short = ref None and time_cell = ref 0 and kept = ref [] in
@@ -120,7 +120,7 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
           lines (number + 1)
       | None -> ()
       | exception Lines.Too_long ->
-          wrong number "the row has more than %d MB: this is not a recording"
+          wrong number "the row is longer than %d MB: this is not a recording"
             (Lines.longest / 1024 / 1024)
       | exception Sys_error reason -> wrong number "cannot read the file: %s" reason
     in

@@ -9,7 +9,7 @@ type t = {
   dialect : Interp.Dialect.t;
   params : (string * string) list;  (** recorded parameters, such as [("kTurn", "4[1/m]")] *)
   columns : column array;  (** [time] comes first *)
-  torn : string option;  (** the reason and the place, if the end is missing *)
+  torn : string option;  (** if the end is missing: where the recording breaks off, and why *)
 }
 
 val survey : dialect:Interp.Dialect.t -> string -> (t, string) result
@@ -21,4 +21,5 @@ val iter : t -> (time:int -> string array -> unit) -> (unit, string) result
     negative and never decrease. *)
 
 val lines : t -> (string -> unit) -> (unit, string) result
-(** Each complete line without its line ending, translated from the dialect to Frob's format. *)
+(** Calls the function with each complete line, without its line ending, translated from the dialect
+    to Frob's format. *)

@@ -53,7 +53,7 @@ let folder () =
   match (absolute "XDG_DATA_HOME", absolute "HOME") with
   | Some data, _ -> Ok (data / "frobc")
   | None, Some home -> Ok (home / ".local" / "share" / "frobc")
-  | None, None -> Error "there is no home folder: set XDG_DATA_HOME to a folder for the packages"
+  | None, None -> Error "HOME is not set: set XDG_DATA_HOME to a folder for the packages"
 
 (* A symbolic link to the environment, so that a new environment replaces the old one in one step.
    *)
@@ -219,7 +219,8 @@ let chosen names =
   match unknown with
   | name :: _ ->
       Error
-        (Printf.sprintf "there are no extras `%s`; there are %s" (Basis.Printable.name name)
+        (Printf.sprintf "there is no group of extras `%s`; the groups are %s"
+           (Basis.Printable.name name)
            (Basis.Enumeration.all (List.map (fun g -> "`" ^ g.name ^ "`") groups)))
   | [] ->
       let before =

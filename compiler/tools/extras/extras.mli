@@ -22,12 +22,12 @@ val list : unit -> int
 (** [frobc extras list]. *)
 
 val python : modules:string list -> string option
-(** The Python to use for a command that needs these modules. If a virtual environment is active,
-    this is its Python. Otherwise the candidates are the environment of frobc, the Python that frobc
-    was installed for, and [python3], in this order: returns the first one that has the modules, or
-    else the first one that exists. If that Python does not have the package frob, sets [PYTHONPATH]
-    so that it finds the package of this frobc. *)
+(** The Python interpreter for a command that needs these modules. If a virtual environment is
+    active, returns its interpreter. Otherwise tries the interpreter of frobc's environment, the one
+    that frobc was installed for, and [python3], in this order. Returns the first one that has the
+    modules, or else the first one that exists. If it does not have the package frob, sets
+    [PYTHONPATH] so that it finds the package of this frobc. *)
 
 val state : group -> (string list, string) result
-(** The installed packages of a group, with their versions, or the reason why the group is not
-    usable. *)
+(** The installed packages of a group, with their versions, or the reason why the group cannot be
+    used. *)

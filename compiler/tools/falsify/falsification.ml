@@ -2,8 +2,7 @@ open Search
 
 let package = "frob.falsify_command"
 
-(* While Python loads its modules, Ctrl-C should end it without a traceback, as it ends other
-   programs. *)
+(* Ctrl-C ends Python without a traceback even while it loads its modules. *)
 let program =
   Printf.sprintf
     "import signal, sys\n\
@@ -44,7 +43,7 @@ let run general ~entry ~sources search file =
   if not (Sys.file_exists file) then
     Reporting.wrong_use ("there is no file " ^ Basis.Printable.name file)
   else (
-    (* Otherwise, Python would import modules from the user's working directory. *)
+    (* Prevents Python from importing modules from the user's working directory. *)
     Unix.putenv "PYTHONSAFEPATH" "1";
     (* Makes the Python package use this frobc and its hosts, even if others are installed. *)
     if Sys.getenv_opt "FROBC" = None then Unix.putenv "FROBC" Sys.executable_name;

@@ -7,9 +7,9 @@ let lines text =
   | "" :: rest -> Array.of_list (List.rev rest)
   | all -> Array.of_list (List.rev all)
 
-(* Myers, An O(ND) Difference Algorithm (1986), section 4: [reach.(k)] is the end of the
-   furthest-reaching path with [d] changes on the diagonal [k]. There is one such row for each
-   [d]. *)
+(* Returns one table [reach] for each number [d] of changes: [reach.(k)] is the end of the
+   furthest-reaching path with [d] changes on the diagonal [k] (Myers, An O(ND) Difference
+   Algorithm, 1986, section 4). *)
 let rows a b =
   let n = Array.length a and m = Array.length b in
   let most = n + m in

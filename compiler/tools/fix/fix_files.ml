@@ -48,8 +48,8 @@ let check general ~library ~robot file text =
   Queries.check sink sources { request with files = { Program_file.files with read } };
   (sink, sources)
 
-(* The fix to apply for a diagnostic. For [All], this is the first fix that can be applied. For
-   [Safe], it is the only fix, if that fix is safe. *)
+(* The fix to apply for a diagnostic. [All] chooses the first fix that can be applied; [Safe]
+   chooses a fix only if it is safe and no other fix can be applied. *)
 let offered choice sources (d : Diagnostic.t) =
   let can_be_made fix = Kept_comments.fix sources fix <> None in
   match (choice, List.filter can_be_made d.fixes) with
@@ -57,8 +57,8 @@ let offered choice sources (d : Diagnostic.t) =
   | Safe, [ only ] when only.safe -> Some (d, only)
   | Safe, _ | All, [] -> None
 
-(* Maximum number of rounds. Several rounds may be necessary, because after a fix a later stage of
-   the compiler can report more diagnostics. *)
+(* Maximum number of rounds. More than one may be necessary: after a fix, a later stage of the
+   compiler can report more diagnostics. *)
 let most_rounds = 100
 
 let rec mended check choice file ~done_ rounds text =

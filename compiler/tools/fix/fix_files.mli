@@ -3,9 +3,9 @@
 open Basis
 
 val applied : Source.t -> file:string -> Diagnostic.fix list -> string * Diagnostic.fix list
-(** The text of the file after the fixes have been applied in order, and the fixes that were
-    applied. Skips a fix that changes other files or overlaps another fix. Keeps comments
-    ({!Kept_comments}) and the line endings of the text. *)
+(** Applies the fixes to the file in order. Returns the new text and the fixes that were applied.
+    Skips a fix that changes other files or overlaps another fix. Keeps comments ({!Kept_comments})
+    and the line endings of the text. *)
 
 type choice = Safe | All
 

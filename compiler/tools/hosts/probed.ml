@@ -3,7 +3,7 @@ open Reporting
 
 let asks_for_list general = List.mem "list" general.probes
 
-(* Prints the list instead of running the program. *)
+(* Prints the list of inner signals instead of running the program. *)
 let print_list general ~entry file =
   let general = { general with probes = []; asserts = Off } in
   let* resources = Installation.find () in

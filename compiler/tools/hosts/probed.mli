@@ -1,7 +1,7 @@
-(** The inner signals that a run shows. *)
+(** The inner signals that are recorded in a run. *)
 
 val asks_for_list : Common_options.t -> bool
-(** Whether the user wants the names of all inner signals rather than a run. *)
+(** Whether the user asked for the names of all inner signals instead of a run. *)
 
 val print_list : Common_options.t -> entry:string -> string -> int
 (** Prints the names of all inner signals. *)

@@ -1,6 +1,6 @@
 (** Finds the world in which a robot is simulated, and the robot that the world names. *)
 
-type from = Here | Beside of string  (** the current folder, or the folder of this file *)
+type from = Here | Beside of string  (** the current folder, or the folder of the given file *)
 
 val find : Resources.t -> from list -> string -> (string, string) result
 (** The path of the world with this name. If the name is not an absolute path, searches these places
@@ -11,9 +11,9 @@ val beside : string -> string -> string
 (** [beside file name] resolves the path [name] relative to the folder of [file]. *)
 
 val world_of : string option -> Resources.t -> string -> (string, string) result
-(** [world_of given resources file]: the world that the user names, found in the current folder or
-    in the program's; otherwise [world.toml] in the program's folder; otherwise the room that comes
-    with frobc. *)
+(** [world_of given resources file]: the world that the user named, from the current folder or the
+    program's folder. If the user did not name a world, [world.toml] in the program's folder; if
+    that does not exist, the room that comes with frobc. *)
 
 val for_world : Common_options.t -> Resources.t -> string -> (Common_options.t, string) result
-(** Sets the robot to the one that the world names, unless the user chose one. *)
+(** Uses the robot that the world names, unless the user chose a robot. *)

@@ -27,7 +27,7 @@ let create () =
 (* Describes the run before it starts, because the simulator replaces this process. *)
 let tell (run : Simulating.run) =
   let live = run.look <> None in
-  Printf.printf "%s is a program that follows walls. This command drives it:\n" program;
+  Printf.printf "%s is a program that follows walls. The demo runs it with this command:\n" program;
   Printf.printf "  frobc run %s %s\n" program
     (if live then "--view" else Printf.sprintf "--for 60s --record %s --picture %s" log picture);
   if not live then (

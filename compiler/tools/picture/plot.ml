@@ -15,7 +15,7 @@ let pick choices k = choices.(k mod Array.length choices)
 
 (* {1 Scales} *)
 
-(* About [about] round numbers in the range. *)
+(* Approximately [about] round numbers in the range. *)
 let ticks low high ~about =
   let rough = (high -. low) /. float_of_int about in
   let magnitude = 10. ** Float.floor (Float.log10 rough) in

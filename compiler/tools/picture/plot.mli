@@ -6,7 +6,7 @@
 
 type column = {
   name : string;
-  unit_ : string;  (** for example [m/s]; or empty *)
+  unit_ : string;  (** such as [m/s]; empty if the column has no unit *)
   cells : string array;  (** one for each instant *)
 }
 

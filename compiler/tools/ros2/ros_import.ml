@@ -15,12 +15,12 @@ let definition ~package ~name =
            | None -> ", but " ^ Basis.Enumeration.some messages ~more:0))
   | No_package when Message_definitions.prefixes () = [] ->
       Error
-        "there is no ROS 2 in this shell: source its setup script, as in `source \
-         /opt/ros/jazzy/setup.bash`, which sets AMENT_PREFIX_PATH"
+        "ROS 2 is not set up in this shell: source its setup script, which sets AMENT_PREFIX_PATH, \
+         for example with `source /opt/ros/jazzy/setup.bash`"
   | No_package ->
       Error
         (Printf.sprintf
-           "ROS 2 in this shell (AMENT_PREFIX_PATH) has no messages of a package %s: install it, \
+           "ROS 2 in this shell (AMENT_PREFIX_PATH) has no package %s with messages: install it, \
             or source the setup script of its workspace"
            package)
 
@@ -28,7 +28,7 @@ let definition ~package ~name =
 
 let capitalized word = String.capitalize_ascii word
 
-(* The constant [POWER_OK] of [BatteryState] is [batteryStatePowerOk]. *)
+(* For the constant [POWER_OK] of [BatteryState], returns [batteryStatePowerOk]. *)
 let constant_name ~type_ constant =
   let words = List.filter (fun word -> word <> "") (String.split_on_char '_' constant) in
   String.uncapitalize_ascii type_
@@ -81,9 +81,8 @@ let unit_of comment =
 
 type context = {
   most : int;
-  mutable imports : (string * string) list;  (** modules and names *)
-  mutable records : (string * string) list;
-      (** the message types of the records, and the records' names *)
+  mutable imports : (string * string) list;  (** each imported name, after its module *)
+  mutable records : (string * string) list;  (** each message type, with the name of its record *)
   mutable written : string list;  (** the declarations, in reverse order *)
 }
 
@@ -104,7 +103,8 @@ let one_line text =
   String.concat " "
     (List.filter (fun word -> word <> "") (String.split_on_char ' ' (String.trim text)))
 
-(* Lines with comments in one column; the comments are cut off at the end of the line. *)
+(* Aligns the comments of the lines in one column, and truncates comments that are too long for a
+   line. *)
 let commented lines =
   let width = List.fold_left (fun width (code, _) -> max width (String.length code)) 0 lines in
   let line (code, comment) =
@@ -165,10 +165,10 @@ and kept c (f : F.field) =
               Kept { type_ = upto n; remark }
           | Any ->
               use c "Ros" "Upto";
-              Kept { type_ = upto c.most; remark = "no maximum in ROS" }))
+              Kept { type_ = upto c.most; remark = "unbounded in ROS" }))
 
 (* Declares the record for a message, after the records for its parts. Returns the name of the
-   record, or [None] if it cannot have any of the message's fields. *)
+   record, or [None] if Frob cannot represent any of the message's fields. *)
 and record c ~package ~name =
   let type_ = package ^ "/msg/" ^ name in
   match List.assoc_opt type_ c.records with
@@ -258,7 +258,8 @@ let split text =
       Ok (package, name)
   | _ ->
       Error
-        (Printf.sprintf "a message has a package and a type, as in my_msgs/Wheels, not `%s`"
+        (Printf.sprintf
+           "write the package and the type of the message, as in my_msgs/Wheels, not `%s`"
            (Basis.Printable.name text))
 
 let formatted ~file text =

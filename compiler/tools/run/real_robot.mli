@@ -5,7 +5,7 @@ type serve = {
   world : string option;
   log : string option;  (** file in which received commands are logged *)
   link : string option;  (** symbolic link to create for the device *)
-  stamped : bool;  (** whether, in ROS 2, commands have the type [TwistStamped] *)
+  stamped : bool;  (** whether commands in ROS 2 have the type [TwistStamped] *)
   ros_arguments : string list;  (** arguments for ROS 2 *)
   host : string list;  (** additional arguments for the server *)
 }
@@ -41,7 +41,7 @@ val build :
 *)
 
 val with_markers : Common_options.t -> Common_options.t
-(** Adds the drawing to a program that draws, so that its ROS 2 node publishes markers. *)
+(** Makes the ROS 2 node of a program that draws publish the drawing as markers. *)
 
 val build_node :
   Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int

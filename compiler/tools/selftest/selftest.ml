@@ -69,8 +69,9 @@ let warn t said =
     t.warned <- true;
     prerr_endline ("warning: the compiler warns:\n" ^ beginning said))
 
-(* Runs a program that ends its output with a word that says whether it is correct. Ignores its exit
-   status, because not every runner passes it on. The error is the program's output. *)
+(* Runs a program whose output ends with the word `right` if the program was compiled correctly.
+   Ignores the exit status, because not every runner passes it on. The error is the program's
+   output. *)
 let ran t program =
   let last text =
     match List.rev (words (String.map (function '\n' | '\r' -> ' ' | c -> c) text)) with
@@ -94,12 +95,12 @@ let write path text =
 
 (* {1 Tests with a minimal program} *)
 
-(* Compilers for boards have no operating system through which a program could print. *)
+(* A program for a board has no operating system through which it could print. *)
 let not_linked t text =
   Printf.sprintf
-    "`%s` compiles a one-line program but does not link it. If it is for a board, add a library \
-     that prints through an emulator, and name the emulator: for newlib --cflags \"%s \
-     --specs=rdimon.specs\" --runner qemu-arm\n\
+    "`%s` compiles a one-line program but does not link it. If the compiler is for a board, add a \
+     library that prints through an emulator, and name the emulator; with newlib, for example: \
+     --cflags \"%s --specs=rdimon.specs\" --runner qemu-arm\n\
      %s"
     (command t)
     (String.concat " " Toolchain.flags)
@@ -241,7 +242,7 @@ let tried t objects group =
 
 let line name value = Printf.printf "%s: %s\n%!" name value
 
-(* Tests all groups, unless the compiler turns out not to be testable. *)
+(* Tests all groups, even after a failure. Returns whether any group failed. *)
 let groups_failed t objects =
   List.fold_left
     (fun failed group ->

@@ -1,9 +1,10 @@
 (** [frobc selftest]: checks that a C compiler, called as the user calls it, compiles generated C
     correctly.
 
-    Together, the programs contain every construct of generated C. [frobc] compiles them, and both
-    the reference interpreter and the compiled C run them on {!Sample_input}. Their outputs must be
-    equal bit for bit. No expected output is stored, so it cannot become outdated. *)
+    The test programs together cover every construct of generated C. [frobc] compiles them to C, and
+    the user's compiler compiles that C. The reference interpreter and the compiled programs then
+    run on {!Sample_input}. Their outputs must be equal bit for bit. No expected output is stored,
+    so it cannot become outdated. *)
 
 type compiler = {
   cc : string option;  (** the command, with or without options; [None] means [CC], or [cc] *)
@@ -15,7 +16,7 @@ type compiler = {
 val run : compiler -> int
 (** Prints a line for each group and the verdict to standard output, and failures to standard error.
     The exit status is {!Exit_status.ok}; {!Exit_status.rejected} if the compiler rejects valid C,
-    has different arithmetic, or compiles incorrectly; {!Exit_status.wrong_use} if it cannot be
+    has different arithmetic, or generates incorrect code; {!Exit_status.wrong_use} if it cannot be
     tested. *)
 
 val programs : (string * string) list

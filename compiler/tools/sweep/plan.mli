@@ -11,13 +11,13 @@ type sampling = Grid | Random | Latin
 type t = {
   program : string placed;
   trial : string placed option;  (** label of the trial; [None] if the program has only one *)
-  seeds : (int * int) option;  (** [None] here or in [lasts] means the value in the trial *)
+  seeds : (int * int) option;  (** [None] here or in [lasts]: the trial's own value *)
   lasts : float option;
   rate : float option;  (** in Hz; 50 if [None] *)
   worlds : string placed list;
   robots : string placed list;
   sampling : sampling;
-  points : int;  (** the number of points, if they are sampled *)
+  points : int;  (** the number of points, if the points are sampled *)
   sampling_seed : int;
   params : (string * variation) placed list;
 }

@@ -95,7 +95,7 @@ let axis context units file (p : (string * Plan.variation) Plan.placed) =
         if low < high then
           Ok { Points.name; unit_ = units name; along = Between { low; high; steps; whole } }
         else
-          refuse_at p "the range of `%s` ends at %s, which is not more than %s" name
+          refuse_at p "the range of `%s` ends at %s, which is not greater than its start, %s" name
             (given high_set) (given low_set)
       in
       match (low_set.value, high_set.value) with
@@ -103,7 +103,7 @@ let axis context units file (p : (string * Plan.variation) Plan.placed) =
           between low high ~whole:false
       | Float _, Float _ -> refuse_at p "the range of `%s` must be finite" name
       | Int low, Int high -> between (Int32.to_float low) (Int32.to_float high) ~whole:true
-      | _ -> refuse_at p "`%s` is true or false: write the list [true, false]" name)
+      | _ -> refuse_at p "`%s` is a Bool and has no range: write the list [true, false]" name)
 
 (* {1 Places} *)
 
@@ -137,8 +137,8 @@ let digest_of (context : Session.t) general ~entry file =
          Exit_status.ok));
   Digest.string (String.concat "" (!text :: List.map Digest.file context.sources))
 
-(* Includes the files that a world refers to. A file counts as such if it is next to the world and
-   the world contains its name in quotes. *)
+(* The digest includes the files that the world refers to. These are the files in the world's folder
+   whose names the world contains in quotes. *)
 let digest_of_world path =
   let text = Checking.read path in
   let quoted = List.concat_map (String.split_on_char '\'') (String.split_on_char '"' text) in

@@ -25,7 +25,7 @@ let load_file t path =
     ~finally:(fun () -> close_in channel)
     (fun () ->
       let text = Lines.of_channel channel in
-      (* A line that is too long is not a row, and no row can follow it. *)
+      (* A line that is too long is not a row. Loading stops there, because no row can follow it. *)
       let rec lines () =
         match Lines.next text with
         | Some line ->

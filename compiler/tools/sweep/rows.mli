@@ -10,8 +10,8 @@ type t
 val create : unit -> t
 
 val load : t -> string -> unit
-(** Loads all lines of the files in a folder, if it exists. Raises [Sys_error] if a file cannot be
-    read. *)
+(** Loads all lines of the files in a folder, if the folder exists. Raises [Sys_error] if a file
+    cannot be read. *)
 
 val load_file : t -> string -> unit
 

@@ -85,7 +85,7 @@ let start (t : Setup.t) (resources : Resources.t) ~folder numbers =
   Unix.close complaints;
   Ok (pid, { numbers; rows_file; errors; seen = 0 })
 
-(* The number of lines that were added since the last call. *)
+(* The number of lines that the process has written since the last call. *)
 let more process =
   let channel = open_in_bin process.rows_file in
   Fun.protect

@@ -3,11 +3,12 @@
 type place = {
   world : string;  (** the world's name in the plan *)
   path : string;
-  robot : string;  (** empty if only the program determines it *)
+  robot : string;  (** empty if the program alone determines the robot *)
   program : string;  (** path of the program compiled for hosts; [judge]: path of the judge *)
   judge : string;
   digest : string;
-      (** digest of everything that a run here depends on, except the seed and the parameters *)
+      (** digest of everything that a run in this place depends on, except the seed and the
+          parameters *)
 }
 (** A world and a robot, with the program and the judge compiled for them. *)
 

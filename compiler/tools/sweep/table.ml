@@ -22,8 +22,8 @@ let quoted cell =
     "\"" ^ String.concat "\"\"" (String.split_on_char '"' cell) ^ "\""
   else cell
 
-(* The cells of a run are the seed, its fate with time and cause, the true state with the first
-   collision, and the measurements. *)
+(* The cells of a run are its seed, its fate with time and cause, the robot's true state and the
+   first collision, and the measurements. *)
 let fate = function
   | _ :: fate :: _ -> { held = fate = "held" || fate = "unasked"; void = fate = "void" }
   | _ -> { held = false; void = true }

@@ -4,8 +4,8 @@ type fate = { held : bool; void : bool }
 
 val csv : Setup.t -> Rows.t -> string
 (** Writes one row for each run, in order. All runs must be complete. The columns are the run's
-    number, world, robot, parameters and seed, its fate with time and cause, the robot's final
-    position, and the measurements. *)
+    number, world, robot, parameters and seed, the run's fate with its time and cause, the robot's
+    final position, and the measurements. *)
 
 val fate : string list -> fate
 (** Parses the fate in a run's cells. *)

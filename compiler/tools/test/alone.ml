@@ -13,7 +13,7 @@ let instants context ~lasts path =
   write 0;
   close_out channel
 
-(* Writes the trace to a file for the user. *)
+(* Writes the test's input, which consists of times only, to a file for the user. *)
 let written context ~reads ~lasts path =
   let open Basis.Let_syntax.Result in
   let* () = Output.folder context.options.keep in

@@ -1,7 +1,7 @@
 (** Functions for running a test. *)
 
 val alone : Common_options.t -> sources:string list -> Resources.t -> Session.t
-(** The state for commands that run no tests. *)
+(** The session for commands that do not run tests. *)
 
 val read : string -> string
 (** The text of an existing file. *)
@@ -10,10 +10,11 @@ val beside : string -> string -> string
 (** [beside file name] resolves the path [name] relative to the folder of [file]. *)
 
 val compiled : Session.t -> Common_options.t -> entry:string -> string -> (string, string) result
-(** The path of a program compiled for hosts. Compilation errors are reported before it returns. *)
+(** Compiles a program for hosts and returns the path of the result. Reports compilation errors
+    before it returns. *)
 
 val measures : Session.t -> entry:string -> string -> (Measures.t list, string) result
-(** [measures context ~entry file] are the measures of the judge [entry] in the file. *)
+(** [measures context ~entry file] returns the measures of the judge [entry] in the file. *)
 
 val complaint : Workers.result -> string
 (** The first line of a host's error message. *)

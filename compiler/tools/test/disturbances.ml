@@ -1,6 +1,7 @@
 type t = { table : string; key : string }
 
-(* The tables of a world file and their keys for disturbances. *)
+(* The tables of a world file that can contain disturbances, each with the keys of these
+   disturbances. *)
 let keys =
   [
     ("sonar", [ "noise"; "dropout" ]);

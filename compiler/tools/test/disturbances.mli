@@ -7,13 +7,13 @@ val of_world : string -> t list
 (** The nonzero disturbances in the text of a world file. *)
 
 val names_files : string -> bool
-(** Does the text refer to pictures? Their paths are relative to the world file. *)
+(** Whether the text refers to pictures. Their paths are relative to the world file. *)
 
 val without : t list -> string -> string
 (** Turns the lines that set these disturbances into comments. *)
 
 val name : t -> string
-(** For example [[sonar] noise]. *)
+(** The disturbance in a readable form, such as [[sonar] noise]. *)
 
 val needed : still_fails:(t list -> bool) -> t list -> t list
 (** The disturbances that are needed for a failure. If the run still fails without any disturbance,

@@ -20,7 +20,8 @@ let rows text =
 
 type column = Judge | Asserted of string | Assumed of string | Other
 
-(* Finds the kind of the column in the word after its path. The path contains no spaces. *)
+(* Determines the kind of the column from the word that follows the path. The path contains no
+   spaces. *)
 let column name =
   let after word =
     let n = String.length word in

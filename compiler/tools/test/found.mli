@@ -5,7 +5,7 @@ val of_trace : string -> Outcome.run
     assertions. *)
 
 val of_trial : string -> Outcome.run list
-(** The results of a trial, from one line for each seed, as [frob-sim --judge] writes it. *)
+(** The results of a trial, from the output of [frob-sim --judge]: one line for each seed. *)
 
 val around : string -> string list
 (** Summarizes the end of a recording that stops at a failure: the program's output in the last two

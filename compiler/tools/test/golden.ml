@@ -2,7 +2,8 @@ open Checking
 open Session
 open Basis.Let_syntax.Result
 
-(* The first line that differs; [""] past the end. *)
+(* The number of the first line that differs, and this line in each text; [""] past the end of a
+   text. *)
 let difference was is =
   let rec from number = function
     | a :: was, b :: is when String.equal a b -> from (number + 1) (was, is)

@@ -18,7 +18,7 @@ let c_files file =
 let headers file = beside file Own_headers.is_header
 let read_or_empty path = Result.value (Own_headers.read path) ~default:""
 
-(* The module of a robot defines records for its sensors and actuators. *)
+(* Recognizes the module of a robot by its records for sensors and actuators. *)
 let robots file =
   let is_robot path =
     let name = Filename.chop_suffix (Filename.basename path) ".frob" in

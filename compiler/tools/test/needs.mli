@@ -1,5 +1,6 @@
-(** Requirements of tests that only the command line can supply: C files, because code from somebody
-    else must not reach the C compiler automatically, and the module of a user-defined robot. *)
+(** Requirements of tests that only the command line can supply: the module of a user-defined robot,
+    and C files. frobc does not use C files automatically, because they may contain somebody else's
+    code. *)
 
 type t = {
   what : string;  (** description, such as [the robot Moth and its body in C] *)

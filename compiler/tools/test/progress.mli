@@ -4,10 +4,11 @@
 type t
 
 val start : string -> total:int -> t
-(** Starts a line with this label, for a total number of runs. *)
+(** Starts a progress line with this label for [total] runs. *)
 
 val add : t -> int -> unit
-(** Counts finished runs, and estimates the remaining time from the time they took. *)
+(** Adds newly finished runs to the count, and estimates the remaining time from the time elapsed so
+    far. *)
 
 val finish : t -> unit
 (** Erases the line. *)

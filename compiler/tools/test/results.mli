@@ -4,8 +4,8 @@ val failures : Outcome.t -> Outcome.run list
 val has_failed : Outcome.t -> bool
 
 val decided : Outcome.t -> int option
-(** The number of runs after which the required chance was decided; [None] if it is not decided, or
-    no chance is required. *)
+(** The number of runs after which it was decided whether the required chance is reached; [None] if
+    this is undecided, or if the test requires no chance. *)
 
 val print : Outcome.t -> unit
 (** Prints one line on standard output, and details if the test has failed. *)
@@ -19,4 +19,4 @@ val json : Outcome.t -> string
 val skipped_json : Outcome.skipped -> string
 
 val junit : Outcome.t list -> Outcome.skipped list -> string
-(** A document in the JUnit format, for CI servers. *)
+(** A report in JUnit's XML format, for CI servers. *)

@@ -117,8 +117,8 @@ let may_write p ~world outputs =
   Output.check ~reads:[ p.file; world ] outputs
 
 (* Repeats the run, and saves a recording and a picture of it at this path. If a file cannot be
-   saved, omits it and returns the reason as the second result. If the recording cannot be saved,
-   writes it to a temporary file, and the command shown to the user repeats the run instead. *)
+   saved, omits it and returns the reason as the last result. If the recording cannot be saved,
+   writes it to a temporary file instead; the command for the user then repeats the run. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in
@@ -157,9 +157,9 @@ let looked_at p (run : Outcome.run) ~world ~path seed =
           let picture = if Result.is_ok drawn then picture else "" in
           (again, { Outcome.around; picture; view }, String.concat "; " (notes [ drawn ])))
 
-(* Splits the disturbances into those that the failure does not need, and the others; [None] if it
-   needs all of them. A disturbance is not needed if the run fails in the same way without it. Skips
-   a world that names files, because a copy in another folder would not find them. *)
+(* Splits the disturbances into those that can be removed and those that must stay, because without
+   them the run does not fail in the same way. Returns [None] if all must stay, and for a world that
+   names files, because a copy of it in another folder would not find them. *)
 let left_out p (run : Outcome.run) seed text =
   let all = Disturbances.of_world text in
   let trial = Filename.concat (Temporary.folder ()) "world.toml" in
@@ -178,7 +178,7 @@ let left_out p (run : Outcome.run) seed text =
     | [] -> None
     | left_out -> Some (left_out, List.map Disturbances.name needed)
 
-(* The second result describes the files that could not be saved. *)
+(* The second result says why files could not be saved; it is empty if all were saved. *)
 let simpler p run seed : Outcome.simpler option * string =
   let text = read p.world in
   match left_out p run seed text with

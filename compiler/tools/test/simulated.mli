@@ -1,8 +1,8 @@
 (** Runs trials: simulates the program with many seeds. *)
 
 val world_of : Session.t -> string -> string -> (string, string) result
-(** [world_of context file name] is the path of the world, which is next to the program or comes
-    with frobc. *)
+(** [world_of context file name] returns the path of the world [name], which is either next to the
+    program or one of those that come with frobc. *)
 
 val run : Session.t -> string -> Checks.t -> Checks.trial -> Outcome.t
 (** Runs a trial of the program in a file. If it fails, repeats the run that failed earliest, and

@@ -1,6 +1,6 @@
 let mean values = List.fold_left ( +. ) 0. values /. float_of_int (List.length values)
 
-(* Uses the differences to the mean, so that no precision is lost if they are small. *)
+(* Uses the differences from the mean, so that no precision is lost if they are small. *)
 let deviation values =
   let middle = mean values and count = List.length values in
   let squares = List.fold_left (fun sum x -> sum +. ((x -. middle) ** 2.)) 0. values in

@@ -12,7 +12,7 @@ let compiled_trace general ~goes_on ~dialect ~params ~entry ~sources ~modes ~inp
       @ assert_options general @ Params.host_options params @ Interp.Dialect.arguments dialect
       @ (program :: input :: Option.to_list output))
 
-(* Runs the interpreter, with the same messages as the host of compiled programs. *)
+(* Runs the interpreter. Its messages are the same as those of the host for compiled programs. *)
 let interpreted_trace general ~dialect ~params ~entry ~input ~output file =
   let* resources = Installation.find () in
   Compiled.accepted Queries.interpretable general resources ~entry file

@@ -22,14 +22,15 @@ val shown :
     in, if it is known. *)
 
 type view = {
-  recording : string option;  (** [None]: only builds, for a run that is still in progress *)
+  recording : string option;
+      (** [None] for a run that is still in progress: only builds the program *)
   dialect : Interp.Dialect.t;  (** dialect of the recording *)
   browser : bool;  (** whether to open a browser, if there is a desktop *)
   port : int option;  (** [None]: any free port *)
   world : string option;
-      (** the world of the recorded run; [None]: the same default as for {!run} *)
+      (** the world of the recorded run; [None]: the default of {!Where.world_of} *)
   compare : string option;  (** a second recording to show on top of the first one *)
-  seed : int;  (** seed for running it again in the simulator *)
+  seed : int;  (** seed with which to repeat the run in the simulator *)
   at : float option;  (** the time to show first, in seconds *)
   only_build : bool;  (** whether to print only the path of the executable *)
   why_nan : bool;  (** whether to print only the origin of NaN in the output *)

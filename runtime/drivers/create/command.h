@@ -32,7 +32,8 @@ enum frob_create_opcode {
 
 enum {
     FROB_CREATE_MAX_SPEED_MM_S = 500, /* speed of a wheel */
-    FROB_CREATE_MAX_COMMAND = 54      /* bytes: a request for a stream of all single packets */
+    FROB_CREATE_MAX_COMMAND = 54      /* size in bytes of a request for a stream of all single
+                                       * packets */
 };
 
 /* START, SAFE, FULL, ...: commands without data. */

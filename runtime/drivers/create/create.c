@@ -10,9 +10,9 @@
 #include <string.h>
 
 #define MOST_PADDING 8
-#define LONGEST_COMMAND 513 /* bytes: a song of 255 notes */
+#define LONGEST_COMMAND 513 /* size in bytes of a song of 255 notes */
 
-/* The packets in the stream. */
+/* The sensor packets that the driver requests. */
 static const uint8_t streamed[] = {
     FROB_CREATE_BUMPS_AND_DROPS,
     FROB_CREATE_CLIFF_LEFT,
@@ -52,9 +52,9 @@ static const uint8_t streamed[] = {
  * that the mode has changed. A single frame is not sufficient, because its checksum has only one
  * byte. */
 #define OUT_OF_MODE_FRAMES 2
-/* The time after requesting the stream during which frames may still come from an earlier session,
- * or from the time between START and the change of mode, because a radio link or a busy adapter
- * may delay them. */
+/* For this long after the driver has requested the stream, frames may be old: a radio link or a
+ * busy adapter may have delayed frames from an earlier session, or from the time between START and
+ * the change of mode. */
 #define OLD_FRAMES_NS (ANSWER_NS / 2)
 
 static int64_t ns(double seconds)
@@ -65,8 +65,8 @@ static int64_t ns(double seconds)
 static enum frob_status write(struct frob_create *d, const uint8_t *bytes, size_t size)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
-    /* If there is no space for the bytes, they are lost. The zeros before the next command repair
-     * that. */
+    /* If the port has no space for the bytes, they are lost. The zeros before the next command
+     * complete a truncated command. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -159,8 +159,8 @@ static bool drives_in(const struct frob_create *d, unsigned mode)
                                                             : FROB_CREATE_MODE_SAFE);
 }
 
-/* Handles a frame. If the robot cannot have reached the frame's encoder counts, the frame is
- * damaged, so it is ignored. */
+/* Handles a frame. Ignores a frame with encoder counts that the robot cannot have reached, because
+ * it must be damaged. */
 static void take(struct frob_create *d, const struct frob_create_sensors *sensors, int64_t now_ns)
 {
     if (!frob_create_odometry_add(&d->odometry, sensors->left_counts, sensors->right_counts, now_ns,
@@ -302,7 +302,7 @@ static void sense(void *device, void *into)
     input->obeying = drives_in(d, s->mode);
 }
 
-/* Also sends the lights, whenever they change and once per second. */
+/* Also sends the state of the lights, whenever it changes and at least once per second. */
 static enum frob_status command(void *device, const void *from)
 {
     struct frob_create *d = (struct frob_create *)device;

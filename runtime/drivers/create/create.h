@@ -71,10 +71,11 @@ struct frob_create {
                                       * none */
     int64_t asked_ns;                /* when the stream was requested */
     unsigned out_of_mode;            /* number of consecutive frames that report a different mode */
-    bool refused;                    /* whether the robot is not in a mode in which it drives */
+    bool refused;                    /* whether the robot has left the driving mode, or has not
+                                      * entered it */
     struct frob_wire_numbers speeds; /* the wheel speeds that were sent last */
     uint8_t lights[4];               /* the LEDS command that was sent last */
-    int64_t lights_ns;               /* time at which it was sent */
+    int64_t lights_ns;               /* time at which this LEDS command was sent */
     struct frob_create_stream stream;
     struct frob_create_sensors sensors;
     struct frob_create_odometry odometry;

@@ -3,8 +3,7 @@
  * The counts wrap around, so the odometry adds up differences. A frame's checksum is a single byte,
  * so a damaged frame occasionally passes the check. Therefore the odometry rejects counts that the
  * robot cannot have reached since the last frame. After several consecutive rejections, it assumes
- * that the robot was restarted. In that case it keeps the pose, and it also keeps the pose between
- * connections. */
+ * that the robot was restarted. It keeps the pose after a restart and between connections. */
 #ifndef FROB_DRIVERS_CREATE_ODOMETRY_H
 #define FROB_DRIVERS_CREATE_ODOMETRY_H
 
@@ -14,8 +13,8 @@
 extern "C" {
 #endif
 
-/* Value for the robot's standard wheels. libcreate and pycreate2 agree: 508.8 counts per turn of a
- * wheel of 72 mm diameter. */
+/* Value for the robot's standard wheels, with a diameter of 72 mm and 508.8 counts per turn.
+ * libcreate and pycreate2 agree on these numbers. */
 #define FROB_CREATE_METRES_PER_COUNT (3.14159265358979323846 * 0.072 / 508.8)
 
 /* Initially all zero. */

@@ -66,7 +66,7 @@ struct frob_create_sensors {
     uint8_t overcurrent; /* one bit for each motor */
     uint8_t infrared;    /* character that the sensor on top has received; 0 if there is none */
     uint8_t buttons; /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
-    uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
+    uint8_t charging; /* 0 not charging, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
     uint16_t battery_mv;
     uint16_t charge_mah, capacity_mah;
     uint8_t mode;
@@ -74,8 +74,8 @@ struct frob_create_sensors {
     uint16_t light_signal[FROB_CREATE_LIGHTS];
 };
 
-/* Returns the bytes of data of a packet, 1 or 2; 0 if the id is unknown. All single packets of the
- * Open Interface, 7 to 58, are known, whether or not they have a field above. */
+/* Returns the number of data bytes in a packet, 1 or 2; 0 if the id is unknown. All single packets
+ * of the Open Interface, 7 to 58, are known, whether or not they have a field above. */
 size_t frob_create_packet_size(unsigned id);
 
 /* Reads one packet's data into its field. Returns false and changes nothing if the packet has no

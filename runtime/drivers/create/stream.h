@@ -7,7 +7,8 @@
  * with the requested packets in the requested order. N is the number of bytes between N and SUM.
  * SUM is chosen so that the sum of the frame is 0 modulo 256. For a Create 2, the sum includes the
  * header 13 (according to libcreate). For a Create 1, it does not (according to the example in its
- * manual). Therefore this is a setting. This module does no I/O and does not allocate. */
+ * manual). Therefore the driver has a setting for this. This module does no I/O and does not
+ * allocate. */
 #ifndef FROB_CREATE_STREAM_H
 #define FROB_CREATE_STREAM_H
 

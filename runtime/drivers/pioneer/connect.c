@@ -1,4 +1,4 @@
-/* Connects: from an open line to a robot whose motors are on and at rest. */
+/* Connects to a robot over an open line. A connected robot is at rest, with its motors on. */
 #include "drivers/pioneer/device.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ enum {
     AFTER_RATE = 6 /* the first opening step after the steps that switch the rate */
 };
 
-/* The rates, in the order in which they are most likely. */
+/* The usual bit rates, most likely first. */
 static const uint32_t rates[] = { 9600, 38400, 19200, 115200, 57600 };
 enum { RATE_COUNT = sizeof rates / sizeof rates[0] };
 
@@ -33,11 +33,11 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     if (status == FROB_OK)
         d->rate = rate;
     d->rate_fixed = status == FROB_UNSUPPORTED;
-    /* If the line has a fixed rate, tries only that rate. */
+    /* A fixed rate is not an error: the driver then tries only that rate. */
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
 
-/* Checks whether the line can change to this rate. Restores the previous rate. */
+/* Checks whether the line can change to this rate, and restores the previous rate. */
 static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *can)
 {
     const uint32_t before = d->rate;
@@ -61,10 +61,11 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
     return frob_pioneer_send(d, sync);
 }
 
-/* A robot outside a session receives nothing but SYNC, because it echoes other packets or ends the
- * connection. A robot in a session reads SYNC0 as PULSE, and would resume the speed at which its
- * watchdog stopped it, so the driver sends zero speeds first. SIPs prove that the robot is in a
- * session; bytes that are not packets prove nothing. */
+/* Sends SYNC0 after listening to the line. A robot in a session reads SYNC0 as PULSE, and would
+ * resume the speed at which its watchdog stopped it. A robot outside a session echoes packets other
+ * than SYNC, or ends the connection. So if bytes have arrived, the driver sends zero speeds first;
+ * if the line was silent, it sends only SYNC0. (SIPs prove that the robot is in a session; bytes
+ * that are not packets prove nothing.) */
 static enum frob_status overheard(struct frob_pioneer *d)
 {
     bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
@@ -72,7 +73,7 @@ static enum frob_status overheard(struct frob_pioneer *d)
     return status == FROB_OK ? send_sync(d, 0) : status;
 }
 
-/* Ends a session that the previous host left open, with the robot at rest. */
+/* Stops the robot, and ends the session that the previous host left open. */
 static enum frob_status end_session(struct frob_pioneer *d)
 {
     enum frob_status status = send_zeros(d);
@@ -97,12 +98,12 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
     return rates[d->tried % RATE_COUNT];
 }
 
-/* A robot whose answer to SYNC2 was lost is in a session, but sends nothing before OPEN. Therefore
- * the driver first sends CLOSE if no robot has answered. */
+/* Starts to listen at the next rate. If earlier attempts got no answer, first sends CLOSE: a robot
+ * whose answer to SYNC2 was lost is in a session, but sends nothing before OPEN. */
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
-    /* If the line cannot change its rate, trusts the rate in the settings. */
+    /* If the line cannot change its rate, assumes that it has the rate in the settings. */
     if (d->rate_fixed && d->settings[FROB_PIONEER_BAUD] > 0.0)
         d->rate = (uint32_t)d->settings[FROB_PIONEER_BAUD];
     d->attempt = 1;
@@ -181,7 +182,7 @@ static enum frob_status identified(struct frob_pioneer *d)
     return FROB_OK;
 }
 
-/* Returns HOSTBAUD's number for a rate, or -1 if it has none. */
+/* Returns the argument of HOSTBAUD for a rate, or -1 if there is none. */
 static int32_t baud_number(uint32_t rate)
 {
     switch (rate) {
@@ -200,8 +201,8 @@ static bool switches(const struct frob_pioneer *d)
            baud_number(d->model.switch_rate) >= 0;
 }
 
-/* Does not switch the rate if the line cannot follow, because the robot would then be unreachable
- * in this connection and in later ones. */
+/* Asks the robot to switch its rate, unless the line cannot follow: the robot would then be
+ * unreachable in this connection and in later ones. */
 static enum frob_status send_hostbaud(struct frob_pioneer *d)
 {
     bool can = false;
@@ -342,7 +343,7 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
     return FROB_OK;
 }
 
-/* Requests the config packet. If none arrives, the driver does without its contents. */
+/* Requests the config packet. If none arrives, the driver works without it. */
 static enum frob_status ask_config(struct frob_pioneer *d)
 {
     if (d->has_config || d->config_asked >= CONFIG_ATTEMPTS ||
@@ -353,9 +354,9 @@ static enum frob_status ask_config(struct frob_pioneer *d)
     return frob_pioneer_send(d, FROB_P2OS_CONFIG);
 }
 
-/* When a session ends, the robot returns to the rate of its handshake, so this tries that rate
- * first, if it is known. Otherwise, the driver searches for the robot as at the first
- * connection. */
+/* Sends SYNC0 after the end of a session. The robot has returned to the rate of its handshake, so
+ * the driver tries that rate first, if it is known. Otherwise, the driver searches for the robot as
+ * it does for the first connection. */
 static enum frob_status sync_after_close(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;

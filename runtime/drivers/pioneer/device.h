@@ -7,11 +7,11 @@
 #include "drivers/pioneer/pioneer.h"
 #include "drivers/pioneer/protocol.h"
 
-/* connect.c: connects an open line to a robot, and keeps the connection. frob_pioneer_connect
- * starts a new connection, frob_pioneer_connect_packet handles a packet that has arrived, and
- * frob_pioneer_connect_advance performs the step that is due. It returns FROB_BUSY_CONNECTING
- * until the robot can be commanded, FROB_TIMEOUT if the robot does not answer, or no longer
- * answers, and FROB_REFUSED if its model is unknown. */
+/* connect.c: connects to a robot over an open line, and maintains the connection.
+ * frob_pioneer_connect starts a new connection, frob_pioneer_connect_packet handles a packet that
+ * has arrived, and frob_pioneer_connect_advance performs the step that is due. It returns
+ * FROB_BUSY_CONNECTING until the robot can be commanded, FROB_TIMEOUT if the robot does not answer,
+ * or no longer answers, and FROB_REFUSED if its model is unknown. */
 void frob_pioneer_connect(struct frob_pioneer *d);
 enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
                                              const struct frob_p2os_packet *packet);

@@ -1,4 +1,4 @@
-/* model.h -- the conversion factors of each Pioneer model, from the units of its protocol.
+/* model.h -- the factors that convert the units of the protocol, for each Pioneer model.
  *
  * Source: the parameter files of ARIA (`*.p`) and Player's robot_params.cc, which agree on
  * these values. */

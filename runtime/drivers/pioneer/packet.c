@@ -16,7 +16,7 @@ uint16_t frob_p2os_checksum(const uint8_t *body, size_t length)
     return (uint16_t)(sum & 0xFFFFu);
 }
 
-/* Adds header and checksum to a packet whose body is in place. */
+/* Adds the header and the checksum to a packet that already contains its body. */
 static size_t seal(uint8_t *packet, size_t length)
 {
     uint16_t sum = frob_p2os_checksum(packet + 3, length);
@@ -73,7 +73,7 @@ size_t frob_p2os_feed(struct frob_p2os_receiver *receiver, const uint8_t *bytes,
 
 enum look { NOT_HERE, NOT_YET, HERE };
 
-/* Checks whether there is a packet at the beginning of these bytes. */
+/* Checks whether these bytes begin with a packet. */
 static enum look look(const uint8_t *at, size_t there)
 {
     size_t count;

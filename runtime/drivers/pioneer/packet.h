@@ -37,8 +37,8 @@ uint16_t frob_p2os_checksum(const uint8_t *body, size_t length);
  * FROB_P2OS_COMMAND_MOST bytes. */
 size_t frob_p2os_command(uint8_t *packet, uint8_t command);
 
-/* Writes a command with an integer argument, which is sent as a sign (in its type) and a magnitude
- * of 16 bits; magnitudes above 65535 are sent as 65535. */
+/* Writes a command with an integer argument. The argument's type byte carries its sign; its
+ * magnitude has 16 bits, and is clamped to 65535. */
 size_t frob_p2os_command_int(uint8_t *packet, uint8_t command, int32_t argument);
 
 /* Writes a command with two raw bytes, such as VEL2. */
@@ -46,22 +46,22 @@ size_t frob_p2os_command_bytes(uint8_t *packet, uint8_t command, uint8_t low, ui
 
 /* A received packet. */
 struct frob_p2os_packet {
-    const uint8_t *body; /* in the receiver; valid until it is fed again */
+    const uint8_t *body; /* points into the receiver; valid until the next frob_p2os_feed */
     size_t length;       /* at least 1 */
 };
 
-/* Finds packets in a stream of bytes. After a bad packet the search continues one byte later, after
+/* Finds packets in a stream of bytes. After a bad packet, the search continues at the byte after
  * its FA. If bytes directly after a valid packet look like an incomplete packet, the receiver waits
  * for the rest of it, because the data of a packet may itself look like a packet. Elsewhere, an
  * incomplete packet does not hide a valid one after it. Therefore the receiver finds a valid packet
- * after garbage as soon as its last byte arrives, regardless of the length in the garbage. There
- * are two exceptions: the garbage and the beginning of the valid packet may have a valid checksum
- * together, and garbage that looks like a packet may directly follow a valid packet. An all-zero
- * receiver is empty. */
+ * after garbage as soon as the packet's last byte arrives, whatever length the garbage contains.
+ * There are two exceptions: the garbage may form a packet with a valid checksum together with the
+ * beginning of the valid packet, and garbage that looks like the start of a packet may directly
+ * follow a valid packet. An all-zero receiver is empty. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
-    size_t start, end; /* range of bytes that have not been examined yet, or that are an incomplete
-                        * packet */
+    size_t start, end; /* range of bytes that have not been examined yet, or that may belong to an
+                        * incomplete packet */
     bool in_step;      /* `start` is directly after a valid packet */
 };
 
@@ -69,7 +69,7 @@ struct frob_p2os_receiver {
  * frob_p2os_next has been called until it returned false. */
 size_t frob_p2os_feed(struct frob_p2os_receiver *receiver, const uint8_t *bytes, size_t count);
 
-/* Returns the next complete packet, if there is one. */
+/* Finds the next complete packet. Returns false if there is none. */
 bool frob_p2os_next(struct frob_p2os_receiver *receiver, struct frob_p2os_packet *packet);
 
 #ifdef __cplusplus

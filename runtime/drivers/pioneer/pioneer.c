@@ -20,17 +20,18 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "distance", NAN, 1e-6, 100, "mm per unit of position" },
     { "speed", NAN, 1e-6, 100, "mm/s per unit of wheel speed" },
     { "range", NAN, 1e-6, 100, "mm per unit of sonar range" },
-    { "difference", NAN, 1e-6, 1, "rad/s of turning per mm/s between the wheels, times two" },
+    { "difference", NAN, 1e-6, 1,
+      "twice the turn rate, rad/s, per mm/s of difference between the wheels" },
     { "vel2-divisor", NAN, 1, 100, "mm/s per unit of the VEL2 command" },
     { "max-speed", FROB_PIONEER_MOST_M_S, 0.01, 2.2, "maximum commanded speed, m/s" },
     { "max-turn", FROB_PIONEER_MOST_RAD_S, 0.01, 9, "maximum commanded turn rate, rad/s" },
     { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turn rate" },
-    { "no-echo", 5.0, 0.1, 30, "m; a range of this length means that there was no echo" },
-    { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
+    { "no-echo", 5.0, 0.1, 30, "m; this range or a longer one means that there was no echo" },
+    { "motors-flag", NAN, 0, 1, "1: the robot's flags report whether its motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "s without a packet before the driver reconnects" },
     { "interval", NAN, 0.01, 1,
-      "minimum s between commands; 0.01, or 0.025 at 9600 baud or an unknown rate" },
+      "minimum s between commands; default: 0.01, or 0.025 at 9600 baud or an unknown rate" },
     { "carry-on", 1, 0, 1, "1: between packets, extrapolate odometry from the wheel speeds" },
 };
 
@@ -77,7 +78,7 @@ static bool by_wheels(const struct frob_pioneer *d)
 
 static double most(const void *device, size_t i);
 
-/* Computes the numbers that express the wanted speeds if they are sent now. */
+/* Converts the wanted speeds to the numbers to send now. */
 static struct frob_wire_numbers numbers_now(const struct frob_pioneer *d)
 {
     struct frob_wire wire =
@@ -122,17 +123,17 @@ static enum frob_status send_second(struct frob_pioneer *d)
     return frob_pioneer_send_int(d, FROB_P2OS_RVEL, number(&d->sent, 1));
 }
 
-/* Minimum interval between commands. VEL and RVEL have 18 bytes. If they were sent at every step
- * of a program, they would saturate a slow line and accumulate in a queue. A line whose rate is not
- * known may be slow. */
+/* Minimum interval between commands. VEL and RVEL together have 18 bytes. Sent at every step of a
+ * program, they would saturate a slow line and accumulate in a queue. A line of unknown rate may be
+ * slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];
     return isnan(set) ? (d->rate <= 9600 ? 0.025 : 0.01) : set;
 }
 
-/* Returns when the first command may be sent: immediately if it is the first one, or if it stops
- * the robot. */
+/* Returns the time at which VEL or VEL2 may be sent: immediately if the driver has not sent a
+ * command yet, or if this one stops the robot. */
 static int64_t first_due_ns(const struct frob_pioneer *d)
 {
     bool changed = differ(&d->wanted, &d->sent);

@@ -5,13 +5,13 @@
  * packet.h and sip.h, are used only in this folder.
  *
  * To connect, the driver finds the line's bit rate, performs the handshake (SYNC0 to SYNC2), looks
- * up the model, sets both speeds to zero, and only then turns the motors on. It first listens to
- * the line. A Pioneer that was stopped by its watchdog resumes its old speed at the next command,
- * and a Pioneer in a session reads SYNC0 as PULSE. If the robot sends packets, it is in a session,
- * so the driver sends it zero speeds and CLOSE. If the robot is silent, the driver sends nothing
- * before SYNC0. Once the robot can be commanded, the driver does not send PULSE. Therefore only
- * commands reset the robot's watchdog, and the robot itself detects that a host has stopped
- * commanding. */
+ * up the model, sets both speeds to zero, and only then turns the motors on. Before the handshake,
+ * it listens to the line, because a Pioneer that was stopped by its watchdog resumes its old speed
+ * at the next command, and a Pioneer in a session reads SYNC0 as PULSE. If the robot sends packets,
+ * it is in a session, so the driver sends it zero speeds and CLOSE. If the robot is silent, the
+ * driver sends nothing before SYNC0, or only CLOSE if it has already tried another rate. Once the
+ * robot can be commanded, the driver does not send PULSE. Therefore only commands reset the robot's
+ * watchdog, and the robot itself detects that a host has stopped commanding. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 
@@ -67,11 +67,11 @@ enum frob_pioneer_phase {
 struct frob_pioneer_sonar {
     double range_m;
     int64_t heard_ns; /* INT64_MIN: never */
-    bool fresh;       /* heard since the last input */
+    bool fresh;       /* whether it is new since the last input */
 };
 
-/* The state for one robot. All zero before the first start. After that, the caller must not change
- * it, because it contains data for reconnecting, such as the rate and the odometry. */
+/* The driver's state for one robot. All zero before the first start. After that, the caller must
+ * not change it, because it contains data for reconnecting, such as the rate and the odometry. */
 struct frob_pioneer {
     const double *settings;
     struct frob_serial serial;
@@ -91,7 +91,7 @@ struct frob_pioneer {
     uint32_t good_rate; /* rate at which a robot has answered; 0 if unknown */
     uint32_t sync_rate; /* rate of the last successful handshake; 0 if unknown */
     bool switch_failed; /* whether nothing was received after the switch to another rate */
-    bool rate_fixed;    /* whether the line could not change to the last rate */
+    bool rate_fixed;    /* whether the line rejected the last change of rate */
 
     struct frob_p2os_identity identity;
     struct frob_p2os_model model; /* the robot's model; settings may replace its factors */

@@ -27,7 +27,7 @@ enum frob_p2os_packet_type {
     FROB_P2OS_TYPE_SIP_MOVING = 0x33
 };
 
-/* Types of the standard SIP are 0x30 to 0x3F. */
+/* Standard SIPs have the types 0x30 to 0x3F. */
 #define FROB_P2OS_IS_SIP(type) (((type) & 0xF0) == 0x30)
 
 #endif

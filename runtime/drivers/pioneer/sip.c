@@ -42,7 +42,7 @@ static int16_t s16(struct cursor *c)
     return (int16_t)(n >= 0x8000 ? n - 0x10000 : n);
 }
 
-/* Reads a text up to its NUL, truncated to `size`. */
+/* Reads a NUL-terminated string, and truncates it to `size`. */
 static void text(struct cursor *c, char *room, size_t size)
 {
     size_t length = 0;

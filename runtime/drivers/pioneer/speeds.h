@@ -22,8 +22,8 @@ static inline struct frob_wire frob_pioneer_wire(double most_m_s, double most_ra
     return wire;
 }
 
-/* Describes VEL2, whose numbers have seven bits and a sign: `divisor_mm_s` is a unit, and
- * omega = difference (v_right - v_left) / 2, per mm. */
+/* Describes VEL2, whose numbers have a sign and seven bits, in units of `divisor_mm_s`.
+ * `difference` is in 1/mm: omega = difference (v_right - v_left) / 2. */
 static inline struct frob_wire frob_pioneer_wheel_wire(double divisor_mm_s, double difference)
 {
     double unit = divisor_mm_s * 1e-3;

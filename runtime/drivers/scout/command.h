@@ -1,7 +1,7 @@
 /* scout/command.h -- the commands that the driver sends to a Scout.
  *
- * Units of the protocol are 0.1 inch (2.54 mm) and 0.1 inch per second. A Scout uses the first two
- * of a command's three axes; the third is 0. Source: Nomadics' Ndirect 2.6.13. */
+ * The units of the protocol are 0.1 inch (2.54 mm) and 0.1 inch per second. A Scout uses the first
+ * two of a command's three axes; the third is 0. Source: Nomadics' Ndirect 2.6.13. */
 #ifndef FROB_SCOUT_COMMAND_H
 #define FROB_SCOUT_COMMAND_H
 
@@ -9,7 +9,7 @@
 #include "drivers/steps.h"
 
 #define FROB_SCOUT_UNIT_M 0.00254 /* 0.1 inch */
-#define FROB_SCOUT_MAX_M_S 1.0    /* speed of a wheel: 393 units in CARMEN's scoutlib */
+#define FROB_SCOUT_MAX_M_S 1.0    /* maximum wheel speed; 393 units in CARMEN's scoutlib */
 
 #ifdef __cplusplus
 extern "C" {
@@ -40,8 +40,8 @@ static inline struct frob_wire frob_scout_wire(double separation_m)
 /* VM: velocities of the first and second axis, 0.1 inch/s. */
 struct frob_scout_packet frob_scout_velocities(long first, long second);
 
-/* CONF_SN: fires one sonar every rate * 4 ms. The order is the usual one in programs for the
- * Scout, front first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */
+/* CONF_SN: fires one sonar every rate * 4 ms, in the order that programs for the Scout usually use,
+ * front first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */
 struct frob_scout_packet frob_scout_sonars_on(unsigned rate);
 
 /* CONF_SN with an empty firing order. */

@@ -1,11 +1,11 @@
 /* scout/odometry.h -- the pose and speed of a Scout, computed from its state packets.
  *
- * The position fields wrap around, so the odometry adds up differences. The pose is zero, pointing
- * along x, at the place of the first state, and continues from one connection to the next. A
+ * The position fields wrap around, so the odometry adds up differences. In the first state, the
+ * robot is at the origin and faces along x; later connections continue from the last pose. A
  * packet's checksum is a single byte, so a damaged state occasionally passes the check. Therefore
- * the odometry rejects positions that the robot cannot have reached since the last state, unless
- * the robot repeats them. Speeds are measured over a fifth of a second, because one count is as
- * much as 2.54 mm. */
+ * the odometry rejects positions that the robot cannot have reached since the last state, but at
+ * most three in a row. Speeds are measured over a fifth of a second, because one count is as much
+ * as 2.54 mm. */
 #ifndef FROB_DRIVERS_SCOUT_ODOMETRY_H
 #define FROB_DRIVERS_SCOUT_ODOMETRY_H
 
@@ -22,7 +22,7 @@ struct frob_scout_place {
 
 /* Initially all zero. */
 struct frob_scout_odometry {
-    bool known; /* whether the next fields are valid; they are from the last state */
+    bool known; /* whether the next fields, from the last state, are valid */
     int x, y, heading;
     int64_t taken_ns; /* time at which that state arrived */
     unsigned refused; /* number of consecutive rejected states */

@@ -4,10 +4,10 @@
  *
  *     01  L  0  TYPE  DATA...  SUM  5C
  *
- * L is the number of bytes of type, data and sum; it has two bytes, low byte first. SUM is the sum
- * of all bytes before it, modulo 256. Numbers are low byte first. Signed numbers are sign and
- * magnitude, not two's complement: -100 is 64 80. The robot answers every command with one packet,
- * and sends nothing else.
+ * L is the total length of type, data and sum, in two bytes, low byte first. SUM is the sum of all
+ * bytes before it, modulo 256. Numbers are sent low byte first. Signed numbers are in
+ * sign-and-magnitude form, not two's complement: -100 is 64 80. The robot answers every command
+ * with one packet, and sends nothing else.
  *
  * Source: Nomadics' direct-connection library, Ndirect 2.6.13 (Ndirect.c and Nclient.h, as in
  * CARMEN's scoutlib). This module does no I/O and does not allocate. */
@@ -25,7 +25,7 @@ extern "C" {
 /* Commands that a Scout accepts. A reply has the type of its command. */
 enum frob_scout_type {
     FROB_SCOUT_AC = 1,       /* accelerations */
-    FROB_SCOUT_SP = 2,       /* speeds of PR */
+    FROB_SCOUT_SP = 2,       /* speeds for PR */
     FROB_SCOUT_PR = 3,       /* move relative */
     FROB_SCOUT_VM = 5,       /* wheel velocities */
     FROB_SCOUT_GS = 7,       /* get state */
@@ -75,9 +75,9 @@ uint32_t frob_scout_get_u32(const uint8_t *bytes);
 size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
                                uint8_t bytes[FROB_SCOUT_MAX_PACKET]);
 
-/* The bytes received last. Initially all zero.
+/* The most recently received bytes. Initially all zero.
  *
- * The receiver searches for a packet backwards from each byte that can be its last. Therefore
+ * From each byte that can end a packet, the receiver searches backwards for the start. Therefore
  * bytes before a packet never hide it, and every valid packet is found as soon as its last byte
  * arrives. */
 struct frob_scout_receiver {

@@ -9,7 +9,7 @@
 
 #define SILENCE_NS INT64_C(1000000000)
 #define UNHEARD_NS INT64_C(150000000)
-#define LONGEST_PACKET 259 /* bytes: the length byte at its maximum, 255 */
+#define LONGEST_PACKET 259 /* in bytes, with the maximum length byte, 255 */
 #define FORGOTTEN_NS INT64_C(500000000)
 #define MOST_REFUSALS 3
 
@@ -18,8 +18,8 @@ static int64_t ns(double seconds)
     return (int64_t)(seconds * 1e9);
 }
 
-/* Sends a command and waits for its answer. If the line has no room, this is like a lost command:
- * no answer arrives. */
+/* Sends a command and waits for its answer. If the line has no room, the command is lost, and no
+ * answer arrives. */
 static enum frob_status send(struct frob_scout *d, struct frob_scout_packet packet)
 {
     uint8_t bytes[FROB_SCOUT_MAX_PACKET];
@@ -88,8 +88,8 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     return FROB_OK;
 }
 
-/* Takes the next step of connecting if this is the answer to the current step's command. A stop
- * that was sent in between does not count. */
+/* Takes the next step of connecting if this is the answer to the current step's command. The answer
+ * to a stop sent in between does not count. */
 static void connect_further(struct frob_scout *d, uint8_t answered)
 {
     static const uint8_t commands[] = { FROB_SCOUT_ST, FROB_SCOUT_CONF_TM, FROB_SCOUT_AC,
@@ -112,8 +112,9 @@ static void take_state(struct frob_scout *d, const struct frob_scout_packet *pac
                          FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
 }
 
-/* Handles an answer. If a command of connecting is refused, connecting fails. The robot may
- * occasionally refuse velocities, while somebody presses the stop button. */
+/* Handles an answer. If the robot refuses a command while the driver is connecting, connecting
+ * fails. Later, the robot may occasionally refuse velocities, while somebody presses the stop
+ * button. */
 static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
     bool refused = packet->type == FROB_SCOUT_NAK;
@@ -293,11 +294,11 @@ static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
       "distance between the wheels, m (13.59 inches; others have measured 13.4)" },
     { "acceleration", NAN, 0.01, 10,
       "acceleration of the wheels, m/s^2 (default: the robot's own)" },
-    { "sonar-period", 40, 4, 1020, "time between the pings of two transducers, ms" },
+    { "sonar-period", 40, 4, 1020, "time between the pings of consecutive transducers, ms" },
     { "poll-period", 0.05, 0.01, 1, "time between two state requests, s" },
     { "patience", 0.1, 0.02, 1, "timeout for the answer to a command, s" },
     { "flush", LONGEST_PACKET, 0, LONGEST_PACKET,
-      "number of zeros before a stop command to a robot that does not answer" },
+      "number of zero bytes sent before a stop command to a robot that does not answer" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),

@@ -7,8 +7,8 @@
  * the driver requests the state only as long as the host keeps commanding.
  *
  * Noise can start a packet of up to 259 bytes, and the robot ignores commands until the packet
- * ends. Therefore, if the driver stops a robot from which it does not receive anything, it sends
- * this number of zeros and then the stop command again.
+ * ends. Therefore, if the robot does not answer, the driver stops it by sending the stop command,
+ * this number of zeros, and the stop command again.
  *
  * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_SCOUT_SCOUT_H
@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-/* The driver. Its input and output are those of <frob/scout.h>. */
+/* The driver. <frob/scout.h> defines its input and output. */
 extern const struct frob_driver frob_scout_driver;
 
 /* Settings, in the order in which the driver's table lists them. */

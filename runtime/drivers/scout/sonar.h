@@ -27,7 +27,7 @@ void frob_scout_sonar_add(struct frob_scout_sonar *sonar, const struct frob_scou
                           int64_t now_ns, int64_t round_ns);
 
 /* Returns whether there is a new echo from this transducer, and its distance in metres. Each echo
- * is returned once. A reading of 255 inches means that there was no echo. */
+ * is returned once. A reading of 0 or 255 inches means that there was no echo. */
 bool frob_scout_sonar_take(struct frob_scout_sonar *sonar, size_t transducer, double *distance_m);
 
 #ifdef __cplusplus

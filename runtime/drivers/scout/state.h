@@ -1,10 +1,9 @@
 /* scout/state.h -- the state packet, with which a Scout answers a command.
  *
- * The layout is the order in which Ndirect 2.6.13 reads the packet for models other than the Nomad
- * 200. The bits of the motor status are the ones that two ROS nodes for the Scout use. The three
- *      velocity
- * fields are ignored, because sources interpret them in two ways (wheels, or forward and turn);
- * velocities are computed from odometry instead. */
+ * The layout follows the order in which Ndirect 2.6.13 reads the packet for models other than the
+ * Nomad 200. The bits of the motor status are the ones that two ROS nodes for the Scout use. The
+ * three velocity fields are ignored, because sources interpret them in two ways (wheels, or forward
+ * and turn); velocities are computed from odometry instead. */
 #ifndef FROB_SCOUT_STATE_H
 #define FROB_SCOUT_STATE_H
 
@@ -15,7 +14,7 @@
 extern "C" {
 #endif
 
-/* Data bytes of a state packet. */
+/* Number of data bytes in a state packet. */
 enum { FROB_SCOUT_STATE_DATA = 42 };
 
 /* Bits of the motor status. */
@@ -45,8 +44,8 @@ bool frob_scout_is_state(const struct frob_scout_packet *packet);
 /* Reads a packet that is a state. */
 struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *packet);
 
-/* Returns the change of a position field from one state to the next, in 0.1 inch; it must be below
- * 41 m.
+/* Returns the change of a position field from one state to the next, in 0.1 inch. The change must
+ * be below 41 m.
  *
  * At 83.2 m the field exceeds its 15 bits. It is not documented whether it then continues at the
  * negative end or at zero, so the difference is taken modulo 2^15, which is correct in both cases

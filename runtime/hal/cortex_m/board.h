@@ -3,7 +3,7 @@
  *
  * For another Cortex-M board, keep startup.c and clock.c, which use only the processor's own
  * registers, and replace the constants below, serial.c and the linker script. The robot is
- * connected to UART 0; messages for people are written to UART 1.
+ * connected to UART 0; human-readable messages are written to UART 1.
  *
  * Sources: ARMv7-M Architecture Reference Manual (DDI 0403E), B3.2 and B3.3; Cortex-M System Design
  * Kit manual (DDI 0479D), 4.3, "APB UART"; application note AN386, memory map and interrupts. */
@@ -25,7 +25,8 @@ void board_clock_start(void (*tick)(int64_t now_ns));
 
 extern const struct frob_clock board_clock;
 
-/* Sets up UART 0. An interrupt receives the bytes; if the ring is full, the byte is dropped. */
+/* Sets up UART 0. An interrupt handler stores received bytes in a ring buffer, and drops them if it
+ * is full. */
 void board_serial_open(uint32_t bits_per_s);
 
 extern const struct frob_serial board_serial;

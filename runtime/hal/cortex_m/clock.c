@@ -26,8 +26,8 @@ void board_clock_start(void (*tick)(int64_t now_ns))
     SYSTICK->control = 7;
 }
 
-/* A tick may occur between the two reads. Interrupts are disabled, so this tick remains pending,
- * and the function takes it into account. */
+/* A tick may occur between the two reads. Because interrupts are disabled, the tick remains
+ * pending, and the function adds it. */
 static int64_t now_ns(void *port)
 {
     int64_t ticks;

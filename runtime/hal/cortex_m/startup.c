@@ -1,4 +1,5 @@
-/* From reset to main: the vector table, memory and the floating-point unit. */
+/* Startup code: the vector table, and a reset handler that initializes memory and the
+ * floating-point unit and calls main. */
 #include "hal/cortex_m/board.h"
 #include "hal/cortex_m/registers.h"
 

@@ -1,8 +1,8 @@
 /* hal/fake/fake.h -- a simulated clock and a serial line in memory, for tests.
  *
- * Time passes only when the code waits or a test advances it, so a test of an hour takes no time.
- * The test is the other end of the line: it sends bytes that arrive immediately or later, and reads
- * what the driver wrote and when. */
+ * Time passes only when the code waits or a test advances it, so a test that simulates an hour
+ * takes almost no time. The test is the other end of the line: it sends bytes that arrive
+ * immediately or later, and reads what the driver wrote and when. */
 #ifndef FROB_HAL_FAKE_H
 #define FROB_HAL_FAKE_H
 
@@ -37,11 +37,10 @@ struct frob_fake_line {
     struct frob_fake_clock *clock;
     struct frob_fake_queue to_driver, from_driver;
     uint32_t rate;
-    bool lost;          /* set by the test if the cable is pulled */
-    bool blocked;       /* set by the test if writes find no space */
-    bool refuses_rates; /* set by the test if set_rate is unsupported */
-    uint32_t fastest;   /* set by the test if set_rate above this rate is unsupported; 0: no
-                         * limit */
+    bool lost;          /* the test sets this to pull the cable */
+    bool blocked;       /* the test sets this to make writes time out */
+    bool refuses_rates; /* the test sets this to make set_rate unsupported */
+    uint32_t fastest;   /* the test sets this to make higher rates unsupported; 0: no limit */
 };
 
 /* Opens a line that has no bytes in transit and uses this clock. */

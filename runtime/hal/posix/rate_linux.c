@@ -1,5 +1,5 @@
-/* Linux sets any rate with its own struct termios2, whose header cannot be included together with
- * <termios.h>. Emulators of Linux may lack it. */
+/* Sets any bit rate with Linux's own struct termios2, whose header cannot be included together with
+ * <termios.h>. Emulators of Linux may not support this struct. */
 #include "hal/posix/parts.h"
 
 #include <asm/ioctls.h>

@@ -70,7 +70,7 @@ static enum frob_status explain(int error, const char *device, char *message, si
     }
 }
 
-/* Sets 8N1, no flow control, no translation, and ignores the modem lines. */
+/* Sets 8N1 without flow control or translation, and ignores the modem lines. */
 static int make_raw(int fd)
 {
     struct termios settings;
@@ -270,8 +270,8 @@ struct frob_serial frob_posix_serial(struct frob_posix_line *line)
     return result;
 }
 
-/* Waits until the written bytes have been transmitted, up to a limit. If the line accepts no
- * bytes, the kernel would wait for half a minute. */
+/* Waits, up to a limit, until the written bytes have been transmitted. If the line accepts no
+ * bytes, the kernel would otherwise wait for half a minute. */
 static void drain(const struct frob_posix_line *line)
 {
     int64_t end_ns = frob_now_ns(&frob_posix_clock) + DRAIN_PATIENCE_NS;

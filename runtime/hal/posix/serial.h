@@ -35,8 +35,9 @@ enum frob_status frob_posix_open(struct frob_posix_line *line, const char *devic
 /* Uses an open socket as the line. */
 void frob_posix_adopt(struct frob_posix_line *line, int socket);
 
-/* Reopens a line that was open, at `device`, whose path may have changed. For TCP, it connects to
- * the previous address without looking up a name, and waits for at most half a second. */
+/* Reopens a line that was open. The path of its device may have changed to `device`. For TCP,
+ * connects to the previous address without looking up the name, and waits for at most half a
+ * second. */
 enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
                                    uint32_t bits_per_s);
 

@@ -1,5 +1,4 @@
-/* A robot that is reached over TCP: its own computer, a serial server or a
- * simulator. */
+/* Connects to a robot over TCP: to its own computer, a serial server or a simulator. */
 #include "hal/posix/parts.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 #include "hal/template/template.h"
 
-/* The variables that a port's interrupts share with its functions: for example a ring of received
- * bytes, and the upper half of the timer. */
+/* The variables that a port's interrupt handlers share with its functions, such as a ring buffer of
+ * received bytes and the upper half of the timer. */
 static struct {
     int64_t now_ns;
     uint32_t rate;

@@ -1,8 +1,8 @@
 /* hal/template/template.h -- a port to copy: it compiles, and does nothing.
  *
  * For a new board, copy this folder, and replace each function with code for the board.
- * docs/porting.md explains each function and in which order to try them. A board with one robot
- * needs only one line and one clock, so the memory of both is static here. */
+ * docs/porting.md explains each function, and the order in which to test them. A board with one
+ * robot needs only one line and one clock, so the memory of both is static here. */
 #ifndef FROB_HAL_TEMPLATE_H
 #define FROB_HAL_TEMPLATE_H
 
@@ -22,7 +22,7 @@ enum frob_status frob_template_serial_open(uint32_t bits_per_s);
 extern const struct frob_clock frob_template_clock;
 extern const struct frob_serial frob_template_serial;
 
-/* Writes a line for people: to a second UART, to a display, or nowhere. */
+/* Writes a human-readable line: to a second UART, to a display, or nowhere. */
 void frob_template_say(const char *text);
 
 #ifdef __cplusplus

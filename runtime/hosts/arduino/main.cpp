@@ -1,5 +1,5 @@
-// The main program on a board with the Arduino framework: the robot is on Serial1, messages for
-// people go to Serial. `frobc export --platformio` copies this file.
+// The main program on a board with the Arduino framework: the robot is on Serial1, and
+// human-readable messages go to Serial. `frobc export --platformio` copies this file.
 //
 // Nothing here supervises the loop. A step of a Frob program always ends, but C code that it calls
 // may not. If your board has a timer, call loop_watch(now_ns(nullptr)) from its interrupt ten

@@ -121,7 +121,7 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     if (!is_of(found))
         return "this board has no driver for the program's robot";
     if (!fits(found))
-        return "not enough memory for the robot's driver: compile this with a larger "
+        return "not enough memory for the robot's driver: compile loop.c with a larger "
                "FROB_DEVICE_MOST or FROB_INPUT_MOST";
     /* Checks both the program and the code that limits its commands. */
     if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)

@@ -6,9 +6,9 @@
  *   for (;;)
  *       wait until bytes arrive or loop_round();
  *
- * There is no second process. A timer interrupt must call loop_watch, which replaces a supervisor.
- * If a step does not end within the patience, or the loop is stuck elsewhere, loop_watch sends a
- * stop command, ten times a second, until the loop runs again. */
+ * There is no second process to supervise the loop. Instead, a timer interrupt must call
+ * loop_watch. If a step takes longer than 0.2 s, or the loop is stuck elsewhere, loop_watch sends a
+ * stop command ten times a second until the loop runs again. */
 #ifndef FROB_HOST_BOARD_LOOP_H
 #define FROB_HOST_BOARD_LOOP_H
 
@@ -22,9 +22,9 @@ extern "C" {
 #endif
 
 /* Starts to connect to the program's robot; both arguments must stay valid. Returns NULL, or a line
- * for people with the reason why the program must not start: there is no driver for the robot,
- * there is not enough memory for it (FROB_DEVICE_MOST and FROB_INPUT_MOST in loop.c), or the
- * arithmetic of this host does not meet the requirements of programs (<frob/arithmetic.h>). */
+ * of text that says why the program must not start: there is no driver for the robot, there is not
+ * enough memory for it (FROB_DEVICE_MOST and FROB_INPUT_MOST in loop.c), or the arithmetic of this
+ * host does not meet the requirements of programs (<frob/arithmetic.h>). */
 const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
 
 /* Returns the initial bit rate of the robot's line; 0 if there is no driver. */

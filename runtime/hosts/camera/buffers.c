@@ -109,8 +109,8 @@ const struct captured *buffers_published(const struct buffers *b)
     return order_of(read_state(b)).has_any ? &b->frames[b->published] : NULL;
 }
 
-/* The data that is read here may change in the meantime. If so, the state also changes, so the
- * frame cannot be taken. */
+/* The writer may change this data while it is read here. The state then also changes, so
+ * buffers_take_one does not take the frame. */
 struct fresh buffers_look(const struct buffers *b)
 {
     struct fresh fresh;
@@ -126,7 +126,8 @@ struct fresh buffers_look(const struct buffers *b)
     return fresh;
 }
 
-/* Takes a frame. The older frames move up, and the reader's old frame becomes the last one. */
+/* Takes a frame. The older frames move up, and the reader's old frame becomes the last middle
+ * frame. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k)
 {
     uint32_t seen = fresh->state;

@@ -63,13 +63,12 @@ struct fresh {
 
 struct fresh buffers_look(const struct buffers *b);
 
-/* For the reader: returns one of these frames, as buffers_take does; the newer ones can still be
+/* For the reader: like buffers_take, but returns frame `k` of `fresh`; the newer ones can still be
  * taken later. Returns NULL if the writer has published another frame since buffers_look; then call
  * buffers_look again. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k);
 
-/* Waits for at most this time for a new frame. The process that drives the robot must not call
- * it. */
+/* Waits at most `wait_ms` for a new frame. The process that drives the robot must not call it. */
 void buffers_wait(struct buffers *b, int wait_ms);
 
 /* Memory for the reader's image, at an address that is valid in the other process too. */

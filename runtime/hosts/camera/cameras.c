@@ -190,7 +190,7 @@ void cameras_hear(struct cameras *c)
         hear(c, &c->each[i]);
 }
 
-/* Reports that frames of both cameras have not formed a pair for this long, or that they do
+/* Reports when the two cameras have delivered no pairs for too long, and when they deliver pairs
  * again. */
 static void tell_pair(struct stereo_pair *s, bool is_pair, int64_t without_ns)
 {

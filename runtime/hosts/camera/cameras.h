@@ -30,8 +30,7 @@ struct camera {
 struct stereo_pair {
     struct camera *left, *right; /* NULL: none */
     struct pair pair;
-    int64_t paired_ns; /* last time at which there was a pair, or at which there could not be
-                        * one */
+    int64_t paired_ns; /* last time at which there was a pair, or a camera did not work */
     bool has_failed;
     uint32_t failures;
 };
@@ -43,12 +42,12 @@ struct cameras {
     struct stereo_pair stereo;
     /* The tag finder, if the program uses tags; each process that looks for tags has a copy. */
     struct tag_finder finder;
-    bool tells; /* whether to report also cameras that work */
+    bool tells; /* whether to report working cameras, too */
 };
 
 /* Counts the cameras that the program uses, for frames or for tags, and initializes the options of
- * each camera, with its label. Prints a line on standard error and returns false if there are too
- * many. */
+ * each camera, including its label. Prints a line on standard error and returns false if there are
+ * too many. */
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program);
 
@@ -65,10 +64,10 @@ void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_
 /* Prints the messages of the processes on standard error. */
 void cameras_hear(struct cameras *c);
 
-/* Prints lines of the summary. */
+/* Prints the summary's lines about the cameras. */
 void cameras_print(const struct cameras *c);
 
-/* May also be called if only some of the cameras were started. */
+/* Ends the camera processes, even if only some of them were started. */
 void cameras_end(struct cameras *c);
 
 #endif

@@ -56,7 +56,8 @@ static int64_t patience_ns(const struct capture *c)
     return 3 * c->period_ns > SILENT_NS ? 3 * c->period_ns : SILENT_NS;
 }
 
-/* Reports a fault only after a while without frames, because a frame or two may be missing. */
+/* Reports a fault only after a while without frames, because one or two missing frames are
+ * normal. */
 static void complain(struct capture *c, const char *text)
 {
     if (c->frame_ns == 0 || source_now_ns() - c->frame_ns > patience_ns(c))
@@ -64,7 +65,7 @@ static void complain(struct capture *c, const char *text)
 }
 
 /* Updates the period between frames. The period decreases immediately but increases slowly: a few
- * missing frames do not mean that the camera is slow, and they must not increase the patience for
+ * missing frames do not mean that the camera is slow, and they must not lengthen the timeout for
  * the next frame. */
 static void take_period(struct capture *c, int64_t since_ns)
 {
@@ -155,7 +156,7 @@ static void describe(const struct capture *c, const struct captured *frame, char
              seen.x_m, seen.y_m, seen.z_m, seen.pitch_rad * 57.295779513082323);
 }
 
-/* Rejects a frame, and stores the reason until a frame is good. */
+/* Rejects a frame. The reason stays in `fault` until the next good frame. */
 static void refuse(struct capture *c)
 {
     c->source.lost++;
@@ -169,8 +170,8 @@ static void got_frame(struct capture *c, struct captured *frame)
     frame->number = c->number + c->source.lost;
     if (!is_right_size(c, frame)) {
         source_fail(&c->source, SOURCE_BROKEN,
-                    "a frame is %d x %d, %s, but expected %d x %d, %s: set width, height and grey "
-                    "to the format of the camera, or configure the camera for this format",
+                    "a frame is %d x %d, %s, instead of %d x %d, %s: set width, height and grey to "
+                    "the camera's format, or configure the camera for the expected format",
                     (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
                     (int)c->height, name_of(c->format));
         refuse(c);
@@ -278,7 +279,7 @@ static void work(struct capture *c, pid_t keeper)
         step(c);
 }
 
-/* A child process that is watched. */
+/* A child process whose heartbeat is monitored. */
 struct watched {
     pid_t process;
     const struct buffers *beats_for;

@@ -8,7 +8,7 @@
 #include "buffers.h"
 #include "settings.h"
 
-/* State of the process. It sends a message on its socket whenever this changes. */
+/* State of the process, which sends a message on its socket whenever the state changes. */
 enum capture_state {
     CAPTURE_WORKS,
     CAPTURE_FAILS, /* no frames arrive; the process keeps trying */

@@ -13,8 +13,8 @@ struct chunks {
     bool digits;
 };
 
-/* Removes everything except the data from these bytes, and returns the length of the data; -1 if
- * the bytes are not chunks. */
+/* Removes everything except the data from these bytes, and returns the length of the data, or -1 if
+ * the bytes are not valid chunks. */
 ptrdiff_t chunks_take(struct chunks *c, uint8_t *bytes, size_t size);
 
 #endif

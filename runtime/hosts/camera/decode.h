@@ -13,7 +13,7 @@ size_t decode_raw_size(const struct camera_options *o);
 const char *decode_picture(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                            char message[256]);
 
-/* Decodes PGM or PPM, which may also contain the frame's camera (<frob/frame.h>). */
+/* Decodes PGM or PPM, which may also contain the camera's projection and pose (<frob/frame.h>). */
 const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *frame,
                           char message[256]);
 

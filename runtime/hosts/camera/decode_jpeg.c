@@ -35,8 +35,8 @@ static const char *decode(const struct turbo *turbo, void *handle, const uint8_t
     return NULL;
 }
 
-/* Decodes a JPEG image. If the header is damaged, replaces the decompressor, because it would be
- * in a wrong state for the next frame. */
+/* Decodes a JPEG image. If decoding fails, replaces the decompressor, because a damaged header
+ * leaves it in an invalid state for the next frame. */
 const char *decode_jpeg(const uint8_t *bytes, size_t size, bool is_grey, struct captured *frame,
                         char message[256])
 {

@@ -1,5 +1,5 @@
-/* A camera of this computer, through Video4Linux (linux/videodev2.h). The driver fills buffers that
- * are mapped into this process; the newest one is decoded in place. */
+/* Reads a camera of this computer through Video4Linux (linux/videodev2.h). The driver fills buffers
+ * that are mapped into this process; the newest one is decoded in place. */
 #include "decode.h"
 #include "source.h"
 #include "yuyv.h"
@@ -54,7 +54,8 @@ static bool is_camera(struct source *s, const struct device *d)
     uint32_t caps;
     memset(&can, 0, sizeof can);
     if (request(d, VIDIOC_QUERYCAP, &can) != 0) {
-        source_fail(s, SOURCE_FAULT, "it is not a camera (%s): `ls /dev/video*` lists the cameras",
+        source_fail(s, SOURCE_FAULT,
+                    "it is not a camera (%s): use a device that `ls /dev/video*` lists",
                     strerror(errno));
         return false;
     }
@@ -70,7 +71,7 @@ static bool is_camera(struct source *s, const struct device *d)
 }
 
 /* Chooses the format to request: uncompressed for small frames, compressed for large ones, which
- * would exceed the bandwidth of USB. */
+ * would otherwise exceed the bandwidth of USB. */
 static uint32_t choose(const struct source *s, const struct device *d, int width)
 {
     static const uint32_t small[] = { V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG,
@@ -112,15 +113,15 @@ static bool set_form(struct source *s, struct device *d)
     form.fmt.pix.field = V4L2_FIELD_ANY;
     if (wanted == 0) {
         source_fail(s, SOURCE_FAULT,
-                    "it supports none of the formats YUYV, MJPEG and grey; read it with ffmpeg "
-                    "into a pipe of raw frames");
+                    "it supports none of the formats YUYV, MJPEG and grey; use ffmpeg to write its "
+                    "frames to a pipe as raw frames");
         return false;
     }
     if (request(d, VIDIOC_S_FMT, &form) != 0) {
         if (errno == EBUSY)
             source_fail(s, SOURCE_FAULT, "another program uses it: end that program first");
         else
-            gone(s, "it rejects the format of its frames");
+            gone(s, "its driver rejects the requested frame format");
         return false;
     }
     d->form = form.fmt.pix;
@@ -129,7 +130,8 @@ static bool set_form(struct source *s, struct device *d)
          (d->form.width != (uint32_t)width || d->form.height != (uint32_t)height))) {
         source_fail(
             s, SOURCE_FAULT,
-            "it does not deliver frames of %d x %d, but of %u x %u: set width and height to those",
+            "it does not deliver frames of %d x %d, but of %u x %u: set width and height to that "
+            "size",
             width, height, d->form.width, d->form.height);
         return false;
     }
@@ -265,7 +267,7 @@ static enum source_result take(struct source *s, struct device *d, struct v4l2_b
         if (buffer.index >= d->count)
             return source_fail(s, SOURCE_FAULT, "its driver returned a buffer that does not exist");
         if (result == SOURCE_FRAME && !give_back(d, newest->index))
-            return gone(s, "it does not accept buffers");
+            return gone(s, "its driver rejects a buffer");
         if (d->has_sequence && buffer.sequence > d->sequence)
             s->lost += buffer.sequence - d->sequence - 1;
         if (result == SOURCE_FRAME)
@@ -331,7 +333,7 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
     frame->captured_ns = time_of(&buffer);
     fault = decode(s, d, &buffer, frame, message);
     if (!give_back(d, buffer.index))
-        return gone(s, "it does not accept buffers");
+        return gone(s, "its driver rejects a buffer");
     return fault == NULL ? SOURCE_FRAME : source_fail(s, SOURCE_BROKEN, "%s", fault);
 }
 

@@ -91,8 +91,7 @@ static enum source_result next(struct source *s, struct captured *frame, int wai
     if (f->next == f->count) {
         snprintf(last, sizeof last, "%s", s->fault);
         return source_fail(s, SOURCE_OVER,
-                           "no picture in the folder could be read; the error in the last one: %s",
-                           last);
+                           "no picture in the folder could be read; the last error: %s", last);
     }
     if (f->due_ns > now + wait_ms * INT64_C(1000000)) {
         source_sleep_until_ns(now + wait_ms * INT64_C(1000000));

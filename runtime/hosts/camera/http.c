@@ -64,8 +64,8 @@ static int reach(struct source *s, const struct address *address)
     fault = getaddrinfo(address->host, address->port, &hints, &found);
     if (fault != 0) {
         source_fail(s, SOURCE_FAULT,
-                    "cannot find the address of %s: %s; check its name, and that this machine is "
-                    "on its network",
+                    "cannot find the address of %s: %s; check the name, and that this machine is "
+                    "on the same network",
                     address->host, gai_strerror(fault));
         return -1;
     }
@@ -73,8 +73,8 @@ static int reach(struct source *s, const struct address *address)
         reached = connect_to(each);
     if (reached < 0)
         source_fail(s, SOURCE_FAULT,
-                    "cannot connect to port %s of %s: %s; check that the camera is on, and the "
-                    "address and port",
+                    "cannot connect to port %s of %s: %s; check that the camera is on, and that "
+                    "the address and port are right",
                     address->port, address->host, strerror(errno));
     freeaddrinfo(found);
     return reached;
@@ -106,7 +106,7 @@ static bool open_http(struct source *s)
     struct address address;
     struct http *h = (struct http *)calloc(1, sizeof *h);
     if (!address_read(&address, s->options->source)) {
-        source_fail(s, SOURCE_FAULT, "write its address as http://HOST:PORT/PATH");
+        source_fail(s, SOURCE_FAULT, "its address is not valid: write it as http://HOST:PORT/PATH");
     } else if (h == NULL || !splitter_open(&h->splitter, 0)) {
         source_fail(s, SOURCE_FAULT, "not enough memory");
     } else {
@@ -183,10 +183,10 @@ static enum source_result feed(struct source *s, struct http *h, uint8_t *bytes,
     if (h->answer.is_chunked)
         count = chunks_take(&h->chunks, bytes, size);
     if (count < 0)
-        return source_fail(s, SOURCE_FAULT, "the server sends invalid data between its chunks");
+        return source_fail(s, SOURCE_FAULT, "the server sends invalid HTTP chunks");
     space = splitter_space(&h->splitter, &room);
     if (room < (size_t)count)
-        return source_fail(s, SOURCE_FAULT, "a frame of the stream has no end");
+        return source_fail(s, SOURCE_FAULT, "a frame of the stream is too large, or has no end");
     memcpy(space, bytes, (size_t)count);
     splitter_feed(&h->splitter, (size_t)count, source_now_ns());
     return SOURCE_FRAME;
@@ -242,6 +242,5 @@ const struct source_kind source_http = {
     close_http,
     true,
     "the server accepts connections but sends no complete picture; check the camera and the "
-    "address of "
-    "its stream",
+    "address of its stream",
 };

@@ -65,7 +65,7 @@ const char *decode_netpbm(const uint8_t *bytes, size_t size, struct captured *fr
     const char *fault;
     size_t pixels;
     if (netpbm_read(bytes, size, &head) != NETPBM_GOOD)
-        return "a frame has an unknown format: use PPM, PGM (P6, P5) or JPEG";
+        return "a frame has an unknown format: use PPM (P6), PGM (P5) or JPEG";
     if (head.most != 255)
         return "a picture does not have 8 bits per channel: its maximum value must be 255";
     fault = decode_set_size(frame, head.width, head.height, head.is_grey ? FROB_GREY8 : FROB_RGB8,

@@ -21,7 +21,7 @@ int64_t pair_most_ns(const struct pair *p)
     return p->within_ns >= 0 && p->within_ns < most ? p->within_ns : most;
 }
 
-/* Updates the period. The frame numbers include frames that did not arrive here. A single gap,
+/* Updates the period. The frame numbers also count frames that did not arrive here. A single gap,
  * however long, changes the period by at most a tenth. */
 static void follow(struct rhythm *r, const struct fresh *fresh)
 {

@@ -5,9 +5,9 @@
 #include <string.h>
 
 const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
-    { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source delivers" },
-    { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source delivers" },
-    { "grey", 0, 0, 1, "1: grey frames; raw frames have one byte per pixel" },
+    { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as delivered by the source" },
+    { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as delivered by the source" },
+    { "grey", 0, 0, 1, "1: grey frames; raw frames then have one byte per pixel" },
     { "rate", 30, 0.1, 200, "Hz; rate of pictures from files, or requested from a device" },
     { "latency", 0, 0, 10, "s from a frame's exposure to its arrival" },
     { "pair_within", NAN, 0, 10,

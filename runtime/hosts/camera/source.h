@@ -12,7 +12,7 @@
 
 enum source_result {
     SOURCE_FRAME,   /* a frame was stored; only its number is not set yet */
-    SOURCE_NOTHING, /* no frame arrived within the time; `fault` may contain the reason */
+    SOURCE_NOTHING, /* no frame arrived before the timeout; `fault` may contain the reason */
     SOURCE_BROKEN,  /* an invalid frame arrived; `fault` contains the reason, and the next frame
                      * may be valid */
     SOURCE_FAULT,   /* the source must be closed and opened again; `fault` contains the reason */
@@ -28,7 +28,7 @@ struct source_kind {
     enum source_result (*next)(struct source *s, struct captured *frame, int wait_ms);
     void (*close)(struct source *s);
     bool reopens;        /* whether reopening it may help if no frames arrive */
-    const char *silence; /* the likely reason in this case, unless `fault` contains one */
+    const char *silence; /* the likely reason that no frames arrive, if `fault` contains none */
 };
 
 struct source {
@@ -41,12 +41,12 @@ struct source {
     char what[128];   /* how it captures while it is open, such as "YUYV at 30 Hz"; may be empty */
 };
 
-/* Begins the name of a source that is a topic in ROS 2 (hosts/ros/camera.h). */
+/* Prefix of the name of a source that is a ROS 2 topic (hosts/ros/camera.h). */
 #define SOURCE_TOPIC "ros:"
 
-/* Returns the kind of the source that the user has named: a device, an address or a folder.
- * Anything else is a file or pipe. A name that does not exist (yet) counts as a device if it is in
- * /dev, and otherwise as a file. */
+/* Returns the kind of the source that the user has named: a device, an address, a folder or
+ * a topic. Anything else is a file or pipe. A name that does not exist (yet) counts as a device if
+ * it is in /dev, and otherwise as a file. */
 const struct source_kind *source_kind_of(const char *name);
 
 extern const struct source_kind source_folder, source_stream, source_topic, source_http,

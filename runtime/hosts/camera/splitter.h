@@ -13,9 +13,9 @@
 #include <stdint.h>
 
 struct splitter {
-    size_t raw_size; /* number of bytes of a raw frame; 0 for images */
+    size_t raw_size; /* size of a raw frame in bytes; 0 for images */
     uint8_t *bytes;
-    size_t from, to; /* range of the bytes that were received but not used yet */
+    size_t from, to; /* range of the received bytes that have not been consumed yet */
     struct jpeg_scan scan;
     int64_t begun_ns; /* time at which the first byte at `from` arrived */
     int64_t fed_ns;
@@ -30,16 +30,17 @@ void splitter_close(struct splitter *s);
 void splitter_forget(struct splitter *s);
 
 /* splitter_space returns where to store the next bytes, and how many bytes fit there. This number
- * is never 0 after all frames have been taken. splitter_feed reports how many bytes were stored,
- * and when. */
+ * is never 0 after all frames have been taken. Then call splitter_feed with the number of bytes
+ * stored and the current time. */
 uint8_t *splitter_space(struct splitter *s, size_t *room);
 void splitter_feed(struct splitter *s, size_t count, int64_t now_ns);
 
-/* Returns a complete frame, which stays in the splitter's memory until more bytes are fed; NULL if
- * there is none yet. */
+/* Returns the next complete frame, or NULL if there is none yet. The frame stays in the splitter's
+ * memory until more bytes are fed. */
 const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns);
 
-/* Returns the last complete frame, and adds the number of those before it to `skipped`. */
+/* Returns the newest complete frame, and adds the number of older frames that it skips to
+ * `skipped`. */
 const uint8_t *splitter_take_newest(struct splitter *s, size_t *size, int64_t *begun_ns,
                                     uint32_t *skipped);
 

@@ -16,13 +16,13 @@ enum { READ_MOST = 1 << 16 };
 
 struct stream {
     int file;
-    bool is_file; /* whether it is a file, whose frames are paced at the set rate */
+    bool is_file; /* whether the source is a file, whose frames are delivered at the set rate */
     int64_t due_ns;
     struct splitter splitter;
 };
 
-/* Writes the path of the pipe or file to `path`. The source ros:TOPIC#DESCRIPTOR is a pipe that this
- * process has inherited, to which another process writes the images of the topic. */
+/* Writes the path of the pipe or file to `path`. The source ros:TOPIC#DESCRIPTOR is an inherited
+ * pipe, to which another process writes the topic's images. */
 static void path_of(const char *name, char *path, size_t room)
 {
     const char *descriptor = strrchr(name, '#');
@@ -61,8 +61,8 @@ static bool open_stream(struct source *s)
     return true;
 }
 
-/* Reads the available bytes. When the writer of a pipe closes it, the pipe stays open for the next
- * writer. */
+/* Reads the available bytes. If the writer of a pipe closes its end, this process keeps its own end
+ * open for the next writer. */
 static enum source_result take_in(struct source *s, struct stream *t)
 {
     size_t room;
@@ -158,9 +158,9 @@ const struct source_kind source_stream = {
     next,
     close_stream,
     false,
-    "no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames",
+    "no complete frame has arrived: send PPM, PGM or JPEG, or set width and height for raw frames",
 };
 
 const struct source_kind source_topic = {
-    open_stream, next, close_stream, false, "no image arrives on the topic",
+    open_stream, next, close_stream, false, "no image has arrived on the topic",
 };

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* BEGIN_MS: how soon the capture process learns that the program has begun. */
+/* BEGIN_MS: maximum delay until the capture process learns that the program has begun. */
 enum { WAIT_MS = 100, BEGIN_MS = 5 };
 
 static struct frob_image image_of(const struct captured *frame)

@@ -1,8 +1,9 @@
 /* tagger.h -- the process that looks for tags in the frames of one camera.
  *
  * It runs between the capture process and the program, and passes each frame on with its tags.
- * Finding tags may take longer than the period between frames. The capture process continues in
- * the meantime, so frames have correct times, and the next search uses the newest frame. */
+ * Finding tags may take longer than the period between frames. The capture process continues in the
+ * meantime, so the capture times of frames are correct, and the next search uses the newest
+ * frame. */
 #ifndef FROB_HOST_CAMERA_TAGGER_H
 #define FROB_HOST_CAMERA_TAGGER_H
 

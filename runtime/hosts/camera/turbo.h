@@ -15,7 +15,7 @@ enum {
     TURBO_ACCURATE = 4096 /* TJFLAG_ACCURATEDCT: the same pixels on every machine */
 };
 
-/* The functions that are used here, as <turbojpeg.h> declares them. */
+/* The library functions that hosts use, as declared in <turbojpeg.h>. */
 struct turbo {
     void *(*init_decompress)(void);
     void *(*init_compress)(void);

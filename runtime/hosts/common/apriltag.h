@@ -28,7 +28,7 @@ struct apriltag_array {
 /* The first members of apriltag_detector_t, which the library allocates. */
 struct apriltag_settings {
     int threads;
-    float decimate; /* first searches an image that is reduced by this factor */
+    float decimate; /* factor by which the image is reduced for the first search */
     float blur;
     bool refines_edges;
     double sharpening;

@@ -55,7 +55,7 @@ bool claims_has_nan(const struct frob_value *value, const void *base)
     return false;
 }
 
-/* If there is no memory for a column, the column is not checked. */
+/* If memory runs out, the column is not checked. */
 static void add_column(void *context, const char *name, const struct frob_value *value)
 {
     struct claims *claims = (struct claims *)context;

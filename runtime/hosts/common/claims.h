@@ -13,11 +13,12 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* The library's Verdict, in the same order. VERDICT_NONE means that the assertion is not judged at
- * an instant, because its signal function does not run. */
+/* The constructors of the library's type Verdict, in the same order. VERDICT_NONE means that the
+ * assertion has no verdict at an instant, because its signal function does not run. */
 enum verdict { VERDICT_NONE = -1, VERDICT_NOT_ASKED, VERDICT_HOLDS, VERDICT_OPEN, VERDICT_FAILS };
 
-/* Returns the worst verdict in a value: an assertion in `mapSF` has one for each element. */
+/* Returns the worst verdict in a value. The value of an assertion in `mapSF` has a verdict for each
+ * element. */
 enum verdict verdict_of(const struct frob_value *value, const void *output);
 
 struct claim_state {
@@ -45,7 +46,7 @@ struct claims {
     int64_t violated_ns;
     struct nan_column *nans; /* every column of the output */
     size_t nan_count, nan_room;
-    bool nan_is_given; /* whether NaN was in the input, in which case NaN in the output is no longer
+    bool nan_is_given; /* whether the input contained a NaN; if so, NaNs in the output are no longer
                         * reported */
 };
 
@@ -55,7 +56,7 @@ bool claims_has_nan(const struct frob_value *value, const void *base);
 /* Returns false if memory runs out. */
 bool claims_open(struct claims *claims, const struct frob_program *program);
 
-/* Evaluates the output of an instant. */
+/* Updates the verdicts and looks for NaNs in the output of an instant. */
 void claims_see(struct claims *claims, int64_t time_ns, const void *output);
 
 #define CLAIMS_FATE 100
@@ -64,7 +65,7 @@ void claims_see(struct claims *claims, int64_t time_ns, const void *output);
 void claims_fate(const struct claims *claims, size_t i, char text[CLAIMS_FATE]);
 
 /* Prints a line for each assertion, prefixed with `who`: `assert "keeps off": held`; and one for
- * each column of the output that was NaN: `NaN: out.turn, first at 3.200 s`. The first of these
+ * each output column that contained a NaN: `NaN: out.turn, first at 3.200 s`. The first of these
  * also names the command that finds the cause. */
 void claims_print(const struct claims *claims, FILE *file, const char *who);
 

@@ -28,7 +28,7 @@ void csv_end(struct csv *csv)
     free(csv->read);
 }
 
-/* Makes room for one more character of the row's text. */
+/* Makes room for more than `length` characters of the row's text. */
 static bool grow_text(struct csv *csv, size_t length)
 {
     size_t capacity = csv->text_capacity == 0 ? 4096 : csv->text_capacity;
@@ -63,8 +63,8 @@ static bool grow_cells(struct csv *csv)
     return true;
 }
 
-/* Reads the next line of the file, up to the maximum length or up to a NUL, which recordings do not
- * contain. Returns false at the end of the file, or if memory runs out. */
+/* Reads the next line of the file. Stops after the maximum length, or after a NUL, which is not
+ * allowed in recordings. Returns false at the end of the file, or if memory runs out. */
 static bool read_line(struct csv *csv)
 {
     size_t length = 0;

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* How a recording from another program differs from one of Frob's. */
+/* How the format of a recording from another program differs from Frob's. */
 struct csv_dialect {
     char separator;          /* separator between cells; 0 for a comma */
-    bool decimal_comma;      /* numbers as 0,5 */
+    bool decimal_comma;      /* whether numbers have a decimal comma, as in 0,5 */
     const char *time_column; /* name of the time column; NULL for the first column, `time` */
     const char **columns;    /* NAME=COLUMN, for a column with a different name */
     size_t column_count;
@@ -34,13 +34,13 @@ struct csv {
     char reason[600]; /* the message for CSV_NO_COLUMN */
     /* private */
     bool has_header;
-    size_t time_cell; /* index of the time in the file's rows */
+    size_t time_cell; /* index of the time cell in the file's rows */
     unsigned long next_line;
     char *text;
-    size_t *starts; /* offsets of the cells in the text, which realloc moves */
+    size_t *starts; /* cells as offsets in `text`, because realloc may move it */
     size_t text_capacity, cells_capacity;
     char *read;                            /* the current line of the file */
-    size_t read_capacity, read_length, at; /* `at`: number of its bytes already used */
+    size_t read_capacity, read_length, at; /* `at`: number of its bytes already consumed */
 };
 
 enum csv_status {

@@ -97,7 +97,7 @@ static enum csv_status rename_columns(struct csv *csv)
     return status;
 }
 
-/* The comma in a number such as -0,5e3; NULL if the text is not such a number. */
+/* Returns the comma in a number such as -0,5e3; NULL if the text is not such a number. */
 static char *decimal_comma(const char *text)
 {
     const char *at = text + (*text == '-' || *text == '+' ? 1 : 0), *comma;
@@ -149,8 +149,8 @@ static bool is_plain_word(const char *text)
     return true;
 }
 
-/* The number of bytes of the control character at `text`; 0 if there is none. UTF-8 encodes those
- * from 128 on as C2 80 to C2 9F. */
+/* Returns the number of bytes of the control character at `text`; 0 if there is none. UTF-8 encodes
+ * control characters from 128 on as C2 80 to C2 9F. */
 static size_t control_at(const char *text)
 {
     const unsigned char c = (unsigned char)text[0], next = c == 0 ? 0 : (unsigned char)text[1];
@@ -166,11 +166,12 @@ static bool has_control(const char *text)
     return *text != '\0';
 }
 
-/* Quotes a word with control characters: shells replace \ooo within $'...'. */
+/* Quotes a word that contains control characters. Within $'...', shells replace \ooo by the
+ * character with this octal code. */
 static const char *word_with_escapes(const char *text, char *word, size_t room)
 {
     size_t length = (size_t)snprintf(word, room, "$'"), control = 0;
-    for (; *text != '\0' && length + 6 <= room; text++) { /* four bytes, the quote, the end */
+    for (; *text != '\0' && length + 6 <= room; text++) { /* escape, quote, NUL */
         control = control > 0 ? control : control_at(text);
         length += (size_t)snprintf(word + length, room - length,
                                    control > 0 || *text == '\'' || *text == '\\' ? "\\%03o" : "%c",
@@ -212,8 +213,8 @@ static bool is_word(const char *name, const char *word)
     return strlen(name) == strlen(word) && has_word(name, word);
 }
 
-/* The index of the column that probably contains the times. If there is none, the number of
- * columns. */
+/* Returns the index of the column that probably contains the times, or the number of columns if
+ * there is none. */
 static size_t looks_like_time(const struct csv *csv)
 {
     size_t i;

@@ -9,8 +9,8 @@
  * its last argument, and returns true. `dialect->columns` must have room for `argc` entries. */
 bool dialect_option(struct csv_dialect *dialect, int argc, char **argv, int *i);
 
-/* Returns whether the dialect names columns. If so, additional columns of a recording are
-   ignored. */
+/* Returns whether the dialect names columns. If so, columns of a recording that the program does
+   not have are ignored. */
 bool dialect_names(const struct csv_dialect *dialect);
 
 /* Translates the row that was read last. Returns CSV_ROW, CSV_RETURN, CSV_NO_COLUMN or
@@ -32,7 +32,8 @@ const char *dialect_separator_hint(const struct csv *csv);
 const char *dialect_column_hint(struct csv *csv, const char *missing, size_t unknown,
                                 const char *other);
 
-/* For the error that the current row does not have the `width` cells of the header. */
+/* For the error that the current row has a different number of cells than the header, which has
+ * `width`. */
 const char *dialect_width_hint(const struct csv *csv, size_t width);
 
 /* For the error that a cell is not a number. */

@@ -39,7 +39,7 @@ uint32_t frames_number(uint64_t key)
     return (uint32_t)(key >> (64 - KEY_NUMBER_BITS));
 }
 
-/* Returns LOG.frames for LOG.csv, and also for LOG.csv.gz; NULL if memory runs out. */
+/* Returns LOG.frames for both LOG.csv and LOG.csv.gz; NULL if memory runs out. */
 static char *folder_of(const char *record)
 {
     static const char suffix[] = ".frames";
@@ -181,7 +181,7 @@ bool frame_reader_is_unchanged(const struct frob_image *image)
     return frame->is_unchanged;
 }
 
-/* Returns the slot that contains a key, or the empty slot where to insert it. */
+/* Returns the slot that contains a key, or the empty slot in which to insert it. */
 static size_t slot_of(const struct frame_reader *reader, uint64_t key)
 {
     size_t slot = (size_t)(key * UINT64_C(0x9e3779b97f4a7c15) >> 20) & (reader->capacity - 1);
@@ -218,8 +218,7 @@ static const struct frob_image *wrong(struct frame_reader *reader, const char *p
     return NULL;
 }
 
-/* Adds a frame. On failure, returns NULL and stores a message that says what was
- * expected. */
+/* Adds a frame. On failure, returns NULL and stores what was expected, for an error message. */
 static const struct frob_image *add(struct frame_reader *reader, uint64_t key, const char *path,
                                     int file)
 {

@@ -36,14 +36,14 @@ void frame_writer_close(struct frame_writer *writer);
 struct frame_reader {
     struct frob_frames finder; /* the image finder to pass to frob_cell_read */
     char *folder;
-    bool verifies;       /* whether to also verify each file's hash */
+    bool verifies;       /* whether to verify the hash of each file */
     struct frame **each; /* hash table by key, with empty slots */
     size_t count, capacity;
     char expected[512];
 };
 
 /* Prepares to read the frames of this recording, without opening any file yet. Returns false if
- * memory runs out. Images that were found stay valid until frame_reader_forget. */
+ * memory runs out. The images that it finds stay valid until frame_reader_forget is called. */
 bool frame_reader_open(struct frame_reader *reader, const char *record, bool verifies);
 
 /* Returns the image with this key, or NULL if there is none. */

@@ -7,8 +7,8 @@
 #include <frob/program.h>
 
 /* Loads a program, which stays loaded until the process ends. Returns NULL and prints a line on
- * standard error if it fails, or if the floating-point arithmetic of the program or of this host
- * does not meet the requirements of programs (<frob/arithmetic.h>). */
+ * standard error if loading fails, or if the floating-point arithmetic of the program or of this
+ * host does not meet the requirements in <frob/arithmetic.h>. */
 const struct frob_program *frob_load(const char *path);
 
 /* Returns another symbol of the loaded program, such as the body of a user-defined robot:
@@ -18,7 +18,7 @@ const void *frob_load_part(const char *robot, const char *part);
 /* Returns the descriptions of the loaded program's columns; NULL if it has none. */
 const struct frob_column *frob_load_columns(void);
 
-/* Returns the origins of the values in its columns; NULL if it has none. */
+/* Returns the origins of the values in the columns of the loaded program; NULL if it has none. */
 const struct frob_origin *frob_load_origins(void);
 
 #endif

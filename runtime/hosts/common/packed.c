@@ -261,7 +261,7 @@ FILE *packed_write(const char *name)
 
 struct unpacker {
     int pipe;
-    pid_t process; /* 0: it has already been waited for */
+    pid_t process; /* 0 once it has been waited for */
 };
 
 static ssize_t stream_get(void *cookie, char *bytes, size_t size)

@@ -1,4 +1,5 @@
-/* packed.h -- compressed recordings: files named .gz or .zst are piped through a `gzip` or `zstd`
+/* packed.h -- compressed recordings: files whose names end in .gz or .zst are
+ * piped through a `gzip` or `zstd`
  * process.
  *
  * When compressing, that process ignores the signals that end a run (Ctrl-C, SIGTERM, SIGHUP). If
@@ -38,16 +39,16 @@ FILE *packed_read(const char *name);
 /* Creates or overwrites a file. Returns NULL with errno set on failure. */
 FILE *packed_write(const char *name);
 
-/* ---- Without a stream, for callers that control what is written immediately */
+/* ---- Without a stream, for callers that control when data is written */
 
 struct packer {
-    int file;      /* the file, or the connection to the process; -1: none */
+    int file;      /* the file, or the socket to the process; -1: none */
     pid_t process; /* 0: no process */
     bool failed;
 };
 
-/* Like fopen, unbuffered fwrite, and fclose. They return false with errno set on failure;
- * packer_close fails only if nothing failed before. */
+/* Like fopen, unbuffered fwrite, and fclose, but return false with errno set on failure.
+ * packer_close returns true if an earlier call has already failed. */
 bool packer_open(struct packer *packer, const char *name);
 bool packer_put(struct packer *packer, const char *bytes, size_t size);
 bool packer_close(struct packer *packer);

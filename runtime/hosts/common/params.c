@@ -36,7 +36,7 @@ static void describe(const struct frob_param *param, char *text, size_t size)
     if (kind == FROB_BOOL)
         snprintf(text, size, "true or false");
     else
-        snprintf(text, size, "a %snumber of %s", kind == FROB_INT ? "whole " : "", param->unit);
+        snprintf(text, size, "a %snumber in %s", kind == FROB_INT ? "whole " : "", param->unit);
 }
 
 /* Splits the text into the number and the unit in brackets after it. */
@@ -122,7 +122,7 @@ static size_t find(const struct frob_program *program, const char *setting)
     return i;
 }
 
-/* Handles a parameter that an option has set if the recording also contains a value for it. */
+/* Compares a recorded value with that of an option, which takes precedence. */
 static enum params_result keep(const struct params *params, size_t i, const char *text, char *why)
 {
     struct frob_text now;
@@ -201,7 +201,7 @@ bool params_recorded(struct params *params, const char *name, const char *line)
     return false;
 }
 
-/* Writes the fewest digits from which the same number is read back. */
+/* Writes the number with the fewest digits that read back as the same value. */
 static void write_number(struct frob_text *text, const struct frob_param *param, const void *values)
 {
     const bool is_double = param->value->kind == FROB_FLOAT;

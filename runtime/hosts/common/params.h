@@ -16,7 +16,7 @@ struct params {
 
 /* Starts with the defaults and applies the options, each NAME=NUMBER, or NAME=NUMBER[UNIT] with the
  * parameter's own unit. If memory runs out or an option is wrong, prints a line on standard error
- * and returns false. The caller must call params_close in this case, too. */
+ * and returns false. Even then, the caller must call params_close. */
 bool params_open(struct params *params, const struct frob_program *program,
                  const char *const *options, size_t count);
 void params_close(struct params *params);

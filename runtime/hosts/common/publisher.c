@@ -74,7 +74,7 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
     p->program = program;
     if (frames_has_images(program->input) &&
         (p->input = (unsigned char *)malloc(program->input_size)) == NULL) {
-        warn("no memory for its frames");
+        warn("not enough memory for its input");
         return;
     }
     if (!ring_make(&p->ring, &sizes, permissions)) {
@@ -133,7 +133,7 @@ static int64_t clock_ns(void)
     return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-/* Waits for a signal of the set, or for a fifth of a second. */
+/* Waits for a signal in the set, for at most a fifth of a second. */
 static int next_signal(const sigset_t *set)
 {
     static const struct timespec moment = { 0, 200000000 };

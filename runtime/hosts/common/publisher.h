@@ -1,5 +1,4 @@
-/* publisher.h -- publishes a run so that it can be viewed: the shared memory, and the viewer, which
- * is a separate process.
+/* publisher.h -- publishes a run to a viewer, which is a separate process, in shared memory.
  *
  * The run does not depend on the viewer, which may be slow, stop reading, or end at any time. */
 #ifndef FROB_HOST_PUBLISHER_H
@@ -15,10 +14,10 @@ struct publisher {
     pid_t viewer;     /* 0: none */
     struct ring ring; /* a ring without memory if there is no viewer */
     const struct frob_program *program;
-    unsigned char *input; /* if the program has images, a copy of the input that another process
-                           * can read; else NULL */
+    unsigned char *input; /* copy of the input with keys instead of images, which another process
+                           * can read; NULL if the program has no images */
     uint32_t beats;       /* the viewer's heartbeat when it was last read */
-    int64_t heard_ns;     /* time at which the viewer was last heard */
+    int64_t heard_ns;     /* time at which the heartbeat was last seen to change */
 };
 
 /* Starts the viewer: a NULL-terminated command, to which `--ring NUMBER` is added before its other
@@ -39,9 +38,9 @@ bool publisher_is_heard(struct publisher *p, int64_t now_ns);
 /* Reports that the run is over, and whether the robot is known to be at rest. */
 void publisher_end(struct publisher *p, enum ring_fate fate);
 
-/* Ends the viewer, after publisher_end, so that no process keeps running. If `is_wanted`, first
- * waits while a page is open; SIGINT, SIGTERM or SIGHUP ends the wait, and so does a viewer that
- * hangs. Call it after the run's results have been written and the robot's line has been closed. */
+/* Ends the viewer, so that no process keeps running. If `is_wanted`, first waits while a page is
+ * open; SIGINT, SIGTERM or SIGHUP ends the wait, and so does a viewer that hangs. Call it after
+ * publisher_end, when the run's results have been written and the robot's line has been closed. */
 void publisher_leave(struct publisher *p, bool is_wanted);
 
 #endif

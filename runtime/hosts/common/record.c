@@ -45,7 +45,8 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
     return write_text(r);
 }
 
-/* Writes a frame; `context` is the frame writer. On failure closes it, which frees its folder. */
+/* Writes a frame; `context` is the frame writer. On failure, closes the frame writer, which sets
+ * its folder to NULL. */
 static void put_frame(void *context, const struct frob_image **image)
 {
     struct frame_writer *frames = (struct frame_writer *)context;

@@ -11,15 +11,16 @@
 #include <unistd.h>
 
 #define MAGIC UINT64_C(0x46726f6252696e31) /* "FrobRin1" */
-#define MOST_BYTES (4u << 20)              /* maximum size of all slots together */
+#define MOST_BYTES (4u << 20)              /* maximum total size of the slots */
 #define MOST_SLOTS 8192u
 #define LEAST_SLOTS 16u
-#define LINE 64 /* bytes of a processor's cache line */
+#define LINE 64 /* size of a cache line in bytes */
 
 /* The host's part and the reader's part are in separate cache lines, to avoid false sharing. */
 struct ring_shared {
     uint64_t magic;
-    uint32_t slots, words; /* number of slots, a power of two; words of data per slot */
+    uint32_t slots, words; /* `slots`: number of slots, a power of two; `words`: words of data per
+                            * slot */
     struct ring_sizes sizes;
     uint32_t permissions;
     unsigned char gap[LINE];

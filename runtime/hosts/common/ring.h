@@ -4,13 +4,13 @@
  * one. A sequence number in front of each slot identifies its contents, and is odd while they are
  * being written (a sequence lock). Therefore a reader detects an inconsistent read, and the writer
  * does not depend on readers: it does not make system calls, take locks, allocate memory or wait.
- * In the other direction there are a few words (stop, pause, speed) and a bounded queue of events,
- * also with a single writer.
+ * In the other direction, a single reader writes a few words (stop, pause, speed) and a bounded
+ * queue of events.
  *
- * The host validates all data from a reader when it reads them. In the worst case, such data can
- * end or pause the run, or send unintended events.
+ * The host validates all data that a reader writes. In the worst case, such data can end or pause
+ * the run, or send unintended events.
  *
- * The duration of an instant is the difference of two times, as in a recording. */
+ * As in a recording, the duration of an instant is the difference between two times. */
 #ifndef FROB_HOST_RING_H
 #define FROB_HOST_RING_H
 
@@ -26,9 +26,11 @@ struct ring_sizes {
 
 /* Operator input. */
 enum ring_event_kind {
-    RING_KEY = 1,   /* `id` is its character code */
-    RING_TOUCH = 2, /* `id` is an index in the program's console; see frob_console_touch */
-    RING_HOLD = 3   /* the same for a held button; `y` is the time in seconds of CLOCK_MONOTONIC */
+    RING_KEY = 1,   /* a typed key; `id` is its character code */
+    RING_TOUCH = 2, /* `id` is the index of a control in the program's console; see
+                     * frob_console_touch */
+    RING_HOLD = 3   /* like RING_TOUCH, for a held button; `y` is the CLOCK_MONOTONIC time in
+                     * seconds */
 };
 
 struct ring_event {
@@ -52,7 +54,7 @@ struct ring {
     size_t size;
     struct ring_sizes sizes;
     uint64_t published; /* number of instants that this process has published */
-    uint32_t freezes;   /* number of times that this process, as the host, was frozen */
+    uint32_t freezes;   /* number of times that this host process was frozen */
 };
 
 /* ---- The host's side */
@@ -98,7 +100,7 @@ bool ring_is_stopped(const struct ring *ring);
 
 /* The pace of the run that a viewer has requested. */
 struct ring_pace {
-    uint32_t beats; /* changes as long as the reader is alive */
+    uint32_t beats; /* heartbeat: changes while the reader is alive */
     bool paused;
     uint32_t steps; /* total number of instants to run while paused */
     double speed;   /* relative to real time, 0.1 to RING_MOST_SPEED */

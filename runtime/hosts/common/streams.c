@@ -32,7 +32,8 @@ static bool put_all(int file, const char *bytes, size_t size)
     return true;
 }
 
-/* A progress line overwrites itself, so a write may begin by clearing the line. */
+/* Returns the number of bytes at the start that clear the line, so that a progress line can
+ * overwrite itself. */
 static size_t beginning(const char *bytes, size_t size)
 {
     static const char clear[] = "\r\033[K";
@@ -97,7 +98,7 @@ void streams_keep_plain(void)
         streams_plain_output();
 }
 
-/* ---- All three */
+/* ---- All three streams */
 
 void streams_open(void)
 {
@@ -117,6 +118,6 @@ bool streams_flush(void)
     if (fflush(stdout) == 0 && !ferror(stdout))
         return true;
     fprintf(stderr, "error: cannot write to standard output: %s\n",
-            errno != 0 ? strerror(errno) : "an error before");
+            errno != 0 ? strerror(errno) : "an earlier write failed");
     return false;
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The functions of the library that are used. */
+/* The library functions that are used. */
 static struct {
     void *object;
     void *(*make_family)(void);
@@ -19,7 +19,7 @@ static struct {
     void (*destroy_found)(struct apriltag_array *);
 } library;
 
-/* ISO C does not convert a data pointer to a function pointer; POSIX allows it. */
+/* ISO C does not allow converting a data pointer to a function pointer; POSIX does. */
 static bool find(const char *name, void *function)
 {
     void *address = dlsym(library.object, name);
@@ -84,9 +84,10 @@ void tag_finder_close(struct tag_finder *finder)
     memset(finder, 0, sizeof *finder);
 }
 
-/* Sets the minimum contrast between a tag's white and black parts to a sixth of the contrast of the
- * whole image, so that it is lower in a dark image. The library ignores areas with less contrast.
- * Its default, 5, makes it examine all noise, which takes most of its time. */
+/* Sets the minimum contrast between a tag's white and black parts; the library ignores areas with
+ * less contrast. With the default, 5, the library spends most of its time on noise. This function
+ * uses a sixth of the contrast of the whole image, which is lower in a dark image, but at least
+ * 5. */
 static void set_contrast(struct tag_finder *finder, size_t size)
 {
     struct apriltag_settings settings;

@@ -1,7 +1,7 @@
 /* tag_finder.h -- finds AprilTags in an image with the AprilTag library.
  *
  * The library is loaded only if a program uses tags, so it need not be installed otherwise. It
- * allocates memory and takes milliseconds, so hosts call it rather than programs. With the same
+ * allocates memory and takes milliseconds, so the host calls it, not the program. With the same
  * version of the library, the same image always yields the same tags. */
 #ifndef FROB_HOST_TAG_FINDER_H
 #define FROB_HOST_TAG_FINDER_H
@@ -12,7 +12,7 @@
 
 struct tag_finder {
     void *detector, *family;
-    uint8_t *grey; /* work area: the current image in grey */
+    uint8_t *grey; /* buffer for the current image in grey */
     size_t room;
 };
 
@@ -25,7 +25,7 @@ bool tag_finder_open(struct tag_finder *finder);
 bool tag_finder_find(struct tag_finder *finder, const struct frob_image *image,
                      struct frob_tags *tags);
 
-/* This may also be called if the struct is all zero. */
+/* May also be called with a struct that is all zero. */
 void tag_finder_close(struct tag_finder *finder);
 
 #endif

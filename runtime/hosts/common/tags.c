@@ -10,8 +10,8 @@ static unsigned char *place(void *base, const struct frob_value *value)
     return (unsigned char *)base + value->offset;
 }
 
-/* Sets the numeric leaves in the order of their declaration in the library's module Tags. There are
- * no sums among them. */
+/* Sets the numeric leaves of a value in the order in which the library's module Tags declares them.
+ * The value must not contain sum types. */
 static void set_numbers(void *input, const struct frob_value *value, const double **next)
 {
     if (value->kind == FROB_PRODUCT || value->kind == FROB_ARRAY) {

@@ -47,8 +47,8 @@ static bool is_touched(const struct touches *t, size_t control)
     return false;
 }
 
-/* Handles a held button. The page repeats this event and includes its time. An event that was
- * delayed for too long is ignored. */
+/* Handles a held button. The page repeats this event, with a timestamp. An event that was delayed
+ * for too long is ignored. */
 static void hold(struct touches *t, size_t control, double x, double at_s, int64_t now_ns)
 {
     const double age_s = (double)now_ns / 1e9 - at_s;

@@ -6,7 +6,7 @@
  * if its page, the connection or the viewer is silent for 0.3 s.
  *
  * If the host freezes while an event waits, the event becomes stale. It is dropped and counted as
- * late, like such events in the ring. */
+ * late, like stale events in the ring. */
 #ifndef FROB_HOST_TOUCHES_H
 #define FROB_HOST_TOUCHES_H
 
@@ -27,10 +27,11 @@ struct touches {
     int32_t key; /* -1: none */
     size_t count;
     struct touch list[RING_EVENTS + 1];
-    int64_t *held_until_ns;    /* for each control, on CLOCK_MONOTONIC; 0: not held */
+    int64_t *held_until_ns;    /* for each control, the CLOCK_MONOTONIC time until which it is held;
+                                * 0: not held */
     struct ring_event waiting; /* an event that waits for the next instant */
-    bool has_waiting;          /* `waiting` is valid */
-    uint32_t freezes;          /* the number of freezes in the ring when the event was taken */
+    bool has_waiting;          /* whether `waiting` is valid */
+    uint32_t freezes;          /* the ring's number of freezes when the event was taken */
 };
 
 /* Returns false and prints a line on standard error if memory runs out. */

@@ -1,5 +1,4 @@
-/* truth.h -- the ground truth about a simulated robot, or about an object that can move, for
- * viewers. */
+/* truth.h -- the ground truth about a simulated robot or a movable object, for viewers. */
 #ifndef FROB_HOST_TRUTH_H
 #define FROB_HOST_TRUTH_H
 
@@ -9,8 +8,8 @@ struct truth {
     double touches;
 };
 
-/* The value of `touches` for an object. An instant's robots come before its objects: the boxes, and
- * then the balls, in the order of the world file. */
+/* The value of `touches` for an object. In each instant, the robots come first, followed by the
+ * objects: the boxes and then the balls, in the order of the world file. */
 #define TRUTH_OBJECT 2.0
 
 #endif

@@ -1,5 +1,5 @@
 /* The main program on a Cortex-M board: the loop of hosts/board, the timer interrupt that watches
- * it, and a periodic status line for people. */
+ * it, and a periodic status line for the user. */
 #include "hal/cortex_m/board.h"
 #include "hosts/board/loop.h"
 

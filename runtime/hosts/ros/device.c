@@ -26,7 +26,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "lidar_heading", (double)NAN, -7.0, 7.0,
       "direction of the lidar, positive to the left, rad" },
     { "imu_aligned", 0.0, 0.0, 1.0,
-      "1: inertial units have the directions of the robot, instead of reading /tf" },
+      "1: the axes of inertial units match the robot's; otherwise /tf is read" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
     { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
     { "lifecycle", 0.0, 0.0, 1.0, "1: be a managed node, as with --lifecycle" },

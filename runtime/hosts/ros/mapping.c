@@ -16,7 +16,7 @@ typedef rosidl_typesupport_introspection_c__MessageMembers members_type;
 
 static const char introspection[] = "rosidl_typesupport_introspection_c";
 
-/* ---- Types of messages */
+/* ---- Message types */
 
 static const members_type *members_of(const rosidl_message_type_support_t *support)
 {
@@ -68,8 +68,8 @@ void *message_header(const struct message_type *type, void *message)
 
 /* ---- Names */
 
-/* Returns whether a field of a record corresponds to the name of the member: angleMin corresponds
- * to angle_min, and data_ to data. */
+/* Returns whether the name of a record's field matches the name of a message's member: angleMin
+ * matches angle_min, and data_ matches data. */
 static bool is_named(const char *field, const char *member)
 {
     for (; *member != '\0'; member++) {
@@ -119,11 +119,12 @@ struct search {
     char *why;
     size_t room;
     const char *type;   /* type of the whole message */
-    const char *record; /* the record that contains the value; NULL: it is the whole message */
+    const char *record; /* the record that contains the value; NULL if the value is the whole
+                         * message */
     const struct frob_node *node;
 };
 
-/* Returns the type to write in the program for a member. */
+/* Returns the type with which the program must declare a member. */
 static const char *wanted(const member_type *member)
 {
     switch (member->type_id_) {
@@ -196,7 +197,7 @@ static bool is_text(const struct search *s, struct mapping *m, const struct frob
     return true;
 }
 
-/* Maps one value, which may be an element of the member. */
+/* Maps a single value: a member, or one element of it. */
 static bool map_one(const struct search *s, struct mapping *m, const member_type *member,
                     const struct frob_value *value)
 {
@@ -342,6 +343,6 @@ bool mapping_of(struct mapping *m, const struct message_type *type, const struct
     if (value->kind == FROB_PRODUCT && texts_of(node, value) == NULL)
         return value->constructors[0].count == 0 ||
                map_record(&s, m, type->members, &value->constructors[0]);
-    /* A Bool, Int, Float or text is the only member, `data`. */
+    /* A Bool, Int, Float or text corresponds to the message's only member, `data`. */
     return room_for(&s, m, 1) && map_one(&s, &m->parts[0], &type->members->members_[0], value);
 }

@@ -15,11 +15,10 @@
 
 typedef visualization_msgs__msg__Marker marker_type;
 
-/* The number of sides of the polygon for a circle. A polygon for a circle has more
- * points than any other marker. */
+/* Number of sides of the polygon that approximates a circle. No other marker has more points. */
 enum { SIDES = 36, POINTS_MOST = SIDES + 1 };
 
-/* Maximum time to wait until the removal of all markers has arrived. */
+/* Maximum time to wait for subscribers to acknowledge the removal of all markers. */
 #define ACKNOWLEDGED_NS INT64_C(100000000)
 
 /* Sizes in metres. */
@@ -151,7 +150,7 @@ static bool set_marker(marker_type *marker, const struct drawing_mark *mark, con
 
 static void publish(struct markers *m, size_t count)
 {
-    /* Markers that are no longer drawn are removed. */
+    /* Remove the markers that are no longer drawn. */
     for (size_t i = count; i < m->shown; i++)
         m->message.markers.data[i].action = visualization_msgs__msg__Marker__DELETE;
     m->message.markers.size = count > m->shown ? count : m->shown;

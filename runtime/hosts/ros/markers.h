@@ -20,7 +20,8 @@ struct markers {
     visualization_msgs__msg__MarkerArray message;
 };
 
-/* Returns false if that is impossible. Then `why` explains it, or is empty if rcl reports an error. */
+/* Creates the publisher of the markers. On failure, returns false and explains why in `why`, which
+ * is empty if rcl reports an error. */
 bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
                    char *why, size_t room);
 

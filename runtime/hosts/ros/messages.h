@@ -27,15 +27,16 @@ enum ros_kind {
     ROS_CLICK, /* a click on a map; a struct ros_click */
     ROS_TF,    /* only in the node: transforms of /tf, or of /tf_static */
     ROS_TF_STATIC,
-    ROS_NAMED, /* the name of a topic of the program's own; the rest is a struct ros_named */
+    ROS_NAMED, /* the name of one of the program's own topics; the rest is a struct ros_named */
     ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, followed by the value */
     /* To the node. */
     ROS_VELOCITY,
-    /* An instant of the run, or its columns: a struct ros_text, followed by the text. */
+    /* An instant of the run, or the run's columns, as text: a struct ros_text, followed by the
+     * text. */
     ROS_TEXT,
     ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, followed by the
                  * output */
-    ROS_REST,   /* publish zeros on those topics that are commands */
+    ROS_REST,   /* publish zeros on those of the topics that are commands */
     ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, followed by its bytes */
     ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
     /* Sent in both directions when a control of the console has a new value; a struct
@@ -83,7 +84,7 @@ struct ros_odometry {
     double speed_m_s, turning_rad_s;
 };
 
-/* The sensor and the times of a message. */
+/* The sensor that a message comes from, and the message's timestamps. */
 struct ros_origin {
     uint32_t control; /* index of the first control of the program's console that uses the
                        * sensor */
@@ -93,7 +94,7 @@ struct ros_origin {
 
 enum { ROS_FRAME = 128 };
 
-/* Whether the frame of a message was found in another frame. */
+/* Whether the transform from a message's frame to another frame is known. */
 enum ros_fate {
     ROS_FOUND,
     ROS_NOT_FOUND, /* no transform is known */
@@ -102,14 +103,14 @@ enum ros_fate {
 
 struct ros_placing {
     uint32_t fate;         /* enum ros_fate */
-    char frame[ROS_FRAME]; /* of the message */
+    char frame[ROS_FRAME]; /* the message's frame */
     char in[ROS_FRAME];    /* the robot's frame, or the frame of its odometry */
 };
 
-/* The place of a lidar on the robot. */
+/* The mounting pose of a lidar on the robot. */
 struct ros_seat {
     double x_m, y_m, heading_rad; /* positive to the left */
-    bool is_upside_down;          /* its positive angles are to the right */
+    bool is_upside_down;          /* whether the lidar's positive angles are to the right */
 };
 
 enum { ROS_RAYS_MOST = 8192 };
@@ -131,7 +132,7 @@ struct ros_imu {
     struct ros_head head;
     struct ros_origin origin;
     struct ros_placing placing; /* in the robot's frame */
-    double mounting[4]; /* its orientation on the robot, a quaternion; valid for ROS_FOUND */
+    double mounting[4]; /* the unit's orientation on the robot, a quaternion; valid for ROS_FOUND */
     double rate_radps[3], acceleration_mps2[3];
     double rotation[4]; /* quaternion: x, y, z, w */
     bool has_rotation;
@@ -149,10 +150,10 @@ struct ros_click {
     struct ros_head head;
     struct ros_origin origin;
     struct ros_placing placing; /* in the frame of odometry */
-    double x_m, y_m;            /* in that frame, for ROS_FOUND */
+    double x_m, y_m;            /* in that frame; valid for ROS_FOUND */
 };
 
-/* Maximum number of controls that other nodes operate. */
+/* Maximum number of controls that other nodes can operate. */
 enum { ROS_CONTROLS_MOST = 64 };
 
 enum { ROS_JOY_MOST = 64 };
@@ -213,7 +214,7 @@ struct ros_state {
     bool resets;    /* the program starts again in its initial state */
 };
 
-/* Topics of the program's own, identified by their index in its table. */
+/* The program's own topics, identified by their index in its table. */
 
 /* Sent after a struct ros_started, for each topic. */
 struct ros_named {
@@ -223,7 +224,8 @@ struct ros_named {
     char name[ROS_NAME]; /* after remapping */
 };
 
-/* The value of a topic follows: the bytes of its span (topics.h) in the program's input. */
+/* A message on a topic. Its value follows this struct: the bytes of the topic's span (topics.h) in
+ * the program's input. */
 struct ros_topic_message {
     struct ros_head head;
     uint32_t topic;
@@ -237,19 +239,20 @@ struct ros_output {
     bool rests; /* publish zeros as commands */
 };
 
-/* The bytes of the drawing's span (topics.h) in the program's output follow. */
+/* The program's drawing. It follows this struct: the bytes of its span (topics.h) in the program's
+ * output. */
 struct ros_marks {
     struct ros_head head;
 };
 
-/* Maximum size of a value in these messages: it must be much less than the socket's buffer. */
+/* Maximum size of a value in these messages. It must be much smaller than the socket's buffer. */
 enum { ROS_VALUE_MOST = 60000 };
 
 /* A knob or toggle of the program's console, which is a parameter of the node. */
 struct ros_touch {
     struct ros_head head;
     uint32_t control; /* index in the program's console */
-    bool is_initial;  /* whether the value is from the arguments for ROS */
+    bool is_initial;  /* whether the value comes from the ROS arguments */
     double value;     /* in base units; 0 or 1 for a toggle */
 };
 

@@ -28,10 +28,10 @@
 
 #define WAIT_NS INT64_C(500000000)
 
-/* Maximum time to wait until the last velocity has arrived. */
+/* Maximum time to wait for subscribers to acknowledge the last velocity. */
 #define ACKNOWLEDGED_NS INT64_C(100000000)
 
-/* Number of instants that a late subscriber, such as a recorder of bags, receives. */
+/* Number of past instants that a late subscriber, such as a bag recorder, receives. */
 enum { INSTANTS_KEPT = 500 };
 
 enum { DONE = 0, FAULT = 2 };
@@ -86,7 +86,7 @@ static void refuse_because(const struct node *n, const char *what, const char *w
         fprintf(stderr, "error: %s\n", refused.reason);
 }
 
-/* The same, with the reason that rcl reports. */
+/* Tells the supervisor why the node cannot start, with the reason that rcl reports. */
 static void refuse(const struct node *n, const char *what)
 {
     refuse_because(n, what, rcl_get_error_string().str);
@@ -108,7 +108,7 @@ static bool join(struct node *n)
     if (rcl_init_options_fini(&init) != RCL_RET_OK)
         rcl_reset_error();
     if (result != RCL_RET_OK) {
-        refuse(n, result == RCL_RET_INVALID_ROS_ARGS ? "wrong argument after --ros-args"
+        refuse(n, result == RCL_RET_INVALID_ROS_ARGS ? "invalid argument after --ros-args"
                                                      : "cannot initialize ROS 2");
         return false;
     }
@@ -201,8 +201,8 @@ static bool advertise_instants(struct node *n)
            advertise_text(n, &n->instants, "~/instants", INSTANTS_KEPT);
 }
 
-/* Tells the supervisor that a part of the node cannot start: because of `why`, or if it is empty,
- * with the reason that rcl reports. */
+/* Tells the supervisor that a part of the node cannot start. The reason is `why`, or the one that
+ * rcl reports if `why` is empty. */
 static bool lacks(const struct node *n, const char *what, const char *why)
 {
     if (why[0] != '\0')
@@ -239,7 +239,7 @@ static bool manage(struct node *n)
            lacks(n, "cannot be a managed node", why);
 }
 
-/* Tells the supervisor the name of a topic of the program's own. */
+/* Tells the supervisor the name of one of the program's own topics. */
 static bool report_name(const struct node *n, uint32_t topic, bool is_output, const char *name)
 {
     struct ros_named named;
@@ -266,7 +266,7 @@ static bool report_names(const struct node *n)
     return ok;
 }
 
-/* Tells the supervisor the names after remapping. */
+/* Tells the supervisor the names of the node and its topics, after remapping. */
 static bool report(struct node *n)
 {
     struct ros_started started;
@@ -305,7 +305,7 @@ static bool report(struct node *n)
 
 /* ---- Publishing */
 
-/* Publishes a velocity, or the program's own topics, or zeros; nothing if the node is not active. */
+/* If the node is active, publishes a velocity, the program's own topics, or zeros. */
 static void publish_if_active(struct node *n, const struct ros_velocity *velocity,
                               const struct ros_output *output)
 {

@@ -15,9 +15,9 @@ bool ros_yaw_of(const double rotation[4], double *yaw_rad)
 const char *ros_motion_of(const struct ros_odometry *o, struct ros_motion *motion)
 {
     if (!isfinite(o->x_m) || !isfinite(o->y_m))
-        return "its position is not a number";
+        return "its position is not a finite number";
     if (!isfinite(o->speed_m_s) || !isfinite(o->turning_rad_s))
-        return "its speed is not a number";
+        return "its speed is not a finite number";
     if (!ros_yaw_of(o->rotation, &motion->heading_rad))
         return "its orientation is not a quaternion of length 1";
     motion->x_m = o->x_m;

@@ -11,8 +11,8 @@ struct ros_motion {
     double speed_m_s, turning_rad_s;
 };
 
-/* Computes the yaw of a rotation, from -pi to pi. Returns false if it is not a quaternion of length
- * 1. */
+/* Computes the yaw of a rotation, from -pi to pi. Returns false if `rotation` is not a quaternion
+ * of length 1. */
 bool ros_yaw_of(const double rotation[4], double *yaw_rad);
 
 /* Converts the message. Returns NULL, or the reason why it is not usable. */

@@ -33,7 +33,8 @@ enum { START_MS = 20000, END_MS = 1000 };
 
 /* ---- The supervisor's side */
 
-/* The options of the node's process, between the socket and the arguments for ROS. */
+/* The options on the command line of the node's process, between the socket and the ROS
+ * arguments. */
 static const char stamped_option[] = "stamped", sim_time_option[] = "sim_time",
                   lifecycle_option[] = "lifecycle", joy_option[] = "joy";
 
@@ -107,7 +108,7 @@ static enum frob_status wait_until_started(int socket, char *message, size_t roo
     return FROB_NOT_FOUND;
 }
 
-/* Waits for the process to end, after its socket was closed. */
+/* Waits for the node's process to end after its socket has been closed. */
 static void close_node(struct line *line)
 {
     static const struct timespec pause = { 0, 1000000 };
@@ -245,7 +246,7 @@ static void judge(const struct line *line, size_t claim, bool fails, bool is_voi
     message.level = (uint8_t)(is_void ? ROS_WARN : fails ? ROS_ERROR : ROS_OK);
     snprintf(message.fate, sizeof message.fate, "%s", fate);
     if (send(line->port.fd, &message, sizeof message, MSG_NOSIGNAL | MSG_DONTWAIT) < 0)
-        return; /* the next one replaces it */
+        return; /* the next verdict replaces this one */
 }
 
 const struct line_opening ros_opening = {

@@ -50,12 +50,12 @@ static bool is_running(const struct ros_device *d)
     const int64_t since = ros_placed_ns(d, d->sensed_ns);
     if (!d->managed.is_active)
         return false;
-    /* Nodes with topics of their own do not need odometry. */
+    /* A node with its own topics does not need odometry. */
     return d->take_other != NULL ||
            (since != INT64_MIN && frob_now_ns(&d->clock) - since < RUNNING_NS);
 }
 
-/* Returns whether the program runs. If not, reports that the program ignores an action on this
+/* Returns whether the program is running. If not, warns that it ignores the action on this
  * control. */
 static bool sees(const struct ros_device *d, const struct frob_control *control)
 {
@@ -96,7 +96,7 @@ void operated_take_click(struct ros_device *d, const struct ros_click *message)
                           sizeof o->why_not);
         bad = o->why_not;
     } else if (!isfinite(message->x_m) || !isfinite(message->y_m)) {
-        bad = "its position is not a number";
+        bad = "its position is not a finite number";
     }
     if (!ros_accepts(d, &o->map, bad, message->origin.stamp_ns, message->origin.arrived_ns,
                      &taken_ns) ||

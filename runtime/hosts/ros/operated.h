@@ -21,12 +21,12 @@ struct operated {
     struct ros_topic joystick, map;
     struct joy joy;
     bool is_pressed[ROS_CONTROLS_MOST]; /* whether a button was pressed and the program has not read
-                                         * it */
+                                         * the press yet */
     bool is_clicked;                    /* whether the map was clicked and the program has not read
-                                         * it */
+                                         * the click yet */
     double x_m, y_m;
     char why[ROS_REASON];     /* the reason why messages of the joystick are ignored */
-    char why_not[ROS_REASON]; /* the same, for clicks */
+    char why_not[ROS_REASON]; /* the reason why clicks are ignored */
 };
 
 /* Sets the program whose console is operated. */
@@ -39,11 +39,11 @@ void operated_take_joy(struct ros_device *device, const struct ros_joy *message)
 void operated_take_press(struct ros_device *device, const struct ros_press *press);
 void operated_take_click(struct ros_device *device, const struct ros_click *message);
 
-/* Operates the controls for an instant. */
+/* Sets the program's input for an instant to the state of the controls. */
 void operated_give(struct operated *operated, void *input, int64_t now_ns);
 
-/* Writes the name of the topic of a button, such as `~/buttons/go`: letters and digits of its label,
- * and underscores for other characters. */
+/* Writes the name of a button's topic, such as `~/buttons/go`: its last part is the label, with
+ * underscores for characters other than letters and digits, and in front of a first digit. */
 void operated_topic(const struct frob_control *button, char *name, size_t room);
 
 #endif

@@ -7,7 +7,7 @@
 #include <rcl/error_handling.h>
 #include <rosidl_runtime_c/string_functions.h>
 
-/* The number of messages of an event that may wait for delivery. */
+/* Queue depth of a topic that is an event, in messages. */
 enum { EVENTS_KEPT = 10 };
 
 /* ---- Setting up */
@@ -50,8 +50,8 @@ static bool start_velocity(struct outputs *o, const rcl_node_t *node, char *why,
     return advertise(o, 0, type, "cmd_vel", 1, node, why, room);
 }
 
-/* The frame to use if the program omits it. Poses and markers are in the frame of the odometry,
- * everything else is in that of the robot. */
+/* Returns the frame for a message whose frame the program omits: the odometry's frame for poses and
+ * markers, the robot's frame for everything else. */
 static const char *frame_of(const char *type)
 {
     static const char *const in_odometry[] = {
@@ -90,7 +90,7 @@ static bool start_own(struct outputs *o, size_t i, const rcl_node_t *node, char 
         return lacks_memory(why, room);
     o->topics[i].type = own->topic->type;
     o->topics[i].kept = "earlier messages";
-    o->topics[i].cure = "; let the field be a TwistStamped";
+    o->topics[i].cure = "; declare the field as a TwistStamped";
     return advertise(o, i, own->type.support, own->topic->name,
                      own->parts.event == NULL ? 1 : EVENTS_KEPT, node, why, room);
 }

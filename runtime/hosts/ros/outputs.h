@@ -1,5 +1,5 @@
-/* outputs.h -- publishes the program's output: the velocity of a robot, or the topics of the
- * program's own. */
+/* outputs.h -- publishes the program's output: the velocity of a robot, or the program's own
+ * topics. */
 #ifndef FROB_HOST_ROS_OUTPUTS_H
 #define FROB_HOST_ROS_OUTPUTS_H
 
@@ -17,14 +17,14 @@
 #include "parts.h"
 #include "topics.h"
 
-/* A topic of the program's own. */
+/* One of the program's own topics. */
 struct own_output {
     const struct frob_topic *topic;
     struct message_type type;
     struct mapping mapping;
     struct topic_parts parts;
     void *message, *zero;
-    bool told; /* whether a command with a number that is not finite was reported */
+    bool told; /* whether a non-finite number in a command has been reported */
 };
 
 struct outputs {
@@ -33,13 +33,13 @@ struct outputs {
     rcl_publisher_t *publishers;
     struct topic *topics; /* with their names after remapping */
     size_t count;
-    /* The velocity, for a program without topics of its own. */
+    /* The velocity, for a program without its own topics. */
     geometry_msgs__msg__Twist twist;
     geometry_msgs__msg__TwistStamped stamped_twist;
     struct own_output *own;
 };
 
-/* Creates the publishers. If that is impossible, returns false and explains it in `why`. If rcl
+/* Creates the publishers. On failure, returns false and explains why in `why`. If rcl
  * rejects a publisher, `why` ends with a colon, and the caller must append rcl's reason. */
 bool outputs_start(struct outputs *outputs, const struct frob_program *program, bool stamped,
                    const rcl_node_t *node, char *why, size_t room);
@@ -54,7 +54,7 @@ void outputs_publish(struct outputs *outputs, const void *values, bool rests);
 /* Publishes zero as the velocity, or on the program's topics that are commands. */
 void outputs_rest(struct outputs *outputs);
 
-/* Waits until the newest commands have arrived, for at most this time each. */
+/* Waits for subscribers to acknowledge the newest commands, at most `most_ns` for each topic. */
 void outputs_wait(const struct outputs *outputs, int64_t most_ns);
 
 /* Returns false if rcl reports an error. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A value in the arguments for ROS, `-p NAME:=VALUE`. */
+/* A parameter's value in the ROS arguments, `-p NAME:=VALUE`. */
 struct override {
     char *name, *value;
 };
@@ -52,7 +52,7 @@ static void add_from_file(void *context, const char *name, const char *value)
     add_override((struct found *)context, name, strlen(name), value);
 }
 
-/* Calls `take` for each argument for ROS, and passes the previous argument as well. */
+/* Calls `take` with each ROS argument and the argument before it. */
 static void each_argument(int argc, char **argv,
                           void (*take)(void *context, const char *before, const char *argument),
                           void *context)
@@ -100,7 +100,7 @@ static void take_value(void *context, const char *before, const char *argument)
         add_override(&search->found, argument, (size_t)(assign - argument), assign + 2);
 }
 
-/* Finds the values in the arguments for ROS and in parameter files, in order. rcl reports
+/* Finds the values in the ROS arguments and in parameter files, in order. rcl reports
  * invalid arguments. */
 static struct found overrides_in(int argc, char **argv, const char *program)
 {
@@ -142,7 +142,7 @@ static bool override_one(struct overrides *result, const struct parameters *para
         return true;
     }
     if (!p->is_fixed) {
-        /* The node sets it (overrides_of_controls). */
+        /* The node sets this control later (overrides_of_controls). */
         if (parameters_read(parameters, p, override->value, &value, reason, sizeof reason))
             return true;
         fprintf(stderr, "error: %s\n", reason);
@@ -154,7 +154,7 @@ static bool override_one(struct overrides *result, const struct parameters *para
         return add(result, "--set", "sim_time", "1");
     if (strcmp(override->value, "false") == 0)
         return true;
-    fprintf(stderr, "error: the parameter `use_sim_time` is true or false, not `%s`\n",
+    fprintf(stderr, "error: the parameter `use_sim_time` must be true or false, not `%s`\n",
             override->value);
     return false;
 }

@@ -1,4 +1,4 @@
-/* overrides.h -- values of parameters in the arguments for ROS: `--ros-args -p kTurn:=5.0`. */
+/* overrides.h -- parameter values in the ROS arguments: `--ros-args -p kTurn:=5.0`. */
 #ifndef FROB_HOST_ROS_OVERRIDES_H
 #define FROB_HOST_ROS_OVERRIDES_H
 
@@ -9,13 +9,13 @@
 /* A command line with the program's own options. */
 struct overrides {
     int argc;
-    char **argv; /* NULL if memory ran out or a value is wrong */
+    char **argv; /* NULL if memory ran out or a value is invalid */
 };
 
-/* Returns the command line, extended by an option `--param NAME=VALUE` for each of the program's
- * parameters that the arguments for ROS set, and by a driver setting if they set use_sim_time.
- * Replaces the option `--lifecycle` by a driver setting. Reports names that the program does not
- * have, and wrong values. The result is never freed. */
+/* Returns the command line with an additional option `--param NAME=VALUE` for each of the program's
+ * parameters that the ROS arguments set, and with a driver setting if they set use_sim_time.
+ * Replaces the option `--lifecycle` with a driver setting. Reports unknown parameter names and
+ * invalid values. The result is never freed. */
 struct overrides overrides_of(int argc, char **argv, const struct frob_program *program);
 
 /* Calls `set` for each knob or toggle that the arguments set, with its new value. `program`: the

@@ -24,7 +24,7 @@ struct own_input {
  * newest values in a struct of the program's input, and the message to send next. */
 struct own_device {
     struct ros_device base;
-    bool commanded; /* since the last stop */
+    bool commanded; /* whether a command was sent since the last stop */
 };
 
 struct output_name {
@@ -138,8 +138,8 @@ static bool is_plain(const struct own_input *input)
     return input->parts.event == NULL;
 }
 
-/* The time of the oldest among the newest messages on plain topics. Topics that are events do not
- * count, because their messages may arrive at any time. */
+/* Returns the time of the plain topic whose newest message is the oldest. Topics that are events do
+ * not count, because their messages may arrive at any time. */
 static int64_t sensed_ns(const void *device)
 {
     const struct own_device *own = (const struct own_device *)device;

@@ -133,7 +133,7 @@ static void list(const struct parameters *parameters, char *text, size_t room)
     }
 }
 
-/* Explains how to set a parameter that is read-only. */
+/* Explains how to set a read-only parameter. */
 static void refuse_fixed(const struct parameter *p, char *reason, size_t room)
 {
     if (strcmp(p->name, sim_time) == 0)
@@ -166,7 +166,7 @@ bool parameters_convert(const struct parameters *parameters, const struct parame
         *value = request->truth ? 1.0 : 0.0;
         return true;
     }
-    /* 3 is also a number of metres. */
+    /* A number may be given as an integer, such as 3 for 3.0. */
     if (p->type != PARAMETER_DOUBLE ||
         (request->type != (int)PARAMETER_DOUBLE && request->type != (int)PARAMETER_INTEGER)) {
         snprintf(reason, room, "`%s` has the type %s, but the value has the type %s", p->name,
@@ -177,8 +177,8 @@ bool parameters_convert(const struct parameters *parameters, const struct parame
     if (*value >= p->least && *value <= p->most)
         return true;
     space = p->unit[0] == '\0' ? "" : " ";
-    snprintf(reason, room, "`%s` is a number from %g to %g%s%s, not %g", p->name, p->least, p->most,
-             space, p->unit, *value);
+    snprintf(reason, room, "`%s` must be a number from %g to %g%s%s, not %g", p->name, p->least,
+             p->most, space, p->unit, *value);
     return false;
 }
 
@@ -200,7 +200,7 @@ bool parameters_read(const struct parameters *parameters, const struct parameter
     struct parameter_request request;
     char *end;
     memset(&request, 0, sizeof request);
-    request.type = 4; /* the text is a string unless it has another type */
+    request.type = 4; /* a string, unless the text is a number or a Bool */
     request.number = strtod(text, &end);
     if (end != text && *end == '\0')
         request.type = (int)PARAMETER_DOUBLE;

@@ -25,7 +25,8 @@ struct parameter {
     enum parameter_type type;
     const char *unit; /* the unit; "" if there is none */
     bool is_fixed;    /* read-only */
-    size_t control;   /* index in the program's console; `control_count` if it is not a control */
+    size_t control;   /* index in the program's console; `control_count` if the parameter is not a
+                       * control */
     double least, most;
     double value; /* 0 or 1 for a bool; a whole number for an integer */
 };
@@ -37,7 +38,8 @@ struct parameters {
 
 /* A value as it arrives in a request. */
 struct parameter_request {
-    int type; /* a value of rcl_interfaces/msg/ParameterType, possibly one that no parameter has */
+    int type; /* a value of rcl_interfaces/msg/ParameterType, possibly a type that no parameter
+               * has */
     bool truth;
     int64_t integer;
     double number;
@@ -66,8 +68,8 @@ void parameters_describe(const struct parameter *parameter, char *text, size_t r
 /* Writes the name of a type. */
 const char *parameters_type_name(int type);
 
-/* Reads the text of a value, as in `-p NAME:=VALUE`. Returns false, with a reason, if the parameter
- * cannot have it. */
+/* Parses the text of a value, as in `-p NAME:=VALUE`. Returns false, with a reason, if the
+ * parameter cannot have this value. */
 bool parameters_read(const struct parameters *parameters, const struct parameter *parameter,
                      const char *text, double *value, char *reason, size_t room);
 

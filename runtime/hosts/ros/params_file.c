@@ -8,7 +8,7 @@
 #include <rcutils/allocator.h>
 #include <rcutils/error_handling.h>
 
-/* Both pointers point to the beginning of a part, which is after a slash, or to the end of the
+/* Both pointers point to the start of a part of a name (after a slash), or to the end of the
  * text. */
 static bool matches(const char *pattern, const char *node)
 {

@@ -5,16 +5,16 @@
 
 #include <stdbool.h>
 
-/* Calls `set` for each value in the file for this node: in the order of the file, with the value
- * as text, as in `-p NAME:=VALUE`. `node`: its full name. Returns false if the file cannot be read;
- * rcl then reports why. */
+/* Calls `set` for each value that the file contains for this node, in the order of the file. Values
+ * are passed as text, as in `-p NAME:=VALUE`. `node`: the node's full name. Returns false if the
+ * file cannot be read; rcl then reports why. */
 bool params_file_read(const char *file, const char *node,
                       void (*set)(void *context, const char *name, const char *value),
                       void *context);
 
-/* Returns whether the name of a node in such a file matches this node. It matches if it is the
- * node's name, with or without the first slash, or a pattern in which `*` matches one part of a
- * name and `**` any number of parts. */
+/* Returns whether a node name in a parameter file matches this node. The name can be the node's
+ * name, with or without the leading slash, or a pattern in which `*` matches one part of a name and
+ * `**` any number of parts. */
 bool params_file_matches(const char *pattern, const char *node);
 
 #endif

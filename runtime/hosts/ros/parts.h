@@ -1,4 +1,4 @@
-/* parts.h -- shared by the files of the node's process. */
+/* parts.h -- declarations that the files of the node's process share. */
 #ifndef FROB_HOST_ROS_PARTS_H
 #define FROB_HOST_ROS_PARTS_H
 
@@ -16,7 +16,7 @@ struct topic {
     bool told_reliability; /* whether a node with an incompatible reliability was reported */
     bool told_durability;  /* whether a node with an incompatible durability was reported */
     const char *kept; /* the messages that a late subscriber does not receive: "old velocities" */
-    const char *cure; /* for a subscriber of TwistStamped; "" if there is none */
+    const char *cure; /* advice for when a subscriber expects TwistStamped; "" if there is none */
 };
 
 struct inputs;
@@ -30,10 +30,11 @@ struct graph {
     bool told_name;
 };
 
-/* The monotonic clock. */
+/* Returns the time of the monotonic clock. */
 int64_t node_now_ns(void);
 
-/* The time for stamps: the time of /clock with use_sim_time, otherwise this machine's time. */
+/* Returns the time for timestamps: the time of /clock with use_sim_time, otherwise this machine's
+ * time. */
 int64_t node_stamp_ns(void);
 
 /* Checks the other nodes once a second. Reports topics without a publisher, messages of a

@@ -55,8 +55,8 @@ static double or_zero(double setting)
     return isnan(setting) ? 0.0 : setting;
 }
 
-/* Determines the place of a lidar from the settings, if there are any, and otherwise from the
- * transforms. Returns NULL, or the reason why the place is not known. */
+/* Determines a lidar's position and heading on the robot from the settings, if there are any, and
+ * otherwise from the transforms. Returns NULL, or the reason why they are not known. */
 static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor,
                            const struct ros_scan *message, struct ros_seat *seat)
 {
@@ -93,8 +93,9 @@ int64_t ros_placed_ns(const struct ros_device *d, int64_t sensed_ns)
     return sensed_ns;
 }
 
-/* Records whether the place of a sensor is known. `bad`: the reason why it is not, or NULL. Returns
- * whether to wait: when a node starts, the transforms may arrive after the messages. */
+/* Records whether a sensor's position on the robot is known. `bad`: the reason why it is unknown,
+ * or NULL. Returns whether to wait, because when a node starts, the transforms may arrive after the
+ * messages. */
 static bool waits_for_frame(struct ros_sensor *sensor, const struct ros_placing *placing,
                             const char *bad, int64_t now_ns)
 {
@@ -125,8 +126,7 @@ void ros_take_scan(struct ros_device *d, const struct ros_scan *message)
 
 void ros_take_imu(struct ros_device *d, const struct ros_imu *message)
 {
-    static const char how[] =
-        "add `--set imu_aligned=1` if the unit has the directions of the robot";
+    static const char how[] = "add `--set imu_aligned=1` if the unit's axes match the robot's";
     struct ros_sensor *sensor = sensor_of(d, ROS_IMU, &message->origin);
     const bool is_aligned = d->settings[ROS_IMU_ALIGNED] > 0.0;
     struct ros_imu turned = *message;
@@ -150,7 +150,7 @@ void ros_take_imu(struct ros_device *d, const struct ros_imu *message)
     sensor->fresh = true;
 }
 
-/* A robot may publish a bumper only when it changes, so silence is normal. */
+/* A robot may publish a bumper's state only when it changes, so silence is normal. */
 void ros_take_bumper(struct ros_device *d, const struct ros_bumper *message)
 {
     struct ros_sensor *sensor = sensor_of(d, ROS_BUMPER, &message->origin);

@@ -1,5 +1,5 @@
-/* readings.h -- the readings of the robot's lidars, inertial measurement units and bumpers, from the
- * node's messages to the program's input. */
+/* readings.h -- the readings of the robot's lidars, inertial measurement units and bumpers, from
+ * the node's messages to the program's input. */
 #ifndef FROB_HOST_ROS_READINGS_H
 #define FROB_HOST_ROS_READINGS_H
 
@@ -20,13 +20,13 @@ void ros_take_bumper(struct ros_device *device, const struct ros_bumper *message
 void ros_give_readings(struct ros_device *device, const struct frob_program *program, void *input,
                        int64_t now_ns);
 
-/* Reports that the frame of a message is not known. `effect`: the consequence. `how`: how the user
- * can do without the transform. */
+/* Explains in `why` that no transform for the frame of a message is known. `effect`: the
+ * consequence. `how`: how the user can do without the transform. */
 void ros_explain_frame(const struct ros_placing *placing, const char *effect, const char *how,
                        char *why, size_t room);
 
-/* Returns the time since which the program cannot receive readings because the place of a lidar is
- * not known. Returns `sensed_ns` if that is earlier, or if all places are known. */
+/* Returns the time since which the program has received no readings because the position of a lidar
+ * is unknown. Returns `sensed_ns` if that is earlier, or if all positions are known. */
 int64_t ros_placed_ns(const struct ros_device *device, int64_t sensed_ns);
 
 #endif

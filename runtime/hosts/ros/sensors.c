@@ -27,7 +27,7 @@ const char *ros_scan_of(const struct ros_scan *m, const struct ros_seat *seat, d
     if (m->count == 0)
         return "it has no ranges";
     if (!isfinite(m->first_rad) || !(step > 0.0) || !isfinite(step))
-        return "its angles are not numbers, or angle_increment is 0";
+        return "its angles are not finite numbers, or angle_increment is 0";
     if (step * (m->count - 1) > two_pi * 1.001)
         return "its rays cover more than a full turn";
     if (!isfinite(m->nearest_m) || !isfinite(m->farthest_m) || m->nearest_m < 0.0 ||
@@ -56,7 +56,7 @@ const char *ros_imu_check(const struct ros_imu *m)
     double heading_rad;
     for (size_t i = 0; i < 3; i++)
         if (!isfinite(m->rate_radps[i]) || !isfinite(m->acceleration_mps2[i]))
-            return "a rate or an acceleration is not a number";
+            return "a rate or an acceleration is not a finite number";
     if (m->has_rotation && !ros_yaw_of(m->rotation, &heading_rad))
         return "its orientation is not a quaternion of length 1";
     return NULL;

@@ -28,7 +28,7 @@ struct ros_measurements {
 /* Returns NULL, or the reason why the message is invalid. */
 const char *ros_imu_check(const struct ros_imu *message);
 
-/* Converts a valid message to the directions of the robot. */
+/* Rotates a valid message from the sensor's frame to the robot's frame. */
 void ros_imu_turn(struct ros_imu *message);
 
 /* Adds a valid measurement. */
@@ -40,9 +40,9 @@ struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_
 /* Resets the sums. */
 void ros_imu_restart(struct ros_measurements *sums);
 
-/* Returns the name of the topic for a control, without namespace: for a lidar `scan`, for a unit
- * `imu`, for bumpers such as `bumper_left`, and for others the name in the program. Returns false if
- * the control is not a sensor. */
+/* Writes to `name` the topic of a sensor, without namespace. For a bumper, that is a name such as
+ * `bumper_left`; for the lidar `lidar`, it is `scan`; for other sensors, it is the name in the
+ * program. Returns false if the control is not a sensor. */
 bool ros_topic_of(const struct frob_control *control, char *name, size_t room);
 
 /* Returns the first control that uses the same sensor as control `i`. */

@@ -126,7 +126,7 @@ void services_note(struct services *s, size_t control, double value)
     pthread_mutex_unlock(&s->lock);
 }
 
-/* ---- The services. Each function fills in a response that was initialized. Returns false if
+/* ---- The services. Each function fills in an initialized response. Returns false if
  * memory runs out. */
 
 static bool set_parameters(struct services *s, const void *request, void *response)
@@ -345,7 +345,7 @@ const char *services_start(struct services *s, const rcl_node_t *node, int socke
     pthread_mutex_init(&s->lock, NULL);
     options.qos = rmw_qos_profile_parameters;
     events.qos = rmw_qos_profile_parameter_events;
-    /* The profiles keep 1000 requests and events, for which Fast DDS allocates memory. */
+    /* The profiles have a queue depth of 1000, for which Fast DDS would allocate memory. */
     options.qos.depth = events.qos.depth = QUEUED;
     for (size_t i = 0; i < SERVICES; i++) {
         s->each[i] = rcl_get_zero_initialized_service();

@@ -27,7 +27,7 @@ const char *services_start(struct services *services, const rcl_node_t *node, in
 /* Answers the requests to a service. */
 void services_take(struct services *services, size_t service);
 
-/* Sends a value from the arguments for ROS to the supervisor. */
+/* Sends a value from the ROS arguments to the supervisor. */
 void services_set_initial(void *services, struct parameter *parameter, double value);
 
 /* Handles a control of the program's console that the operator has set. */

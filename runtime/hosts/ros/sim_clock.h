@@ -1,9 +1,9 @@
 /* sim_clock.h -- converts the time that a simulator publishes on /clock to a time that never goes
  * back.
  *
- * A simulator that is restarted sets its time back. In that case, the program's time pauses for a
- * moment and continues from there, because no instant may be before an earlier one. If the
- * simulator's time jumps far ahead, the program's time does not jump either. */
+ * A simulator's time goes back when the simulator is restarted. In that case, the program's time
+ * pauses for a moment and continues from there, because it must not decrease from one instant to
+ * the next. If the simulator's time jumps far ahead, the program's time does not jump either. */
 #ifndef FROB_HOST_ROS_SIM_CLOCK_H
 #define FROB_HOST_ROS_SIM_CLOCK_H
 
@@ -20,7 +20,7 @@ struct sim_clock {
  * for a jump back; otherwise 0. */
 int64_t sim_clock_take(struct sim_clock *clock, int64_t time_ns);
 
-/* The program's time. It is meaningless before the first message. */
+/* Returns the program's time, which is valid only after the first message. */
 int64_t sim_clock_now_ns(const struct sim_clock *clock);
 
 #endif

@@ -1,12 +1,11 @@
 #include "stamps.h"
 
-/* Minimum time for which messages with a different clock must arrive before that clock is accepted.
- * For the same time after the start, messages may be ahead, because the first message may have been
- * delayed. */
+/* A different clock is accepted after its messages have arrived for this time. For the same time
+ * after the start, timestamps may be ahead, because the first message may have been delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
-/* Clocks run at different speeds (clock drift), so the smallest difference may grow by one part in
- * this number. */
+/* Two clocks run at different speeds (clock drift), so the smallest difference may grow by one part
+ * in this number of the elapsed time. */
 enum { DRIFT = 2000 };
 
 static int64_t apart(int64_t a, int64_t b)

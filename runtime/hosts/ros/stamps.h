@@ -1,4 +1,4 @@
-/* stamps.h -- decides whether messages are recent, although their timestamps come from another
+/* stamps.h -- decides whether messages are recent, even if their timestamps come from another
  * machine's clock.
  *
  * The clocks of two machines differ by an unknown amount. The message with the smallest difference
@@ -6,8 +6,8 @@
  * delayed by the excess, so a message that waited in a queue is recognized as old.
  *
  * If timestamps go back or jump ahead, somebody has set the clock or restarted a simulation. At
- * first, such messages are rejected, because a single one may be an error. After a second of such
- * messages, the new clock is accepted. */
+ * first, such messages are rejected, because a single one may be due to an error. After a second of
+ * such messages, the new clock is accepted. */
 #ifndef FROB_HOST_ROS_STAMPS_H
 #define FROB_HOST_ROS_STAMPS_H
 
@@ -17,10 +17,11 @@
 struct stamps {
     bool started;
     int64_t first_ns;    /* arrival time of the first message */
-    int64_t previous_ns; /* arrival time of the previous accepted message */
+    int64_t previous_ns; /* arrival time of the previous message, except STAMPS_BACK */
     int64_t shortest_ns; /* smallest difference between arrival time and timestamp */
     int64_t newest_ns;   /* timestamp of the newest accepted message */
-    bool doubted;        /* whether messages with another clock have arrived, as described below */
+    bool doubted;        /* whether messages with another clock have arrived since the last accepted
+                          * message */
     int64_t doubted_ns;  /* arrival time of the first such message */
     int64_t other_ns;    /* difference between arrival time and timestamp of the last such
                           * message */
@@ -28,9 +29,9 @@ struct stamps {
 
 enum stamps_verdict {
     STAMPS_GOOD,
-    STAMPS_OLD,   /* the message was delayed by more than the patience */
-    STAMPS_BACK,  /* its timestamp is before an earlier message's */
-    STAMPS_AHEAD, /* its timestamp is ahead of the sender's clock by more than the patience */
+    STAMPS_OLD,   /* the message was delayed by more than `patience_ns` */
+    STAMPS_BACK,  /* its timestamp is earlier than that of the newest accepted message */
+    STAMPS_AHEAD, /* its timestamp is ahead of the sender's clock by more than `patience_ns` */
     STAMPS_RESET  /* accepted: the new clock applies from now on */
 };
 

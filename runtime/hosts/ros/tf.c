@@ -42,7 +42,7 @@ void tf_take(struct tf *tf, const struct tf_message *message, const char *topic,
         const struct frames_pose pose = { { at->x, at->y, at->z }, { q->x, q->y, q->z, q->w } };
         const char *parent = t->header.frame_id.data, *name = t->child_frame_id.data;
         const char *bad = parent == NULL || name == NULL
-                              ? "it does not name two frames"
+                              ? "the name of a frame is missing"
                               : frames_put(&tf->frames, parent, name, &pose, is_fixed, now_ns);
         if (bad != NULL && !tf->told)
             fprintf(stderr,

@@ -28,18 +28,19 @@ struct tf {
 /* Returns NULL if tf2_msgs is not installed. */
 const rosidl_message_type_support_t *tf_type(void);
 
-/* `tf` is zero. */
+/* Sets the default frame names. `tf` must contain only zeros. */
 void tf_start(struct tf *tf);
 
-/* Takes the names of the robot's frames from its odometry. */
+/* Copies the names of the robot's frames from an odometry message. */
 void tf_name(struct tf *tf, const nav_msgs__msg__Odometry *odometry);
 
-/* Takes the transforms of a message. */
+/* Stores the transforms of a message. */
 void tf_take(struct tf *tf, const struct tf_message *message, const char *topic, bool is_fixed,
              int64_t now_ns);
 
-/* Finds the pose of a frame relative to the robot's frame, or to the frame of its odometry. An
- * empty name means that frame itself. `pose` is valid only if the result is ROS_FOUND. */
+/* Finds the pose of a frame relative to the robot's frame, or to the frame of its odometry. If
+ * `name` is empty, finds the pose of that reference frame itself. `pose` is valid only if the
+ * result is ROS_FOUND. */
 struct ros_placing tf_place(const struct tf *tf, bool in_odometry, const char *name, int64_t now_ns,
                             struct frames_pose *pose);
 

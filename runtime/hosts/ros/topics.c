@@ -3,7 +3,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* The value of a field of the record; the table has one for each topic. */
+/* Returns the value of the record's field with this name. The record has a field for each topic. */
 static const struct frob_value *field_of(const struct frob_value *record, const char *name)
 {
     const struct frob_constructor *only = &record->constructors[0];

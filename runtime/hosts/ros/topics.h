@@ -15,7 +15,7 @@ struct topic_parts {
 /* `record`: the program's input or output. */
 struct topic_parts topic_parts_of(const struct frob_value *record, const struct frob_topic *topic);
 
-/* The bytes of a value in its struct: from `first` up to `end`, exclusively. */
+/* The bytes of a value in its struct: from `first` up to but not including `end`. */
 struct topic_span {
     size_t first, end;
 };

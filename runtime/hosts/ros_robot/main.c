@@ -7,7 +7,7 @@
  * SENSOR is `scan` or `imu`, and (X, Y) is its position on the robot in metres.
  *
  * The simulator sends the robot's sensor values over the socket as the messages of
- * hosts/ros/messages.h, and the node publishes them. The control in a message of a sensor is the
+ * hosts/ros/messages.h, and the node publishes them. In a sensor's message, `control` is the
  * sensor's number on the command line. The node sends back the velocities of cmd_vel. It ends when
  * the simulator closes the socket. */
 #include <errno.h>
@@ -113,7 +113,7 @@ static bool join(struct robot *r, int argc, char **argv)
     if (rcl_init_options_fini(&init) != RCL_RET_OK)
         rcl_reset_error();
     if (result != RCL_RET_OK)
-        return refuse(r, result == RCL_RET_INVALID_ROS_ARGS ? "wrong argument after --ros-args"
+        return refuse(r, result == RCL_RET_INVALID_ROS_ARGS ? "invalid argument after --ros-args"
                                                             : "cannot initialize ROS 2");
     r->node = rcl_get_zero_initialized_node();
     if (rcl_node_init(&r->node, "robot", "", &r->context, &options) != RCL_RET_OK)
@@ -211,7 +211,7 @@ static bool start_transforms(struct robot *r)
     return true;
 }
 
-/* Tells the simulator the names after remapping. */
+/* Tells the simulator the names of the node and its topics, after remapping. */
 static bool report(const struct robot *r)
 {
     struct ros_started started;
@@ -240,7 +240,8 @@ static void publish(const rcl_publisher_t *publisher, const void *message)
         rcl_reset_error();
 }
 
-/* The frame of a sensor. Without transforms, it is the robot's frame, which every node knows. */
+/* Sets the frame of a sensor's message. Without transforms, it is the robot's frame, which every
+ * node knows. */
 static bool set_frame(const struct robot *r, std_msgs__msg__Header *header, uint32_t sensor)
 {
     return rosidl_runtime_c__String__assign(
@@ -330,7 +331,7 @@ static void *publish_all(void *of)
 
 /* ---- Velocities */
 
-/* Passes the newest velocity on. */
+/* Sends the newest velocity to the simulator. */
 static void take_velocity(struct robot *r)
 {
     void *message = r->stamped ? (void *)&r->twist_stamped : (void *)&r->twist;
@@ -349,11 +350,10 @@ static void take_velocity(struct robot *r)
     velocity.speed_m_s = r->twist.linear.x;
     velocity.turn_rad_s = r->twist.angular.z;
     if (send(r->socket, &velocity, sizeof velocity, MSG_NOSIGNAL | MSG_DONTWAIT) < 0)
-        return; /* the next message replaces it */
+        return; /* the next velocity replaces this one */
 }
 
-/* Reports that a node publishes velocities of the other type, which do not arrive. Reports this
- * only once. */
+/* Reports, only once, that a node publishes velocities of the other type, which do not arrive. */
 static void look_at_type(struct robot *r)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();

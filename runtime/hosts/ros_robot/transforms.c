@@ -6,8 +6,8 @@
 #include <rcl/error_handling.h>
 #include <rosidl_runtime_c/string_functions.h>
 
-/* The library of the C type support of tf2_msgs, and its function for TFMessage, which the macro
- * ROSIDL_GET_MSG_TYPE_SUPPORT would name. */
+/* The C type support library of tf2_msgs, and its function for TFMessage. With the headers, the
+ * macro ROSIDL_GET_MSG_TYPE_SUPPORT would call the same function. */
 static const char library_name[] = "libtf2_msgs__rosidl_typesupport_c.so";
 static const char function_name[] =
     "rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage";

@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A sensor's frame has the directions of `base_link`. */
+/* A sensor's frame, whose axes are parallel to those of `base_link`. */
 struct seat {
     char frame[256 + 8];
     double x_m, y_m; /* position relative to the robot's centre: ahead, and to the left */
@@ -36,7 +36,7 @@ struct transforms {
 bool transforms_start(struct transforms *t, const rcl_node_t *node, const struct seat *seats,
                       size_t count, builtin_interfaces__msg__Time now);
 
-/* Publishes the robot's place. */
+/* Publishes the robot's pose. */
 void transforms_publish(struct transforms *t, const nav_msgs__msg__Odometry *odometry);
 
 /* Returns false if rcl reports an error. */

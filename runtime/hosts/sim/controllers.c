@@ -73,8 +73,8 @@ static bool tell_other_cameras(const struct frob_sim *sim)
     return *before == ',';
 }
 
-/* Prints the table that is missing in the world file. A single table describes both cameras of a
- * stereo head. */
+/* Prints an error that names the table to add to the world file. A single table describes both
+ * cameras of a stereo head. */
 static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 {
     const bool is_pair = is_of_a_pair(label);
@@ -93,8 +93,8 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
                 label);
 }
 
-/* Returns the camera that control `i` uses: the camera of an earlier control with the same label,
- * or another camera of the world. */
+/* Returns the number of the camera that control `i` uses. Controls with the same label share a
+ * camera. On failure, prints an error and returns -1. */
 static int look_through(struct controllers *c, size_t i)
 {
     const struct frob_control *console = c->program->console;
@@ -118,7 +118,7 @@ static int look_through(struct controllers *c, size_t i)
     return number;
 }
 
-/* Opens the tag finder, and the world's cameras by the labels that the program uses. */
+/* Opens the tag finder, and the cameras of the world whose labels the program uses. */
 static bool open_cameras(struct controllers *c)
 {
     const struct frob_program *program = c->program;

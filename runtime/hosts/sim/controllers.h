@@ -36,13 +36,14 @@ struct controllers {
     struct frob_sim *sim;
     /* For each control of the console that uses a camera: the camera's number in the world. */
     int *cameras;
-    const struct frob_image **frames; /* their new frames at this instant; NULL if there is none */
+    const struct frob_image **frames; /* the new frame of each at this instant; NULL if there is
+                                       * none */
     struct tag_finder finder;         /* the tag finder, if the program uses tags */
     struct devices devices;           /* lidars and inertial measurement units */
     bool has_stepped;                 /* false before the first instant */
     int64_t stepped_ns;               /* time of the last instant */
-    bool is_away;                     /* whether the world has an outage, during which there are no
-                                       * instants */
+    bool is_away;                     /* whether the world is in an outage, during which there are
+                                       * no instants */
     bool rests;                       /* whether to replace the next command with zero, as after an
                                        * outage */
     void *rest;                       /* an output that is all zero */

@@ -20,7 +20,7 @@ static const struct kind lidar = { frob_sim_open_lidar, frob_sim_lidar_name, "li
 static const struct kind imu = { frob_sim_open_imu, frob_sim_imu_name, "inertial measurement unit",
                                  "imu" };
 
-/* Prints the table that is missing in the world file. */
+/* Prints an error that names the table to add to the world file. */
 static void tell_missing(const struct frob_sim *sim, const struct kind *kind, const char *name)
 {
     fprintf(stderr, "error: the program uses %s %s, `%s`, but the robot of this world has",

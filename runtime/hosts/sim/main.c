@@ -3,8 +3,8 @@
  * Prints a summary with one `name: value unit` per line. Exit status: 0; 2 for a usage error, an
  * unreadable file, or a program for another robot; 4 with --strict if the robot collided with
  * something, or with --stop-when-violated if an assertion was violated. SIGINT, SIGTERM and SIGHUP
- * end the run early; the summary and the picture then cover the completed part. After SIGTERM and
- * SIGHUP the signal then ends the process. */
+ * end the run early; the summary and the picture then cover the completed part. SIGTERM and SIGHUP
+ * are then raised again, which ends the process. */
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/params.h"
@@ -62,7 +62,7 @@ static int64_t clock_ns(void)
     return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-/* Prints the progress in one line of the terminal. */
+/* Prints the progress on a single line of the terminal. */
 static void show_progress(int64_t now_ns, double duration_s)
 {
     const double now_s = (double)now_ns * 1e-9;
@@ -101,7 +101,7 @@ static const struct frob_program *load(const char *path)
     return program;
 }
 
-/* Prints a message that has a line for each fault of a world. */
+/* Prints each line of a message as an error. */
 static void tell_faults(char *message)
 {
     for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))

@@ -28,8 +28,8 @@ struct options {
     size_t param_count;
 };
 
-/* Reads the command line; the caller frees `params`. If it is wrong, prints a line on standard
- * error and returns false. */
+/* Parses the command line; the caller frees `params`. If the command line is invalid, prints a line
+ * on standard error and returns false. */
 bool read_options(int argc, char **argv, struct options *options);
 
 /* The usage text. */

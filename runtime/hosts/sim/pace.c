@@ -9,7 +9,7 @@
  * instants. Otherwise the viewer would miss some of them. */
 #define UNSEEN_SPEED 100.0
 #define UNSEEN_NS INT64_C(500000)
-#define LATE_NS INT64_C(100000000) /* longer delays are not caught up */
+#define LATE_NS INT64_C(100000000) /* the run does not catch up after a longer delay */
 
 static int64_t clock_now(void)
 {

@@ -13,8 +13,7 @@ struct pace {
     bool is_free; /* whether to run as fast as possible if there is no viewer */
     bool was_paused;
     double speed;
-    int64_t clock_ns, time_ns; /* times that correspond to each other: on the clock, and of the
-                                * run */
+    int64_t clock_ns, time_ns; /* the same moment as a time on the clock and as a time of the run */
     int64_t last_ns;           /* time of the last instant */
     uint32_t steps;            /* number of steps taken while paused */
 };

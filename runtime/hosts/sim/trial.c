@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The judge's input columns for the true state, in the order of the array in fill. */
+/* The judge's input columns for the true state, in the order of the argument `truths` of `fill`. */
 enum { TRUTHS = TRIAL_TRUTHS };
 
 static const char *const truth_names[TRUTHS] = {
@@ -16,7 +16,7 @@ static const char *const truth_names[TRUTHS] = {
     "in.touches",         "in.driven",          "in.odometryError", "in.ended",
 };
 
-/* Stores the place of a column in the judge's input. */
+/* If the column is one of `truth_names`, stores its position in the judge's input. */
 static void find(void *context, const char *name, const struct frob_value *value)
 {
     struct trial *trial = (struct trial *)context;

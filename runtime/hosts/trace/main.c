@@ -4,9 +4,9 @@
  *              [--decimal-comma] [--time-column NAME] [--column NAME=COLUMN]...
  *              PROGRAM.so IN.csv [OUT.csv]
  *
- * If IN.csv is `-`, reads standard input; without OUT.csv, writes standard output. --modes adds a
- * column for each machine, with the mode that runs. --param sets a parameter; parameters that are
- * not set have the values that the recording was made with. The options from --separator on are for
+ * If IN.csv is `-`, reads standard input; without OUT.csv, writes to standard output. --modes adds
+ * a column for each machine, with the mode that runs. --param sets a parameter; other parameters
+ * keep the values with which the recording was made. The options from --separator on are for
  * recordings from other programs (dialect.h). Camera frames are read from IN.frames, next to the
  * recording. The results of the program's assertions are printed on standard error. Exit status: 0;
  * 2 if a file cannot be read or written or is not a trace of this program; 4 with
@@ -43,7 +43,8 @@ struct column {
     const struct frob_value *value;
     size_t cell; /* index of the column in the file's rows */
     bool found;
-    bool on_console; /* on the console; a missing column means that nobody touched it */
+    bool on_console; /* whether the column belongs to the console: if it is missing, nobody touched
+                      * the control */
 };
 
 struct trace {
@@ -56,7 +57,7 @@ struct trace {
     struct column *columns;
     size_t count, capacity;
     size_t width;   /* number of cells in the header */
-    unsigned parts; /* contents of the output's rows */
+    unsigned parts; /* which groups of columns the output has */
     struct claims claims;
     bool stops; /* whether to stop when an assertion is violated */
     bool no_memory;
@@ -65,7 +66,7 @@ struct trace {
 static void complain(const struct trace *t, size_t cell, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A message on one line, whatever the names and cells in it contain. */
+/* A message that stays on one line, whatever characters its names and cells contain. */
 struct complaint {
     FILE *stream; /* NULL if memory ran out */
     char *text;
@@ -211,8 +212,9 @@ static bool is_missing(const struct column *column)
     return !column->found && !column->on_console;
 }
 
-/* Reports which columns the header lacks. A robot's input has many columns, so this avoids printing
- * all their names twice. The header has `unknown` unknown columns, one of which is `other`. */
+/* Reports the columns that are missing from the header. Names only a few of them, because a robot's
+ * input has many columns, and the message also contains the expected header. The header has
+ * `unknown` unknown columns, one of which is `other`. */
 static void complain_missing(struct trace *t, size_t unknown, const char *other)
 {
     const char *first = NULL;

@@ -11,7 +11,7 @@ struct buffer {
     char *data; /* ends with a NUL; NULL until something is added */
     size_t length, capacity;
     bool failed;
-    bool is_binary; /* of a message: contains more than text */
+    bool is_binary; /* for a message: whether it contains more than text */
 };
 
 void buffer_clear(struct buffer *b);
@@ -24,8 +24,7 @@ void buffer_format(struct buffer *b, const char *format, ...) __attribute__((for
 /* Adds a JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD. */
 void buffer_string(struct buffer *b, const char *text);
 
-/* Adds a JSON number from which the same double is read back; `null` if it is not
- * finite. */
+/* Adds a JSON number that reads back as the same double; `null` if it is not finite. */
 void buffer_number(struct buffer *b, double x);
 
 #endif

@@ -62,7 +62,7 @@ The measurements of an inertial unit are in the directions of its frame: here it
   $ speeds="0 0.2 0"; faults="imu_frame=0"; run_ros felt.frob --for 1s --set imu_aligned=1; cat messages
   $ unfelt () { run_once felt.frob "$@"; cat messages; }
   $ faults="imu_frame=0"; unfelt --for 5s; speeds_are 0
-  warning: a message on /imu is ignored: no transform between its frame `laser` and `base_link` is known: start the node that publishes it on /tf_static or /tf, or add `--set imu_aligned=1` if the unit has the directions of the robot
+  warning: a message on /imu is ignored: no transform between its frame `laser` and `base_link` is known: start the node that publishes it on /tf_static or /tf, or add `--set imu_aligned=1` if the unit's axes match the robot's
 
 A click in rviz is a click on the map of the program's console.
 
@@ -80,6 +80,6 @@ A click in rviz is a click on the map of the program's console.
   $ faults="click=0.3 map=0"; clicks
   warning: a message on /clicked_point is ignored: no transform between its frame `map` and `odom` is known: start the node that publishes it on /tf_static or /tf, or choose another fixed frame in rviz
   $ faults="click=0.3 nan_click=0"; clicks
-  warning: a message on /clicked_point is ignored: its position is not a number
+  warning: a message on /clicked_point is ignored: its position is not a finite number
   $ faults="lossy=0"; clicks
   warning: the node base publishes /clicked_point with the reliability `best effort`, so no message gets through: let it publish with `reliable`

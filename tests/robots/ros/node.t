@@ -28,7 +28,7 @@ Arguments for ROS 2 follow --ros-args, up to a `--`.
   $ run_ros drive.frob --ros-args -r odom:=base/odom -r cmd_vel:=base/cmd_vel -- --for 0.1s; head -1 summary
   robot: node /drive, odometry from /base/odom, velocity to /base/cmd_vel
   $ frobc run --ros2 drive.frob --for 1s --ros-args -r odom
-  error: wrong argument after --ros-args: Couldn't parse remap rule
+  error: invalid argument after --ros-args: Couldn't parse remap rule
   [2]
 
 A parameter of the program:
@@ -77,7 +77,7 @@ are parameters too, which they can change.
   $ run_ros tuned.frob --for 0.6s --ros-args -p pace:=0.2 --; cat messages velocities
   0.000 0.000
   0.200 0.000
-  set_parameters: `pace` is a number from 0 to 0.5 m/s, not 0.6
+  set_parameters: `pace` must be a number from 0 to 0.5 m/s, not 0.6
   0.000 0.000
   $ speeds="0 0.4 0"
   $ for node in /tuned '/**' '/*' tuned '**/tuned'; do
@@ -94,7 +94,7 @@ are parameters too, which they can change.
   $ speeds="0 0.1 0"; run_ros tuned.frob --for 0.1s --ros-args --params-file values.yaml --; speeds_are "$speeds" && echo ok
   ok
   $ frobc run --ros2 tuned.frob --for 0.3s --ros-args -p pace:=2
-  error: `pace` is a number from 0 to 0.5 m/s, not 2
+  error: `pace` must be a number from 0 to 0.5 m/s, not 2
   [2]
   $ faults=
 
@@ -114,7 +114,7 @@ speed of real time. If the simulator is restarted, the program's time continues.
   $ awk -F, '$1 + 0 < before { print "back" } { before = $1 + 0 }' log.csv
   $ faults=
   $ frobc run --ros2 paced.frob --for 0.3s --ros-args -p use_sim_time:=maybe
-  error: the parameter `use_sim_time` is true or false, not `maybe`
+  error: the parameter `use_sim_time` must be true or false, not `maybe`
   [2]
 
 The verdicts on assertions are published as diagnostics.
@@ -162,7 +162,7 @@ when messages are good again.
   0.200 0.000
   0.000 0.000
   $ run_node 1.2s nan=0.5; cat messages velocities
-  warning: a message on /odom is ignored: its position is not a number
+  warning: a message on /odom is ignored: its position is not a finite number
   0.000 0.000
   0.200 0.000
   0.000 0.000
@@ -197,7 +197,7 @@ a metre before the wall: 0.3 m, as distances count from the robot's front.
   $ grep -c 'Imu {rate = Vec3 {x = 0, y = 0, z = 0.25}' log.csv | awk '{ print ($1 > 10) }'
   1
   $ faults=no_angle=0.3; run_once approach.frob $patient --for 1s; cat messages
-  warning: a message on /scan is ignored: its angles are not numbers, or angle_increment is 0
+  warning: a message on /scan is ignored: its angles are not finite numbers, or angle_increment is 0
 
 Without a robot, the program waits; it names the topic.
 

@@ -409,9 +409,10 @@ static void test_parameters(void)
     check(answers(&p, "pace", half, NULL), "a knob can be set");
     check(answers(&p, "pace", one, NULL), "also to a whole number");
     check(answers(&p, "lamp", yes, NULL), "a toggle can be set");
-    check(answers(&p, "pace", large, "`pace` is a number from 0 to 1 m/s, not 3"),
+    check(answers(&p, "pace", large, "`pace` must be a number from 0 to 1 m/s, not 3"),
           "a value out of range is refused");
-    check(answers(&p, "pace", nan, "`pace` is a number from 0 to 1 m/s, not nan"), "and so is NaN");
+    check(answers(&p, "pace", nan, "`pace` must be a number from 0 to 1 m/s, not nan"),
+          "and so is NaN");
     check(answers(&p, "pace", yes, "`pace` has the type double, but the value has the type bool"),
           "a value of another type is refused");
     check(answers(&p, "lamp", text, "`lamp` has the type bool, but the value has the type string"),

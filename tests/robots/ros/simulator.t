@@ -84,7 +84,7 @@ Topics are remapped.
   node: /sim
   odometry: /base/odom
   $ serve --ros-args -r odom; cat messages
-  error: wrong argument after --ros-args: Couldn't parse remap rule
+  error: invalid argument after --ros-args: Couldn't parse remap rule
 
 Mistakes on the command line:
 

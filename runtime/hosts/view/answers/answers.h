@@ -51,20 +51,22 @@ void answer_picture(struct view *view, size_t k, size_t width, size_t had, struc
 void answer_series(struct view *view, size_t number, double from, double to, size_t width,
                    struct buffer *answer);
 
-/* Returns the values of the edited program's signal of the same name; NULL if there are none. */
+/* Returns the values of the signal with the same name in the edited program; NULL if there are
+ * none. */
 const double *view_other_numbers(struct view *view, const struct signal *signal);
 
 /* ---- In path.c */
 
-/* Appends approximately `count` corners of the path at most, starting at instant `first`. */
+/* Appends the corners of the path from instant `first` on, at most approximately `count` of
+ * them. */
 void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
 
 /* ---- In contacts.c */
 
-/* Appends how often the first robot began to touch an object, and the time and the robot's true
- * position of each contact. */
+/* Appends the number of times that the first robot began to touch an object, and the time and the
+ * robot's true position for each contact. */
 void answer_contacts(const struct view *view, struct buffer *answer);
 
 /* ---- In align.c */

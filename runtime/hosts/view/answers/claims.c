@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Maximum number of reported times at which an assertion is violated. A timeline does not have
- * more pixels. */
+/* Maximum number of reported times at which an assertion is violated. A timeline is not more than
+ * this many pixels wide. */
 #define TIMES 2000
 
 static void add_fate(const struct claims *claims, size_t i, struct buffer *answer)
@@ -19,7 +19,7 @@ static void add_fate(const struct claims *claims, size_t i, struct buffer *answe
 }
 
 /* Appends the number of the signal that contains the assertion's verdict. For an assertion in
- * `mapSF`, appends nothing, because it has many verdicts. */
+ * `mapSF`, which has many verdicts, appends -1. */
 static void add_signal(const struct view *view, const struct frob_claim *claim,
                        struct buffer *answer)
 {
@@ -42,7 +42,7 @@ static void add_times(const struct view *view, const struct watched *watched, st
     buffer_text(answer, "]");
 }
 
-/* Appends the fate of the edited program's assertion with the same column; null if there is
+/* Appends the result of the edited program's assertion with the same column; null if there is
  * none. */
 static void add_other(const struct view *view, const struct frob_claim *claim,
                       struct buffer *answer)

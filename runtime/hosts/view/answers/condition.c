@@ -31,7 +31,7 @@ enum operator{
 struct operation {
     enum operator operator;
     double number;
-    const double *numbers; /* if it is a signal, its value at each instant */
+    const double *numbers; /* for a signal: its value at each instant */
     const struct signal *signal;
 };
 
@@ -220,7 +220,7 @@ static const struct signal *find(struct reader *r, const char *name)
     return found == NULL && !r->wrong ? find_end(r, name, true) : found;
 }
 
-/* Returns whether a text contains another one, ignoring case. */
+/* Returns whether `text` contains `part`, ignoring case. */
 static bool contains(const char *text, const char *part)
 {
     for (; *text != '\0'; text++) {

@@ -22,13 +22,13 @@ struct condition {
     size_t count;
 };
 
-/* Reads a condition. If it is invalid, returns false and describes the error in `why`, in one line.
- * A condition may contain at most SERIES_KEPT / 2 signals. */
+/* Parses a condition. If it is invalid, returns false and describes the error in `why`, on one
+ * line. A condition may contain at most SERIES_KEPT / 2 signals. */
 bool condition_read(struct condition *condition, struct series *series, const char *text,
                     struct buffer *why);
 void condition_free(struct condition *condition);
 
-/* Returns whether the condition holds at instant `k`, which is at this time in seconds. */
+/* Returns whether the condition holds at instant `k`, whose time is `seconds`. */
 bool condition_holds(const struct condition *condition, size_t k, double seconds);
 
 #endif

@@ -14,8 +14,8 @@ static void add_cell(const struct signals *signals, const struct signal *signal,
     buffer_free(&cell);
 }
 
-/* Appends the cells of the edited program, in the same order; null for signals that it does not
- * have. */
+/* Appends the cells of the edited program, in the order of the original program's signals; null for
+ * signals that the edited program does not have. */
 static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
 {
     const struct signals *signals = &view->other.signals;
@@ -95,8 +95,8 @@ static void add_pose(struct view *view, size_t k, struct buffer *answer)
     }
 }
 
-/* Returns the last instant up to `k` at which an event of the input occurred, if that was
- * recently. */
+/* Finds the last instant up to `k` at which an event of the input occurred. Returns false if the
+ * event has not occurred recently. */
 static bool find_recent(const struct view *view, const struct signal *signal, size_t k,
                         size_t *found)
 {

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Maximum size of a file. A larger file was not written for a page. */
+/* Maximum size of a file. A larger file does not come from a page. */
 #define MOST 65536
 
 /* The FNV-1a hash of the path of the program's file. */
@@ -67,7 +67,8 @@ void kept_write(const char *source, const char *text)
     bool is_written;
     if (!find(source, true, path, sizeof path))
         return;
-    /* Another viewer may write the file at the same time. */
+    /* Write to a temporary file first, because another viewer may write the file at the same
+     * time. */
     snprintf(new, sizeof new, "%s.%ld", path, (long)getpid());
     file = fopen(new, "wb");
     if (file == NULL)

@@ -2,7 +2,7 @@
  * and the sizes of its panels.
  *
  * The page determines the format of the text; the viewer stores it in a file in $XDG_STATE_HOME or
- * ~/.local/state. If it cannot write the file, it keeps nothing. */
+ * ~/.local/state. If the viewer cannot write the file, it keeps nothing. */
 #ifndef FROB_VIEW_KEPT_H
 #define FROB_VIEW_KEPT_H
 

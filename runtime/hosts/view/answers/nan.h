@@ -9,7 +9,7 @@
  *
  *   NaN: out.forward, first at 2.000 s, from integral.x at wall.frob:7
  *
- * The origin is the first signal that is NaN although none of its operands is, or an input. If the
+ * The origin is an input, or the first signal that is NaN although none of its operands is. If the
  * program cannot run on the recording, prints an error and returns false. */
 bool nan_print(struct view *view);
 

@@ -1,5 +1,5 @@
-/* Simplifies the path of a robot to corners, such that straight lines between the corners
- * approximate the path. */
+/* Reduces a robot's path to corners, so that straight lines between the corners approximate the
+ * path. */
 #include "answers.h"
 
 #include "../../common/truth.h"
@@ -99,7 +99,7 @@ static size_t visit_corners(const struct way *way, size_t first, double scale,
         const bool is_long = at.time_s - cone.anchor.time_s >= LONG_S * scale;
         if (goes_on && !is_long && k + 1 < end)
             continue;
-        /* A corner is at the instant before the one that leaves the cone. */
+        /* The corner is the last instant inside the cone. */
         anchor = goes_on || k - 1 == anchor ? k : k - 1;
         cone = cone_at(place_at(way, anchor));
         visit(context, anchor, cone.anchor);
@@ -125,7 +125,7 @@ static void ignore(void *context, size_t k, struct place place)
 struct corners {
     struct buffer *answer;
     const char *comma;
-    size_t last, before; /* the last instant visited, and the one before it */
+    size_t last, before; /* the last instant visited, and the one visited before it */
 };
 
 static void add_corner(void *context, size_t k, struct place place)
@@ -143,7 +143,7 @@ static void add_corner(void *context, size_t k, struct place place)
     corners->last = k;
 }
 
-/* Appends the times and positions of about `most` instants or fewer. Returns the last corner, from
+/* Appends the times and positions of at most about `most` instants. Returns the last corner, from
  * which a later request can continue the path. */
 static size_t add_way(const struct way *way, size_t first, size_t most, struct buffer *answer)
 {

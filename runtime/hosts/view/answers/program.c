@@ -60,7 +60,7 @@ static void add_column(const struct signal *signal, struct buffer *answer)
     buffer_free(&own);
 }
 
-/* Appends the transitions of a running mode: the numbers of both modes, and the event that
+/* Appends the transitions of a machine. Each has the numbers of both modes, and the event that
  * triggers the transition. */
 static void add_transitions(const struct view *view, const struct signal *signal,
                             struct buffer *answer)

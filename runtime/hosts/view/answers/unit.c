@@ -59,7 +59,7 @@ static void multiply(struct dimension *d, const char *name, size_t length, doubl
         d->factors[i] = d->factors[--d->count];
 }
 
-/* Multiplies by a power of a unit. */
+/* Multiplies a dimension and its scale by a power of a unit. */
 static bool apply(struct dimension *d, double *scale, const char *name, size_t length, double power,
                   bool takes_any)
 {

@@ -11,7 +11,7 @@
 
 /* A product of powers of base units, such as m^1 s^-2. */
 struct dimension {
-    bool is_open; /* whether it matches any dimension, because it is unknown or that of the
+    bool is_open; /* whether it matches any dimension, because it is unknown or belongs to the
                    * number 0 */
     struct {
         char name[28];
@@ -30,7 +30,7 @@ struct dimension dimension_product(const struct dimension *a, const struct dimen
                                    double power_of_b);
 bool dimensions_match(const struct dimension *a, const struct dimension *b);
 
-/* Appends a dimension in the syntax of the language; `a plain number` if it has none. */
+/* Appends a dimension in the syntax of the language, or `a plain number` if it is dimensionless. */
 void dimension_write(const struct dimension *dimension, struct buffer *text);
 
 #endif

@@ -10,15 +10,15 @@
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, on WIDTH columns
- *   path SIGNAL SIGNAL COUNT K a robot's way, of which two signals are the position: the first
+ *   path SIGNAL SIGNAL COUNT K a robot's path, with the positions in two signals: the first
  *                              instant, the corners and the last instant, from instant K on (0 if
- *                              K is missing); about COUNT of them at most. `next` is the last
+ *                              K is missing); at most about COUNT of them. `next` is the last
  *                              corner, from which the page can request the continuation
  *   why K SIGNAL               where the value of a signal at instant K came from (see why.h)
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) becomes true:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              their number, and the times for which it is true
- *   claims                     the program's assertions: the fate of each, as far as the program
+ *   claims                     the program's assertions: the result of each, as far as the program
  *                              has been run, and the times at which it was violated
  *   drive TEXT                 runs the program with the text TEXT in the simulator, under the
  *                              conditions of the recorded run
@@ -29,8 +29,8 @@
  *                              the same, with other values of its parameters
  *
  *   contacts                   when and where the simulator's first robot began to touch an object
- *   way ROBOT COUNT K          the same for the true positions of a simulator's robot number
- *                              ROBOT
+ *   way ROBOT COUNT K          the same as `path`, for the true positions of the simulator's robot
+ *                              number ROBOT
  *
  *   picture K WIDTH HAS        the image shown at instant K, or else the camera's last image,
  *                              with up to WIDTH columns; if K is `newest`, the newest image.
@@ -46,7 +46,7 @@
  *   more                       the page has drawn the last news and can take more
  *
  * While there is an edited program or another recording, instants and series contain its values as
- * `others`, and each assertion has the edited program's fate as `other`. Any other request is
+ * `others`, and each assertion has the edited program's result as `other`. Any other request is
  * answered by `{"is":"refused",…}` and has no effect. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
@@ -63,7 +63,8 @@ struct source {
 };
 
 struct view_files {
-    const char *recording; /* the file in which a live run is recorded; NULL if there is none */
+    const char *recording; /* the recording, or the file to which a live run is recorded; NULL if
+                            * there is none */
     const char *other;     /* a recording to compare with; NULL if there is none */
     const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
@@ -100,7 +101,7 @@ struct view {
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct frob_origin *origins,
                 const struct view_files *files, struct ring *ring);
-/* The time that pages show first, in the seconds that they display. */
+/* Returns the time that pages show first, in seconds on the page's time axis. */
 double view_start_time(const struct view *view);
 
 void view_end(struct view *view);
@@ -112,7 +113,7 @@ enum view_work {
     VIEW_RESTS    /* nothing */
 };
 
-/* Works for about this many seconds. */
+/* Does some of the remaining work, for about this many seconds. */
 enum view_work view_work(struct view *view, double seconds);
 
 /* Returns whether there is news for the pages. Returns true only once for each piece of news. */
@@ -134,7 +135,7 @@ bool view_is_reading(const struct view *view);
  * whether the program's outputs equal the recorded ones. */
 void view_summary(const struct view *view, struct buffer *text);
 
-/* Prints the new lines of this summary on standard error. */
+/* Prints the lines that are new in the summary on standard error. */
 void view_say(struct view *view);
 
 /* Appends the answer to a request. Appends nothing while the recording is still being read. */

@@ -11,7 +11,7 @@
 
 /* ---- Instants */
 
-/* Caches the last instants, because an answer reads a few of them repeatedly. */
+/* Number of instants in the cache. An answer reads a few instants repeatedly. */
 #define KEPT 8
 
 struct why {
@@ -120,8 +120,8 @@ static size_t last_change(struct why *why, const struct signal *signal, size_t f
     return changed;
 }
 
-/* Returns the first instant since which a signal has had the value that it has at `k`. If that is
- * too long ago, returns a later instant and sets *is_longer. */
+/* Returns the instant since which a signal has had the value that it has at `k`. If that is too
+ * long ago, returns a later instant and sets *is_longer. */
 static size_t since(struct why *why, const struct signal *signal, size_t k, bool *is_longer)
 {
     const size_t end = k > FARTHEST ? k - FARTHEST : 0;
@@ -149,7 +149,8 @@ static size_t since(struct why *why, const struct signal *signal, size_t k, bool
 
 /* ---- Sources */
 
-/* Returns whether a source represents this signal. */
+/* Returns whether `column` is the signal's column, or that of an array or record that contains
+ * it. */
 static bool is_of(const struct signal *signal, const char *column)
 {
     const size_t length = strlen(column);
@@ -270,8 +271,8 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     return entry;
 }
 
-/* Decides whether a source that was read when a mode began applies. It does if it belongs to a mode
- * that was left at that time. */
+/* Returns whether a source that was read when a mode began applies: whether it belongs to a mode
+ * that was left at that instant. */
 static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
 {
     if (source->mode == FROB_ANY || source->mode == entry->before)

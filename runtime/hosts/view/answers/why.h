@@ -13,12 +13,12 @@ const struct frob_origin *why_origin(const struct frob_origin *origins,
 
 /* Appends the known facts about a signal's value at instant `k`, as members of a JSON object:
  *
- *   "since": {"k", "time", "longer"}: the first instant since which it has had this value;
+ *   "since": {"k", "time", "longer"}: the instant since which it has had this value;
  *            if that is too long ago, a later instant, and `longer` is true
- *   "file", "line", "last": the place of its equation; "" if it has none
+ *   "file", "line", "last": the location of its equation; "" if it has none
  *   "sources": [{"signal", "k", "time", "cell"}, …]: the values it was computed from, and when
- * "switches": if the signal is the running mode of a machine that had a different mode before, the
- * transitions of one instant that led here: [{"from", "to", "label", "k",
+ *   "switches": if the signal is the running mode of a machine that had a different mode before,
+ *               the transitions of one instant that led here: [{"from", "to", "label", "k",
  *               "time", "file", "line", "last", "sources"}, …]
  *
  * `origins` may be NULL. */
@@ -31,7 +31,7 @@ struct why_source {
     size_t k;
 };
 
-/* Finds the sources of a signal's value at instant `k`, at most `most`. Returns their number. */
+/* Finds at most `most` sources of a signal's value at instant `k`. Returns their number. */
 size_t why_sources(struct replay *replay, const struct frob_origin *origins,
                    const struct signal *signal, size_t k, struct why_source *found, size_t most);
 

@@ -6,18 +6,20 @@
 #include "series.h"
 
 struct what_if {
-    bool is_there;          /* whether an edited program was compiled; the other members describe
-                             * it */
-    bool drives;            /* whether it ran in the simulator, and has inputs of its own */
+    bool is_there;          /* whether there is an edited program, which the other members
+                             * describe */
+    bool drives;            /* whether it ran in the simulator, so its inputs are not the recorded
+                             * ones */
     bool compares;          /* whether this is another recording (compare.h) rather than an edited
                              * program */
-    int64_t shift_ns;       /* its time that corresponds to time 0 of the shown recording */
+    int64_t shift_ns;       /* time in this run that corresponds to time 0 of the shown recording */
     struct buffer settings; /* parameters, in the form used in recordings */
     struct signals signals;
     struct recording driven;
     struct replay replay;
     struct series series;
-    size_t first;                  /* the first instant at which its outputs differ */
+    size_t first;                  /* first instant at which the outputs differ from the
+                                    * recording */
     const struct signal *first_in; /* the output that differs at that instant; NULL if none
                                     * differs */
     bool is_repeatable;            /* whether the simulator has reproduced the recording */
@@ -27,21 +29,21 @@ struct what_if {
 typedef const char *const *what_if_command;
 
 struct what_if_commands {
-    /* Compiles the program in the file that is added to it, and prints the path of the shared
-     * object. NULL if it is not available. */
+    /* Compiles a program and prints the path of the shared object. The program's file is appended
+     * to the command. NULL if it is not available. */
     what_if_command build;
-    /* Runs a program in the simulator. The options and the file of `frobc run` are added to it.
-     * NULL if it is not available. */
+    /* Runs a program in the simulator. The options and the file for `frobc run` are appended to the
+     * command. NULL if it is not available. */
     what_if_command drive;
 };
 
-/* The changes to the program. */
+/* A change to a program and its parameters. */
 struct what_if_edit {
-    const char *text; /* new text of its file; it can import files from the same directory */
-    /* Parameters, each as NAME=VALUE with a NUL. Other parameters have the recorded values, unless
-     * the text contains a new default for them. */
+    const char *text; /* new source text; it can import files from the directory of the original */
+    /* Parameters: NUL-terminated strings NAME=VALUE. Other parameters keep their recorded values,
+     * unless the text contains a new default for them. */
     struct buffer settings;
-    bool drives; /* whether to run it in the simulator */
+    bool drives; /* whether to run the edited program in the simulator */
 };
 
 /* Compiles an edited program and runs it over the whole recording. If `drives` is set, runs it in

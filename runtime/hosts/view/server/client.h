@@ -11,17 +11,17 @@ struct lws;
 struct client {
     struct lws *line;
     unsigned long number;   /* unique number of the connection */
-    bool admitted;          /* whether it has presented the token */
+    bool admitted;          /* whether the page has presented the token */
     struct buffer incoming; /* the parts of an incomplete message */
     char *pending[SERVER_PENDING];
     size_t count;
     size_t refused;       /* number of requests to refuse, because too many were pending */
     bool is_waiting;      /* whether an answer to a request is pending */
     struct buffer answer; /* an answer to send */
-    char *command;        /* a command to the run, to execute immediately */
+    char *command;        /* a command for the run, to be executed immediately */
     bool is_to_be_told_news, is_to_be_told_run, is_to_be_told_beat;
-    bool is_behind;      /* whether it has not drawn the last news yet */
-    const char *refusal; /* reason why the last command was refused */
+    bool is_behind;      /* whether the page has not drawn the latest news yet */
+    const char *refusal; /* why the last command was refused */
 };
 
 /* How to react to a page's message. */

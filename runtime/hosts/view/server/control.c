@@ -31,7 +31,8 @@ void control_start(struct control *control, struct ring *ring)
     control->events = CONTROL_EVENTS;
 }
 
-/* Returns the number after a word; NAN if there is none, or if more text follows it. */
+/* Returns the number after the first word of a request; NAN if there is none, or if more text
+ * follows it. */
 static double number_after(const char *request)
 {
     const char *blank = strchr(request, ' ');
@@ -72,7 +73,7 @@ static const char *key(struct control *control, const char *request)
     const double code = number_after(request);
     struct ring_event event = { RING_KEY, 0, 0.0, 0.0 };
     if (!(code >= 0 && code <= 0x10ffff && code == floor(code)))
-        return "this is not a key";
+        return "this is not a key code";
     event.id = (uint32_t)code;
     return send(control, &event);
 }
@@ -91,7 +92,7 @@ static const char *touch(struct control *control, const char *request)
     }
     if (at == NULL || *at != '\0' || !isfinite(numbers[1]) || !isfinite(numbers[2]) ||
         !(numbers[0] >= 0.0 && numbers[0] <= 1e6 && numbers[0] == floor(numbers[0])))
-        return "this is not a console event";
+        return "this is not a valid console event";
     event.id = (uint32_t)numbers[0];
     event.x = numbers[1];
     event.y = holds ? now_s() : numbers[2];
@@ -101,7 +102,7 @@ static const char *touch(struct control *control, const char *request)
 static const char *pace(struct control *control, const char *request)
 {
     if (!ring_permits(control->ring, RING_PACES))
-        return "only a simulated run can be paused or change its speed";
+        return "only simulated runs can be paused or change speed";
     if (strcmp(request, "pause") == 0 || strcmp(request, "go") == 0) {
         control->paused = request[0] == 'p';
         ring_pause(control->ring, control->paused);
@@ -110,11 +111,11 @@ static const char *pace(struct control *control, const char *request)
     } else if (begins_with(request, "speed")) {
         const double speed = number_after(request);
         if (!(speed >= 0.1 && speed <= RING_MOST_SPEED))
-            return "the speed must be from 0.1 to 1000000";
+            return "the speed must be between 0.1 and 1000000";
         control->speed = speed;
         ring_set_speed(control->ring, speed);
     } else {
-        return "this is not a request, or not one for a run in progress";
+        return "this is not a valid request for a run in progress";
     }
     return NULL;
 }
@@ -127,7 +128,7 @@ const char *control_in_time(const char **request)
         return NULL;
     age_ms = now_s() * 1000.0 - strtod(*request + 2, &end);
     if (*end != ' ' || !(age_ms > -1.0))
-        return "this is not a request, or not one for a run in progress";
+        return "this is not a valid request for a run in progress";
     *request = end + 1;
     return age_ms > CONTROL_LATE_MS ? CONTROL_TOO_LATE : NULL;
 }

@@ -1,7 +1,7 @@
 /* control.h -- a page's commands to a live run.
  *
  *   stop       ends the run, with the motors at zero; from any page, at any time
- *   take       makes this page the one that operates
+ *   take       lets this page operate the run, instead of any other page
  *   pause, go, step
  *              pause a simulated run, resume it, or run one instant
  *   speed X    sets the speed of a simulated run, 0.1 to 1000000
@@ -14,12 +14,12 @@
  *
  * A command may begin with a timestamp, as `at MS COMMAND`: MS is the time in the last beat that
  * the page received. If that beat is more than CONTROL_LATE_MS old, the command is refused,
- * because it waited in a connection or a process that had stopped. The page reports this. A `stop`
- * is never late.
+ * because a connection or a process had stalled while the command waited. The page reports this. A
+ * `stop` is never late.
  *
- * If there are several pages, only one operates, at first the oldest. Only this page may send
- * commands other than `stop` and `take`. No command blocks: each writes a word or two to the
- * memory shared with the host. */
+ * If several pages are open, only one of them operates the run: at first, the oldest. Only this
+ * page may send commands other than `stop` and `take`. No command blocks: each writes a word or two
+ * to the memory shared with the host. */
 #ifndef FROB_VIEW_CONTROL_H
 #define FROB_VIEW_CONTROL_H
 
@@ -42,7 +42,7 @@ struct control {
 
 void control_start(struct control *control, struct ring *ring);
 
-/* Returns whether a request is one of these commands. */
+/* Returns whether a request is one of the commands above. */
 bool control_is(const char *request);
 
 /* Removes the timestamp from a command. Returns NULL, or the reason why the command is refused. */
@@ -58,8 +58,8 @@ bool control_was_late(struct control *control);
 void control_state(const struct control *control, bool operates, struct buffer *message);
 
 /* Appends a beat. It contains the time, in ms. For a live run, it also contains the number of
- * seconds for which the host has been silent, and the state of the run. That is the state that the
- * host has reported (ring.h), or `gone` if the process has ended without a report. */
+ * seconds for which the host has been silent, and the state of the run: the state that the host
+ * reported (ring.h), or `gone` if the process ended without a report. */
 void control_beat(const struct control *control, bool host_has_ended, struct buffer *message);
 
 #endif

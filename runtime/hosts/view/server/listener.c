@@ -46,8 +46,7 @@ int listener_open(int *port)
 int listener_accept(int listener)
 {
     const int on = 1, number = set_flags(accept(listener, NULL, NULL));
-    /* Without this, an answer waits up to 40 ms for the acknowledgement of the beat before
-     * it. */
+    /* Otherwise, an answer could wait up to 40 ms for the acknowledgement of the preceding beat. */
     if (number >= 0)
         setsockopt(number, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     return number;

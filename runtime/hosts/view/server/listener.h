@@ -2,14 +2,14 @@
  *
  * libwebsockets keeps accepting connections while any are waiting. Therefore a client that opens
  * connections fast enough prevents it from reading accepted connections, which locks out every
- * page. This listener accepts a few connections, and then lets the server read all that have sent
- * data. */
+ * page. This listener accepts only a few connections at a time, and then lets the server read from
+ * every connection that has sent data. */
 #ifndef FROB_VIEW_LISTENER_H
 #define FROB_VIEW_LISTENER_H
 
 #define LISTENER_AT_ONCE 8
 
-/* Listens on 127.0.0.1 at this port; if it is 0, chooses a free port and stores it in `*port`.
+/* Listens on 127.0.0.1 at port `*port`; if that is 0, chooses a free port and stores it there.
  * Returns -1 with errno set on failure. */
 int listener_open(int *port);
 

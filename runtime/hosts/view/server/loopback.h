@@ -2,8 +2,8 @@
  * `127.0.0.1` and `[::1]`, with or without a port.
  *
  * A request for any other host name comes from another site's page, whose name was made to resolve
- * to this computer (DNS rebinding). Any port is allowed, because with `ssh -L` it is the port at
- * the other end. */
+ * to this computer (DNS rebinding). Any port is allowed, because a browser that connects through
+ * `ssh -L` uses the port of its own end of the tunnel. */
 #ifndef FROB_VIEW_LOOPBACK_H
 #define FROB_VIEW_LOOPBACK_H
 
@@ -14,8 +14,8 @@
  * not contain a NUL. */
 bool loopback_is_host(const char *text, size_t length);
 
-/* Returns whether the header `Origin` names a page on this computer: `http://` followed by such a
- * host. */
+/* Returns whether the header `Origin` names a page on this computer: `http://` followed by a host
+ * that loopback_is_host accepts. */
 bool loopback_is_origin(const char *text, size_t length);
 
 #endif

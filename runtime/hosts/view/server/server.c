@@ -56,7 +56,7 @@ static void end(int number)
     lws_cancel_service(serving);
 }
 
-/* Signal handler while a run is shown: the server first tells the pages how the run ended. */
+/* Signal handler for a live run: before it ends, the server tells the pages how the run ended. */
 static void end_with_run(int number)
 {
     (void)number;
@@ -315,7 +315,7 @@ static int receive(struct lws *wsi, struct connection *connection, const char *p
                  client_receive(client, server->token, piece, length, is_last));
 }
 
-/* Writes the next message to a page, the most urgent first. Returns false if there is none. */
+/* Writes the most urgent message for a page. Returns false if there is none. */
 static bool next_message(struct server *server, struct client *client, struct buffer *text)
 {
     if (!client->admitted)
@@ -459,7 +459,7 @@ static bool is_to_end(struct server *server, bool is_over)
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
     const bool is_visited = pages(server) > 0;
     server->was_visited |= is_visited;
-    /* A user who sees the address in a terminal may open it later. */
+    /* Waits without limit if a user can see the address in a terminal and open it later. */
     server->idle = is_visited || (!server->was_visited && (!is_over || server->has_terminal))
                        ? 0
                        : server->idle + 1;
@@ -492,7 +492,7 @@ static void beat(lws_sorted_usec_list_t *again)
             ending = 1;
     }
     if (ending) {
-        /* Without this, the server would wait for the next event of a page. */
+        /* Otherwise, the server would wait for the next event from a page. */
         lws_cancel_service(serving);
         alarm(SERVER_ENDS);
     } else {
@@ -556,8 +556,8 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
     } else {
         control_start(&server.control, view->live.ring);
         server.has_terminal = isatty(STDERR_FILENO) == 1;
-        /* Leaves SIGINT to a live run, whose page stays open after it. Ignores Ctrl-Z, which
-         * cannot suspend the robot and must not suspend its Stop button. */
+        /* In a live run, only the host reacts to SIGINT; the page stays open after the run. Ctrl-Z
+         * is ignored, because it cannot suspend the robot and must not suspend its Stop button. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
         if (view->live.ring != NULL)
             signal(SIGTSTP, SIG_IGN);

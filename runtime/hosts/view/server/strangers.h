@@ -1,10 +1,10 @@
 /* strangers.h -- connections that have not presented the token.
  *
  * Any user of this computer can open connections. They must not lock out the operator, so the
- * number of such connections is limited, and a new connection replaces the one that has been idle
- * longest. A page presents the token in its first request, so it is a stranger for about a
- * millisecond. To displace it, an attacker must open more connections in that time than the
- * limit. */
+ * number of such connections is limited, and a connection beyond the limit replaces the one that
+ * has been idle longest. A page presents the token in its first request, so it is a stranger for
+ * about a millisecond. To displace it, an attacker must open more connections in that time than the
+ * limit allows. */
 #ifndef FROB_VIEW_STRANGERS_H
 #define FROB_VIEW_STRANGERS_H
 
@@ -12,7 +12,7 @@
 
 struct lws;
 
-/* A large multiple of the connections that listener.h accepts before the server reads them. */
+/* Maximum number of strangers: a large multiple of LISTENER_AT_ONCE (listener.h). */
 #define STRANGERS 256
 
 struct strangers {

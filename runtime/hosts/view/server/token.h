@@ -6,7 +6,7 @@
 
 #define TOKEN_LENGTH 32 /* hexadecimal digits */
 
-/* Creates a token from the operating system's random numbers. Returns false if they are not
+/* Creates a token with the operating system's random number generator. Returns false if that is not
  * available. */
 bool token_make(char token[TOKEN_LENGTH + 1]);
 

@@ -5,7 +5,7 @@
 #include <time.h>
 
 #define LOOK_NS 4000000 /* interval at which to check a run for new instants */
-#define WORK_S 0.005    /* time for which to work before checking for requests */
+#define WORK_S 0.005    /* time to work before checking for requests */
 
 /* Waits until there is a request, or until it is time to check for instants. The caller holds the
  * lock. */

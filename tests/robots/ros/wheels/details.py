@@ -54,7 +54,7 @@ def test_scans():
     drives(lambda: scan_of(8, -math.inf), 0.2)
     for scan, message in [
         (scan_of(9000, 4.0), "it has more than 8192 ranges"),
-        (scan_of(360, 4.0, 0.0), "its angles are not numbers, or angle_increment is 0"),
+        (scan_of(360, 4.0, 0.0), "its angles are not finite numbers, or angle_increment is 0"),
         (scan_of(360, 4.0, 0.1), "its rays cover more than a full turn"),
         (LaserScan(angle_increment=0.1, range_max=8.0), "it has no ranges"),
     ]:

@@ -232,7 +232,7 @@ def test_parameter_services():
     assert set_one(base, client, "pace", 0.3) == (True, "")
     base.until(lambda: base.v == 0.3, "a knob is set during the run")
     ok, reason = set_one(base, client, "pace", 5.0)
-    assert not ok and reason == "`pace` is a number from 0 to 0.5 m/s, not 5", reason
+    assert not ok and reason == "`pace` must be a number from 0 to 0.5 m/s, not 5", reason
     ok, reason = set_one(base, client, "pace", "fast")
     assert not ok and "has the type double, but the value has the type string" in reason, reason
     ok, reason = set_one(base, client, "gain", 1.0)
@@ -411,7 +411,7 @@ def test_bad_odometry():
         setattr(base, name, good)
         base.until_driving()
     _, errors = run.end()
-    assert "its position is not a number" in errors, errors
+    assert "its position is not a finite number" in errors, errors
     assert "jumped back by 30" in errors or "jumped back by 29.9" in errors, errors
     base.close()
 
