@@ -28,9 +28,9 @@ The age of a frame is computed from the driver's timestamp.
 A requested size must be one of the camera's, and so must the format.
 
   $ see_warned 2 /dev/video7 --set camera.width=320 --set camera.height=240; cat messages
-  warning: camera `camera` (/dev/video7) delivers no frames: it does not deliver frames of 320 x 240, but of 64 x 48: set width and height to those
+  warning: camera `camera` (/dev/video7) delivers no frames: it does not deliver frames of 320 x 240, but of 64 x 48: set width and height to that size
   $ FAKE_FORM=H264; see_warned 2 /dev/video7; cat messages
-  warning: camera `camera` (/dev/video7) delivers no frames: it supports none of the formats YUYV, MJPEG and grey; read it with ffmpeg into a pipe of raw frames
+  warning: camera `camera` (/dev/video7) delivers no frames: it supports none of the formats YUYV, MJPEG and grey; use ffmpeg to write its frames to a pipe as raw frames
 
 A fault: the program has no frames, keeps its rate, and stops as programmed, and a message gives the
 reason. When the camera works again, so does the program.
@@ -96,4 +96,4 @@ A camera that another process uses, and a device that is not a camera.
   $ FAKE_FORM=YUYV; echo busy > state; see_warned 2 /dev/video7; cat messages
   warning: camera `camera` (/dev/video7) delivers no frames: another program uses it: end that program first
   $ see_warned 2 /dev/null; cat messages
-  warning: camera `camera` (/dev/null) delivers no frames: it is not a camera (Inappropriate ioctl for device): `ls /dev/video*` lists the cameras
+  warning: camera `camera` (/dev/null) delivers no frames: it is not a camera (Inappropriate ioctl for device): use a device that `ls /dev/video*` lists

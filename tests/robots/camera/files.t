@@ -91,14 +91,14 @@ ones.
   $ mkdir bad; head -c 1000 pictures/00.ppm > bad/0.ppm; echo 'P6 99999 99999 255' > bad/1.ppm; wrong bad
   late steps: 0
   frames: 0
-  warning: camera `camera` (bad) delivers no frames any more: no picture in the folder could be read; the error in the last one: a frame has 99999 x 99999 pixels, but the maximum is 1920 x 1200: configure the camera to send smaller frames (1.ppm)
+  warning: camera `camera` (bad) delivers no frames any more: no picture in the folder could be read; the last error: a frame has 99999 x 99999 pixels, but the maximum is 1920 x 1200: configure the camera to send smaller frames (1.ppm)
   $ feed='(./frames rgb 10 64 48; sleep 60) > pipe'; wrong pipe
   late steps: 0
   frames: 0
-  warning: camera `camera` (pipe) delivers no frames: no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames
+  warning: camera `camera` (pipe) delivers no frames: no complete frame has arrived: send PPM, PGM or JPEG, or set width and height for raw frames
   $ feed='(./frames ppm 10 64 48; while ./frames ppm 1 48 64; do sleep 0.1; done) > pipe'; wrong pipe | grep -v ^frames
   late steps: 0
-  warning: camera `camera` (pipe) delivers no frames: a frame is 48 x 64, colours, but expected 64 x 48, colours: set width, height and grey to the format of the camera, or configure the camera for this format
+  warning: camera `camera` (pipe) delivers no frames: a frame is 48 x 64, colours, instead of 64 x 48, colours: set width, height and grey to the camera's format, or configure the camera for the expected format
   $ feed=
 
 Wrong options are reported before anything moves.

@@ -36,9 +36,9 @@ its rate, and a message gives the reason.
   late steps: 0
   warning: camera `camera` (http://HOST/missing) delivers no frames: the server answers with 404, so this path does not exist; look up the path of the stream in the camera's manual
   $ see_warned 2 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'
-  warning: camera `camera` (ADDRESS) delivers no frames: cannot connect to port 1 of 127.0.0.1: Connection refused; check that the camera is on, and the address and port
+  warning: camera `camera` (ADDRESS) delivers no frames: cannot connect to port 1 of 127.0.0.1: Connection refused; check that the camera is on, and that the address and port are right
   $ see_warned 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
-  warning: camera `camera` (ADDRESS) delivers no frames: cannot find the address of nowhere.invalid: REASON; check its name, and that this machine is on its network
+  warning: camera `camera` (ADDRESS) delivers no frames: cannot find the address of nowhere.invalid: REASON; check the name, and that this machine is on the same network
 
 The program can detect it, too: the age of the newest frame grows, and the camera is no longer
 alive.

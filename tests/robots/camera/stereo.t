@@ -64,7 +64,7 @@ If one camera falls silent and returns, so do the pairs; a message names the cam
   $ wants="grep -q 'frames again' messages"
   $ both 6 --camera left=one --camera right=two --set left.left=0.1
   $ grep camera messages
-  warning: camera `right` (two) delivers no frames: no complete frame arrives: send PPM, PGM or JPEG, or set width and height for raw frames
+  warning: camera `right` (two) delivers no frames: no complete frame has arrived: send PPM, PGM or JPEG, or set width and height for raw frames
   camera `right` (two) delivers frames again
   $ grep -v '^#' log.csv | sed 's/"[^"]*"//g' | awk -F, 'NR > 1 { if ($32 > 0 != drives) print (drives = $32 > 0) ? "drives" : "stands" }'
   drives

@@ -59,7 +59,7 @@ definitions of the installed packages.
       , rightSpeed :: Float[rad/s]     -- float64; [rad/s]
       , driven :: Float[m]             -- float32; The distance that the robot has driven, in meters.
       , gains :: Array 4 Float         -- float64[4]
-      , currents :: Upto 8 Float[A]    -- float32[]; no maximum in ROS; in A
+      , currents :: Upto 8 Float[A]    -- float32[]; unbounded in ROS; in A
       , state :: Int                   -- uint8
       , type_ :: Int                   -- uint32; larger numbers become the nearest Int
       , motors :: Upto 2 Motor         -- base_msgs/Motor[<=2]
@@ -106,10 +106,10 @@ Mistakes:
   error: the package base_msgs has no message Wheel; did you mean base_msgs/Wheels?
   [2]
   $ frobc ros2 import leg_msgs/Leg
-  error: ROS 2 in this shell (AMENT_PREFIX_PATH) has no messages of a package leg_msgs: install it, or source the setup script of its workspace
+  error: ROS 2 in this shell (AMENT_PREFIX_PATH) has no package leg_msgs with messages: install it, or source the setup script of its workspace
   [2]
   $ frobc ros2 import Wheels
-  error: a message has a package and a type, as in my_msgs/Wheels, not `Wheels`
+  error: write the package and the type of the message, as in my_msgs/Wheels, not `Wheels`
   [2]
   $ frobc ros2 import base_msgs/Label
   error: base_msgs/Label has no field that Frob can represent: it contains only text
@@ -118,8 +118,8 @@ Mistakes:
   error: the field `y`: the package arm_msgs has no message float65, but Arm
   [2]
   $ printf 'leg_msgs/Leg leg\n' >second/share/arm_msgs/msg/Arm.msg; frobc ros2 import arm_msgs/Arm
-  error: the field `leg`: ROS 2 in this shell (AMENT_PREFIX_PATH) has no messages of a package leg_msgs: install it, or source the setup script of its workspace
+  error: the field `leg`: ROS 2 in this shell (AMENT_PREFIX_PATH) has no package leg_msgs with messages: install it, or source the setup script of its workspace
   [2]
   $ AMENT_PREFIX_PATH= frobc ros2 import base_msgs/Wheels -o Other.frob
-  error: there is no ROS 2 in this shell: source its setup script, as in `source /opt/ros/jazzy/setup.bash`, which sets AMENT_PREFIX_PATH
+  error: ROS 2 is not set up in this shell: source its setup script, which sets AMENT_PREFIX_PATH, for example with `source /opt/ros/jazzy/setup.bash`
   [2]

@@ -47,7 +47,7 @@ A parameter of the program:
   0.100 0.000
   0.000 0.000
   $ frobc run --ros2 paced.frob --for 0.3s --ros-args -p pace:=fast
-  error: the parameter `pace` is a number of m/s, not `fast`
+  error: the parameter `pace` is a number in m/s, not `fast`
   [2]
 
 Other nodes cannot change it during the run. Knobs and toggles of the console
@@ -276,7 +276,7 @@ Mistakes on the command line:
   error: --ros2 is for the robot `ros`, not for `scout`: remove --robot
   [2]
   $ frobc run --ros2 --device /dev/ttyUSB0 drive.frob
-  error: the robot is either on a serial line or in ROS 2: remove --device or --ros2
+  error: a robot cannot be both on a serial line and in ROS 2: remove --device or --ros2
   [2]
   $ frobc run drive.frob --ros-args -r odom:=odometry
   error: --ros-args only works with --ros2: add it

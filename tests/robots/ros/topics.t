@@ -166,9 +166,9 @@ Fields that are not topics are named.
   3 | data Odd = Odd { a :: Maybe Int }
     |                       ^^^^^^^^^
     |
-    = hint: fields of messages are Bool, Int, Float, enumerations, arrays and records of them, and `Upto` for sequences; if you omit the field, messages contain its default
+    = hint: use Bool, Int, Float, an enumeration, an array or a record of these, or `Upto` for a sequence; or omit the field, so that messages contain its default value
   
-  error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose` is not a type of messages
+  error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose` is not a message type
    --> wrong.frob:4:24
     |
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }
@@ -184,7 +184,7 @@ Fields that are not topics are named.
     |
     = hint: rename the field
   
-  error[E0509]: the fields `cmdVel` and `cmd_vel` are the same topic, cmd_vel
+  error[E0509]: the fields `cmdVel` and `cmd_vel` have the same topic, cmd_vel
    --> wrong.frob:4:91
     |
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }
@@ -198,9 +198,9 @@ Fields that are not topics are named.
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }
     |                                                                                                     ^^
     |
-    = hint: write `Event ()`, for messages of the type std_msgs/msg/Empty
+    = hint: write `Event ()` for messages of the type std_msgs/msg/Empty
   
-  error[E0509]: the field `vel` of `Out` is not a topic: `Counted Twist` is not a type of messages
+  error[E0509]: the field `vel` of `Out` is not a topic: `Counted Twist` is not a message type
    --> wrong.frob:5:25
     |
   5 | data Out = Out { vel :: Event (Counted Twist) }
@@ -208,13 +208,13 @@ Fields that are not topics are named.
     |
     = hint: messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
   
-  error[E0509]: the instance of `Odd` does not name a type of messages
+  error[E0509]: the instance of `Odd` does not name a message type
    --> wrong.frob:6:10
     |
   6 | instance Message Odd where
     |          ^^^^^^^^^^^
     |
-    = hint: return the name itself, as in `rosType _ = "geometry_msgs/msg/Twist"`
+    = hint: return the name as a string literal, as in `rosType _ = "geometry_msgs/msg/Twist"`
   
   7 errors
   [1]
@@ -242,7 +242,7 @@ Fields that are not topics are named.
   > main = node 2000[Hz] (constant (Out { level = 1 }))
   > END
   $ frobc check fast.frob
-  error[E0508]: the rate of a node is between 0.1 and 1000 Hz, not 2000 Hz
+  error[E0508]: the rate of a node must be between 0.1 and 1000 Hz, not 2000 Hz
    --> fast.frob:4:8
     |
   4 | main = node 2000[Hz] (constant (Out { level = 1 }))
@@ -314,7 +314,7 @@ definition is known: here those of common packages.
   2 | data Odd = Odd { x :: Int, height :: Float, yy :: Float }
     |                            ^^^^^^
     |
-    = hint: remove it, or name it like one of the message's fields: x, y and z
+    = hint: remove it, or give it the name of one of the message's fields: x, y and z
   
   error[E0510]: geometry_msgs/msg/Point has no field for `yy` of `Odd`
    --> unlike.frob:2:45
@@ -370,7 +370,7 @@ definition is known: here those of common packages.
   11 | data Plain = Plain { data_ :: Float }
      |                               ^^^^^
      |
-     = hint: declare a text as an enumeration with an instance of `RosText`, or omit the field
+     = hint: declare strings as an enumeration with an instance of `RosText`, or omit the field
   
   error[E0509]: the field `data_` of `Named` cannot be a string in messages: `Unnamed` has no instance of `RosText`
     --> unlike.frob:15:31
@@ -386,7 +386,7 @@ definition is known: here those of common packages.
   19 | instance RosText Same where
      |          ^^^^^^^^^^^^
      |
-     = hint: give each constructor a text of its own
+     = hint: give each constructor a different text
   
   error[E0509]: the instance of `Guarded` does not list its strings
     --> unlike.frob:24:10
@@ -427,7 +427,7 @@ The definitions of the sourced ROS 2 count first, also those of other packages.
   2 | data Wheels = Wheels { left, right :: Float[rad/s] }
     |                              ^^^^^
     |
-    = hint: remove it, or name it like one of the message's fields: left and name
+    = hint: remove it, or give it the name of one of the message's fields: left and name
   
   error[E0510]: the field `left` of `Wheels` is `Float[1/s]`, but my_msgs/msg/Wheels has `int32 left`
    --> wheels.frob:2:39
@@ -440,7 +440,7 @@ The definitions of the sourced ROS 2 count first, also those of other packages.
   2 errors
   [1]
   $ sed -i 's/Wheels"/Wheel"/' wheels.frob; AMENT_PREFIX_PATH=$PWD/sourced frobc check wheels.frob
-  error[E0510]: the package my_msgs of the sourced ROS 2 has no message Wheel
+  error[E0510]: the package my_msgs of the sourced ROS 2 installation has no message Wheel
    --> wheels.frob:3:10
     |
   3 | instance Message Wheels where
@@ -451,7 +451,7 @@ The definitions of the sourced ROS 2 count first, also those of other packages.
   1 error
   [1]
   $ echo 'int32' >sourced/share/my_msgs/msg/Wheel.msg; AMENT_PREFIX_PATH=sourced frobc check wheels.frob
-  error[E0510]: sourced/share/my_msgs/msg/Wheel.msg:1: not a field or a constant of a message: int32
+  error[E0510]: sourced/share/my_msgs/msg/Wheel.msg:1: neither a field nor a constant of a message: int32
    --> wheels.frob:3:10
     |
   3 | instance Message Wheels where

@@ -119,7 +119,7 @@ Another entry, and a missing one:
   > fast = proc x -> x
   > EOF
   $ frobc compile two.frob
-  error[E0501]: there is no `main` in this module to compile
+  error[E0501]: this module has no `main` to compile
    --> two.frob:1:1
     |
   1 | slow, fast :: SF Float Float
@@ -130,7 +130,7 @@ Another entry, and a missing one:
   1 error
   [2]
   $ frobc compile two.frob --entry fats
-  error[E0501]: there is no `fats` in this module to compile
+  error[E0501]: this module has no `fats` to compile
    --> two.frob:1:1
     |
   1 | slow, fast :: SF Float Float
@@ -157,7 +157,7 @@ A definition with a polymorphic type cannot be compiled:
   2 | twice f = f &&& f
     | ^^^^^^^^^^^^^^^^^
     |
-    = hint: define another one with the argument, as in `main = twice …`
+    = hint: define a signal function that supplies the argument, as in `main = twice …`
   
   1 error
   [1]

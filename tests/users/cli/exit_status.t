@@ -54,7 +54,7 @@ An empty file is an empty module:
   $ touch empty.frob
   $ frobc check empty.frob
   $ frobc compile empty.frob
-  error[E0501]: there is no `main` in this module to compile
+  error[E0501]: this module has no `main` to compile
    --> empty.frob:1:1
     |
   1 |

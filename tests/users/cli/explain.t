@@ -5,8 +5,8 @@
   
   The equations of a `proc` hold at every instant and can refer to each other in any order. But if a
   signal depends on its own value in the same instant, no order of evaluation exists. The message
-  shows the loop, one signal after the other. The loop can lead through signal functions that pass
-  an input to an output in the same instant. The components of tuples and records are separate
+  shows the loop, one signal after the other. The loop can pass through signal functions whose output
+  depends on their input in the same instant. The components of tuples and records are separate
   signals.
   
   ```frob-error
@@ -16,9 +16,9 @@
       speed = 0.5 * err
   ```
   
-  Decide which signal in the loop should be the value of the previous instant, and read it with
-  `delay`, which also needs a value for the first instant. `integral` also breaks a loop, because
-  it only adds up past inputs. `derivative` does not.
+  Decide for which signal in the loop you can use the value from the previous instant, and read that
+  value with `delay`, which also needs a value for the first instant. `integral` breaks a loop too,
+  because it only adds up past inputs. `derivative` does not.
   
   ```frob
   main :: SF Float Float

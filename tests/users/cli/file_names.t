@@ -125,4 +125,4 @@ A name may be as long as the names of the generated files allow.
   $ cp add.frob $(long 240).frob; frobc compile $(long 240).frob && ls | grep -c aaaa
   3
   $ cp add.frob $(long 245).frob; frobc compile $(long 245).frob 2>&1 | sed 's/a\{245\}/NAME/g'
-  error: the name of NAME.frob is too long for C files: 240 characters at most
+  error: the name of NAME.frob is too long for C files: use at most 240 characters

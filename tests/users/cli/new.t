@@ -36,7 +36,7 @@ A new project immediately runs, checks, is formatted and passes its trials.
   | | |
   | --- | --- |
   | `frobc run rover.frob --picture run.png` | drive for a minute in the simulator |
-  | `frobc run rover.frob --view` | show every signal while it drives |
+  | `frobc run rover.frob --view` | show every signal while the robot drives |
   | `frobc test` | run the trials, each with ten noise seeds |
   | `frobc check rover.frob` | check the program for mistakes |
   | `frobc fix rover.frob` | apply the fixes that messages suggest |
@@ -131,7 +131,7 @@ Names must be valid as names of files, in C and in the library.
   error: `a\027b` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b
   [2]
   $ frobc new $(printf 'a%.0s' $(seq 241)) 2>&1 | sed 's/a\{100,\}/NAME/g'
-  error: the name of NAME.frob is too long for C files: 240 characters at most
+  error: the name of NAME.frob is too long for C files: use at most 240 characters
   $ frobc new -- -x; frobc new; ls -I '*.t'
   error: `-x` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
   frobc: required argument NAME is missing

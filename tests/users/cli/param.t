@@ -70,7 +70,7 @@ A replay uses the values of the recording, unless an option sets others.
   1.000000000,2,false
   $ (echo '# param kTurn=7[m]'; cat in.csv) > other.csv
   $ for engine in c interp; do frobc trace steer.frob --input other.csv --engine $engine; done
-  error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
+  error: other.csv: the parameter `kTurn` is a number in 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
   error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
   [2]
 
@@ -88,7 +88,7 @@ Mistakes in options.
   3 | param kTurn :: Float[1/m] = 2 * half
     |                ---------- the signature of `kTurn` requires `Float[1/m]`
     |
-    = hint: write `5[1/m]` if that is its unit
+    = hint: write `5[1/m]` if that is the right unit
   
   1 error
   [2]
@@ -99,7 +99,7 @@ Mistakes in options.
   1 | kTrun= 5[1/m]
     | ^
     |
-    = note: the program has `kTurn`, `most` and `on`
+    = note: the program's parameters: `kTurn`, `most` and `on`
     = hint: did you mean `kTurn`?
   
   1 error
@@ -126,16 +126,16 @@ Mistakes in declarations.
   > param any :: Float[u] = 0
   > END
   $ frobc check wrong.frob
-  error[E0390]: the parameter `pair` cannot be of type `(Int, Int)`
+  error[E0390]: the parameter `pair` cannot have the type `(Int, Int)`
    --> wrong.frob:1:1
     |
   1 | param pair :: (Int, Int) = (1, 2)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: a parameter must be a number or a `Bool`, so that the command line can set it
-    = hint: declare a parameter for each number in it; for a choice, use a `Bool` or an `Int`
+    = hint: declare a separate parameter for each number in this value; for a choice, use a `Bool` or an `Int`
   
-  error[E0390]: the parameter `any` cannot be of every type `Float[u]`
+  error[E0390]: the parameter `any` cannot have the polymorphic type `Float[u]`
    --> wrong.frob:2:1
     |
   2 | param any :: Float[u] = 0
@@ -160,14 +160,14 @@ Mistakes in declarations.
   5 | main = proc xs -> xs ! k
     |                        ^
     |
-    = note: an index can be a number, a name of a number, or arithmetic with these
-    = hint: use `at k 0 xs`, which takes any index, and returns `0` if there is no such element
+    = note: an index can be a number, the name of a constant, or arithmetic on these
+    = hint: use `at k 0 xs`, which takes any index and returns `0` if there is no such element
   
   1 error
   [1]
   $ echo 'param k = 1' > untyped.frob
   $ frobc check untyped.frob
-  error[E0110]: a parameter needs its type before its value
+  error[E0110]: a parameter needs a type before its value
    --> untyped.frob:1:9
     |
   1 | param k = 1

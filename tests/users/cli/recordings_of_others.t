@@ -151,7 +151,7 @@ precision the limit is lower:
   > main :: SF Float Float
   > main = proc x -> gain * x' > gain.frob
   $ frobc trace gain.frob --input large.csv
-  error: large.csv: the parameter `gain` is a number of 1, not `1e400`; to override the recorded value, use `--param`
+  error: large.csv: the parameter `gain` is a number in 1, not `1e400`; to override the recorded value, use `--param`
   [2]
   $ frobc trace gain.frob --input large.csv --engine interp
   error: large.csv: the parameter `gain` is a number of 1, not `1e400`; to override the recorded value, use `--param`
@@ -225,7 +225,7 @@ A control character in the name of a column is shown as a code, and quoted for t
   $ both names.csv --column "in=$(printf 'i\033m')"
   error: names.csv:1:1: there is no column `i\027m` for `--column`; the columns are `time`, `i\027n`
   $ frobc convert names.csv names.mcap
-  error: names.csv:1: the name of column 2, `i\027n`, has a control character: rename it
+  error: names.csv:1: the name of column 2, `i\027n`, contains a control character: rename the column
   [2]
 
 An archive of zero bytes is rejected at its beginning. That its end is missing is not reported,
@@ -235,7 +235,7 @@ because `frobc` does not read that far:
   $ both zeros.csv.gz
   error: zeros.csv.gz:1:1: there is a zero byte: this is not a CSV file
   $ frobc convert zeros.csv.gz zeros.mcap
-  error: zeros.csv.gz:1: the row has more than 16 MB: this is not a recording
+  error: zeros.csv.gz:1: the row is longer than 16 MB: this is not a recording
   [2]
   $ frobc view zeros.csv.gz same.frob --print
   error: cannot view zeros.csv.gz: it is not a recording: the first column must be `time`
@@ -246,4 +246,4 @@ Invalid options:
   $ frobc trace speed.frob --input log.csv --separator ab 2>&1 | head -1
   frobc: option '--separator': `ab` is neither `tab` nor a single character
   $ frobc trace speed.frob --input log.csv --column in.speed 2>&1 | head -1
-  frobc: option '--column': `in.speed` is not NAME=COLUMN, as
+  frobc: option '--column': `in.speed` does not have the form NAME=COLUMN; for

@@ -24,9 +24,9 @@ No line number changes, because an unused import replaces an empty line.
   $ sed -i '3s/^$/import Past/' warned/program.frob
   $ sed -i '0,/^$/s//import Past/' warned/Rover.frob
   $ frobc check warned/program.frob 2>&1 | grep 'warning\['
-  warning[W0306]: `Past` is imported but nothing from it is used
+  warning[W0306]: `Past` is imported, but nothing from it is used
   $ frobc check warned/Rover.frob 2>&1 | grep 'warning\['
-  warning[W0306]: `Past` is imported but nothing from it is used
+  warning[W0306]: `Past` is imported, but nothing from it is used
 
 Statements about the machine, the speed of a run, and the path of a build are omitted. For each
 command, the test shows whether it warns.
@@ -97,7 +97,7 @@ If both streams go to the same place, the messages come first.
 
   $ cd warned
   $ frobc view run.csv program.frob --robot pioneer --only-build 2>&1 | sed -n '1p; $s|^/.*\.so$|BUILT|p'
-  warning[W0306]: `Past` is imported but nothing from it is used
+  warning[W0306]: `Past` is imported, but nothing from it is used
   BUILT
   $ cd ..
 

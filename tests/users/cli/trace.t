@@ -138,7 +138,7 @@ Input files are not overwritten: the recording, under any name, and the program.
   $ cmp in.csv log.csv
 
   $ frobc trace sum.frob --input in.csv --entry mian
-  error[E0501]: there is no `mian` in this module to compile
+  error[E0501]: this module has no `mian` to compile
    --> sum.frob:1:1
     |
   1 | main :: SF Float[m/s] (Distance, Bool)

@@ -182,7 +182,7 @@ Units that do not fit.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: if it is a number of `m/s`, multiply by the unit: `(knob "a" 0 1[rad] 0 i) * 1[m/s]`
+    = hint: if the number is in `m/s`, multiply by the unit: `(knob "a" 0 1[rad] 0 i) * 1[m/s]`
   
   1 error
   [1]

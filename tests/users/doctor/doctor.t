@@ -35,20 +35,20 @@ A C compiler that does not work:
 
   $ look 'C compiler' env CC=false frobc doctor
   status 1
-  FAIL  C compiler       false does not handle generated code correctly (the C compiler cannot compile a one-line program: `false -std=c99 -O2 -ffp-contract=off` failed with status 1): set the environment variable CC to another compiler; `frobc selftest` shows more
+  FAIL  C compiler       false does not handle generated code correctly (the C compiler cannot compile a one-line program: `false -std=c99 -O2 -ffp-contract=off` failed with status 1): set the environment variable CC to another compiler; `frobc selftest` shows the details
 
 Another frobc on the PATH:
 
   $ mkdir other; printf '#!/bin/sh\necho 9.9.9\n' > other/frobc; chmod +x other/frobc
   $ look 'frobc' env PATH="$PATH:$PWD/other" "$frobc" doctor
   status 0
-  note  frobc            this is VERSION, FROBC, but the PATH has another version: other/frobc is 9.9.9; remove one, or put the folder of the other first in PATH
+  note  frobc            this is VERSION, FROBC, but the PATH has another version: other/frobc is 9.9.9; remove one of them, or put the folder of the one that you want first in the PATH
 
 A home folder that cannot be written:
 
   $ look 'cache' env XDG_CACHE_HOME=/dev/null "$frobc" doctor
   status 0
-  note  cache            cannot write in /dev/null/frobc, so each command compiles again: set XDG_CACHE_HOME to a folder of your own
+  note  cache            cannot write to /dev/null/frobc, so every command compiles from scratch: set XDG_CACHE_HOME to a folder of your own
   $ XDG_DATA_HOME=/dev/null frobc extras install search
   error: cannot create the folder /dev/null/frobc: Not a directory; set XDG_DATA_HOME to a folder of your own
   [2]
@@ -102,4 +102,4 @@ ROS in this terminal:
   ok    ROS              jazzy
   $ look 'ROS' env -u ROS_DISTRO AMENT_PREFIX_PATH=/opt/mine "$frobc" doctor
   status 0
-  ok    ROS              a distribution without a name (AMENT_PREFIX_PATH)
+  ok    ROS              an unnamed distribution (AMENT_PREFIX_PATH)

@@ -83,13 +83,13 @@ A damaged environment is reported, with the command that replaces it.
 Wrong usage, and systems on which the command cannot work:
 
   $ here frobc extras install serch
-  error: there are no extras `serch`; there are `search`, `mcap`, `ros`, `jupyter` and `cluster`
+  error: there is no group of extras `serch`; the groups are `search`, `mcap`, `ros`, `jupyter` and `cluster`
   $ here env XDG_DATA_HOME=$PWD/empty "$(command -v frobc)" extras install
   error: name the extras to install: `search`, `mcap`, `ros`, `jupyter` and `cluster`
   $ frobc extras remove search 2>&1 | head -n 1
   frobc: ACTION argument: invalid value 'remove', expected either 'install' or
   $ frobc extras list search
-  error: `frobc extras list` takes no groups
+  error: `frobc extras list` takes no groups: remove them
   [2]
   $ touch no-venv; here frobc extras install; rm no-venv
   Installing cma, mcap, numpy in data/frobc
@@ -100,7 +100,7 @@ Wrong usage, and systems on which the command cannot work:
   $ here env XDG_DATA_HOME=/dev/null "$(command -v frobc)" extras install search
   error: cannot create the folder /dev/null/frobc: Not a directory; set XDG_DATA_HOME to a folder of your own
   $ here env -u XDG_DATA_HOME -u HOME "$(command -v frobc)" extras install search
-  error: there is no home folder: set XDG_DATA_HOME to a folder for the packages
+  error: HOME is not set: set XDG_DATA_HOME to a folder for the packages
 
 An active virtual environment is used instead.
 

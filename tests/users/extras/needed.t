@@ -29,5 +29,5 @@ Without Python:
   error: frobc falsify needs Python 3: on Debian, `sudo apt-get install python3-venv`, then `frobc extras install search`
   [2]
   $ PATH= "$(command -v frobc)" convert other.mcap other.csv
-  error: cannot read other.mcap: it was written by another program, and reading it needs Python: on Debian, `sudo apt-get install python3-venv`, then `frobc extras install mcap`
+  error: cannot read other.mcap: it was written by another program, and reading it needs Python: on Debian, run `sudo apt-get install python3-venv`, then `frobc extras install mcap`
   [2]

@@ -208,9 +208,9 @@ changed.
   0
   [1]
   $ printf 'main = proc x -> y where\n    y = x\n\tz = y\n' | frobc format - 2>&1 | head -1
-  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
+  error[E0102]: tabs are not allowed, because indentation is significant
   $ printf 'x = "a\tb"\n' | frobc format - 2>&1 | head -1
-  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
+  error[E0102]: tabs are not allowed, because indentation is significant
 
 A file that is not a program is not changed; the message is that of `frobc
 check`.

@@ -75,7 +75,7 @@ Types that grow too large to write out:
   104 | data D = D T100
       |            ^^^^
       |
-      = note: a type can have at most 20000 parts, nested at most 500 deep
+      = note: a type can have at most 20000 parts, nested at most 500 levels deep
   
   1 error
   [1]

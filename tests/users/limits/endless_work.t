@@ -23,7 +23,7 @@ A signal function that is chosen at each start nests one `if` deeper each time:
     |                                                                              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ it restarts here, wi
     |
     = note: frobc must know all signal functions that can run, so their number must be finite
-    = hint: restart it with the same signal functions each time; numbers may change
+    = hint: restart it with the same signal functions each time; only numbers may change
     = hint: pass the condition of the `if` as an argument, and choose inside `g`
   
   1 error
@@ -39,7 +39,7 @@ An array of a million signal functions, and of a thousand times a thousand funct
    --> parallel.frob:3:12
     |
   3 |     sfs = (generate (\_ -> delay 0) :: Array 1048576 (SF Float Float))
-    |            ^^^^^^^^^^^^^^^^^^^^^^^^ `generate` compiles each of them separately here
+    |            ^^^^^^^^^^^^^^^^^^^^^^^^ `generate` needs a separate copy of each of them here
     |
     = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
     = hint: make the array shorter, or run one signal function on an array of numbers: `mapSF f xs`
@@ -58,7 +58,7 @@ an array of   error[E0413]: 1048576 functions or signal functions is too large t
   3 |     fs = (generate (\_ -> generate (\_ -> step)) :: Array 1000 (Array 1000 (Float -> Float)))
     |           ----------------^^^^^^^^^^^^^^^^^^^^^-
     |           |               |
-    |           |               `generate` compiles each of them separately here
+    |           |               `generate` needs a separate copy of each of them here
     |           `main` is called here
     |
     = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
@@ -121,7 +121,7 @@ types that double:
   10 | h4 f x = h3 (\y -> f (y + 1)) x + h3 (\y -> f (y * 2)) x
      |                                   ---------------------- `h3` is called here
      |
-     = note: frobc makes a copy for each combination of types, functions and signal functions among the arguments; numbers do not count
+     = note: frobc makes a separate copy for each combination of types, functions and signal functions in the arguments, but not for different
      = hint: to allow more, use the option `--specialization-limit`
   
   1 error
@@ -145,8 +145,8 @@ types that double:
   24 | main = s20 1
      | ^^^^^^^^^^^^
      |
-     = note: frobc evaluates a call with a function or signal function as argument or result at compile time; if each level calls the next one
-     = hint: use fewer levels of functions, or give a result a name and use the name twice
+     = note: frobc evaluates a call at compile time if its result or an argument is a function or signal function; if each function calls the 
+     = hint: use fewer levels of calls, or name a result and use the name twice
   
   1 error
   $ { echo 'f0 :: a -> Float'; echo 'f0 _ = 1'
@@ -249,7 +249,7 @@ Patterns with too many combinations. A last branch for everything makes them com
     |                       ^
     |
     = note: its patterns have too many combinations
-    = hint: add a last branch `_ -> …`, or split it into a `case` within a branch
+    = hint: add a last branch `_ -> …`, or split it into nested `case` expressions
   
   1 error
   $ { cat cases.frob; echo '    _ -> 20'; } | refused complete
@@ -292,7 +292,7 @@ The interpreter computes parameters before the run:
 A literal of 5 MB:
 
   $ { printf 'main :: SF Float Float\nmain = proc x -> x + at 3 0 [1'; awk 'BEGIN { for (i = 0; i < 1700000; i++) printf ", %d", i % 10; print "]" }'; } | refused literal | head -1
-  error[E0333]: an array literal has at most 100000 elements, not 1700001
+  error[E0333]: an array literal can have at most 100000 elements, not 1700001
   $ { printf 'main :: SF Float Float\nmain = proc x -> x + 0.'; awk 'BEGIN { for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'; } | refused digits | head -1
   error[E0105]: a number has at most 1000 characters, but this one has 5000002
 

@@ -45,7 +45,7 @@ Byte order marks and CRLF are accepted; tabs and other encodings are not:
   $ frobc check windows.frob
   $ printf 'main = proc x -> y where\n\ty = x\n' > tab.frob
   $ frobc check tab.frob
-  error[E0102]: this is a tab, but only spaces are allowed, because indentation has a meaning
+  error[E0102]: tabs are not allowed, because indentation is significant
    --> tab.frob:2:1
     |
   2 |     y = x
@@ -90,7 +90,7 @@ command:
   error: world.toml is not a Frob program but a world; use it with a program: `frobc run PROGRAM.frob --world world.toml`
   error: in.csv is not a Frob program but a table of inputs, or a recording; use it with a program: `frobc trace PROGRAM.frob --input in.csv`
   error: near.c is not a Frob program but C or C++; use it with a program that calls it: `--with near.c`
-  error: near.h is not a Frob program but a C header; include it in a program by `foreign include "near.h"`, and allow it on the command line by `--with near.h`
+  error: near.h is not a Frob program but a C header; include it in a program with `foreign include "near.h"`, and allow it on the command line with `--with near.h`
   error: binary is not a Frob program: it is not a text file
   error: cannot read one: it is a directory; did you mean one/drive.frob?
   error: cannot read many: it is a directory; choose a program in it, such as many/a.frob

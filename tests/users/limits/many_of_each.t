@@ -75,9 +75,9 @@ If the stack is not allowed to grow, the message has a place and says what to do
   2 | f x = case x of
     | ^^^^^^^^^^^^^^^
     |
-    = note: this is its largest definition, of 3977807 characters
+    = note: this is its largest definition, with 3977807 characters
     = hint: split it into several definitions
-    = hint: or run `ulimit -s unlimited` for a larger stack
+    = hint: or run `ulimit -s unlimited` to allow a larger stack
   
   1 error
   [1]

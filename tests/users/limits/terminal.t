@@ -71,14 +71,14 @@ A recording with one endless line, which is small when compressed, is rejected w
   > done
   2 error: endless.csv.gz:1:1: the row has more than 16 MB or more than a million cells: this is not a recording 
   2 error: endless.csv.gz:1:1: the row has more than 16 MB or more than a million cells: this is not a recording 
-  2 error: endless.csv.gz:1: the row has more than 16 MB: this is not a recording 
-  2 error: endless.csv.gz:1: the row has more than 16 MB: this is not a recording 
+  2 error: endless.csv.gz:1: the row is longer than 16 MB: this is not a recording 
+  2 error: endless.csv.gz:1: the row is longer than 16 MB: this is not a recording 
   2 error: cannot view endless.csv.gz: it is not a recording: the first column must be `time` 
   2 
   1 FAIL  golden: cannot read endless.csv.gz: it is larger than 16 MB 
   2 error: cells.csv.gz:3:1: the row has more than 16 MB or more than a million cells: this is not a recording 
   2 error: cells.csv.gz:3:1: the row has more than 16 MB or more than a million cells: this is not a recording 
-  2 error: cells.csv.gz:3: the row has more than 16 MB: this is not a recording 
+  2 error: cells.csv.gz:3: the row is longer than 16 MB: this is not a recording 
   $ mkdir rows && head -c 60000000 /dev/zero | tr '\0' a > rows/x.rows
   $ printf 'program = "trial.frob"\nseeds = [1, 1]\n' > plan.toml
   $ printf 'trial "stays" = Trial { world = "room.toml", lasts = 1[s], seeds = 1 `to` 1, judge = neverTouches }\n' | cat drive.frob - > trial.frob && sed -i '1i import Trial' trial.frob

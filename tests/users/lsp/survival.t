@@ -31,7 +31,7 @@ disappears.
   ('0:0-0:0', 'internal error in frobc: Not_found')
   None y :: Float
   [] gain :: n[1/s]
-  ('2:0-2:25', 'the program is too large, or nested too deeply, for the stack of frobc\nnote: this is its largest definition, of 26 characters\nhint: split it into several definitions\nhint: or run `ulimit -s unlimited` for a larger stack')
+  ('2:0-2:25', 'the program is too large, or nested too deeply, for the stack of frobc\nnote: this is its largest definition, with 26 characters\nhint: split it into several definitions\nhint: or run `ulimit -s unlimited` to allow a larger stack')
   None y :: Float
   [] gain :: n[1/s]
   ('0:0-0:0', 'frobc gave up after 8 s')

@@ -8,7 +8,7 @@
   main :: Program In Out
   main = node 50[Hz] (proc _ -> Out { cmdVel = twist 0 0 })
   
-  error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose3` is not a type of messages
+  error[E0509]: the field `goal` of `In` is not a topic: `Maybe Pose3` is not a message type
    --> main.frob:3:24
     |
   3 | data In = In { goal :: Maybe Pose3 }

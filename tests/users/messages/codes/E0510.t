@@ -19,6 +19,6 @@
   4 | data Wall = Wall { distance :: Int }
     |                    ^^^^^^^^
     |
-    = hint: remove it, or name it like one of the message's fields: data_
+    = hint: remove it, or give it the name of one of the message's fields: data_
   
   1 error
