@@ -90,29 +90,38 @@ let by_prelude cycle (step : Fact.step) =
   is_own cycle (mode_node cycle step.mode).span
   && Option.fold step.source ~none:false ~some:(fun (_, at) -> in_prelude cycle at)
 
-(* If several modes have the same name, adds the label only once. *)
-let label ~at text (d : Diagnostic.t) =
-  let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
-  if List.exists there d.labels then d else Diagnostic.label ~at "%s" text d
+type remark =
+  | May_end of string
+  | May_occur of { event : string; mode : string }
+  | May_restart of string
+  | May_start of { from : string; target : string }
+  | Again
 
-let label_step cycle name d (step : Fact.step) =
+let label d (at, remark) =
+  let label format = Diagnostic.label ~at format in
+  match remark with
+  | May_end mode -> label "`%s` may end at its first instant" mode d
+  | May_occur { event; mode } -> label "`%s` may occur at the first instant of `%s`" event mode d
+  | May_restart mode -> label "`%s` may start itself again at its own first instant" mode d
+  | May_start { from; target } -> label "`%s` may start `%s` at its own first instant" from target d
+  | Again -> label "and again here" d
+
+(* If several modes have the same name, adds the remark only once. *)
+let add remark remarks = if List.mem remark remarks then remarks else remarks @ [ remark ]
+
+let add_step cycle name remarks (step : Fact.step) =
   let from = name step.mode and target = name step.target in
-  let d =
+  let remarks =
     match step.source with
-    | Some _ when by_prelude cycle step -> d
-    | Some (origin, at) when origin = from ->
-        label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
-    | Some (origin, at) ->
-        label ~at (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin from) d
-    | None -> d
+    | Some _ when by_prelude cycle step -> remarks
+    | Some (origin, at) when origin = from -> add (at, May_end origin) remarks
+    | Some (origin, at) -> add (at, May_occur { event = origin; mode = from }) remarks
+    | None -> remarks
   in
   let at = step.by.span in
-  let text =
-    if from = target then Printf.sprintf "`%s` may start itself again at its own first instant" from
-    else Printf.sprintf "`%s` may start `%s` at its own first instant" from target
-  in
-  let is_elsewhere (l : Diagnostic.label) = String.equal l.text text && l.at <> at in
-  if List.exists is_elsewhere d.labels then label ~at "and again here" d else label ~at text d
+  let remark = if from = target then May_restart from else May_start { from; target } in
+  let is_elsewhere (there, other) = other = remark && there <> at in
+  add (at, if List.exists is_elsewhere remarks then Again else remark) remarks
 
 let diagnostic ~at ~entry program steps ~limit =
   let cycle = { entry; program } in
@@ -133,7 +142,7 @@ let diagnostic ~at ~entry program steps ~limit =
   let far limit =
     Diagnostic.note "frobc found no end within %d steps, the maximum for one instant" limit
   in
-  List.fold_left (label_step cycle name) d steps
+  List.fold_left label d (List.fold_left (add_step cycle name) [] steps)
   |> Diagnostic.note "%s"
        (note (map (fun (step : Fact.step) -> (name step.mode, event step)) steps))
   |> Option.fold ~none:Fun.id ~some:far limit

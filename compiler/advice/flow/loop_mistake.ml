@@ -119,7 +119,8 @@ let named sources ({ hops; sums; entry; _ } : Fact.loop) =
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
   let label d (hop : Fact.hop) =
-    (if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here "%s" (reads hop) d
+    (if Span.compare hop.at at = 0 && d.Diagnostic.here = None then
+       Diagnostic.here "%s" (reads hop) d
      else Diagnostic.label ~at:hop.at "`%s` %s" hop.reader.name (reads hop) d)
     |> label_elsewhere hop
   in

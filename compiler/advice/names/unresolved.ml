@@ -59,16 +59,18 @@ let add_name found (fact : Fact.unresolved) =
 
 let most_places = 4
 
-(* Merges diagnostics with the same text: shows their places in the first one, and applies its fix
+(* Merges diagnostics with the same wording: shows their places in the first one, and applies its fix
    there too. *)
 let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
   let label d (other : Diagnostic.t) = Diagnostic.label ~at:other.at "and here" d in
   let shown = List.filteri (fun i _ -> i < most_places) others in
   let more = List.length others - List.length shown in
   let everywhere (fix : Diagnostic.fix) =
-    let same (other : Diagnostic.fix) = String.equal other.title fix.title in
     let of_other (d : Diagnostic.t) =
-      Option.fold (List.find_opt same d.fixes) ~none:[] ~some:(fun (f : Diagnostic.fix) -> f.edits)
+      Option.fold
+        (List.find_opt (Diagnostic.has_same_effect fix) d.fixes)
+        ~none:[]
+        ~some:(fun (f : Diagnostic.fix) -> f.edits)
     in
     { fix with edits = fix.edits @ List.concat_map of_other others }
   in
@@ -87,7 +89,7 @@ let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
               (fun (d : Diagnostic.t) ->
                 (is_of "E0205" d || is_of "E0206" d) && d.hints = [] && d.notes = [])
               [ a; b ] ->
-      (Diagnostic.label ~at:b.at "%s" b.message a
+      ({ a with labels = a.labels @ [ { at = b.at; text = b.message } ] }
       |> Diagnostic.hint "define both, or `import` the module that defines them")
       :: neighbours rest
   | d :: rest -> d :: neighbours rest
@@ -97,9 +99,7 @@ let merged diagnostics =
   let by_place (a : Diagnostic.t) (b : Diagnostic.t) = Span.compare a.at b.at in
   let told = Hashtbl.create 16 in
   (* the hint for an unknown unit may contain the number before it *)
-  let key (d : Diagnostic.t) =
-    (d.code, d.message, (if is_of (Namespace.unknown Units) d then [] else d.hints), d.notes)
-  in
+  let key d = Diagnostic.wording ~without_hints:(is_of (Namespace.unknown Units) d) d in
   let all = List.sort_uniq by_place diagnostics in
   let add d =
     match Hashtbl.find_opt told (key d) with

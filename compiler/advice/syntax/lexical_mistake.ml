@@ -41,7 +41,7 @@ let too_long ~at what ~most ~length =
 
 (* {1 Characters} *)
 
-type colons = string option list
+type colons = Diagnostic.topic list
 
 let no_colons = []
 
@@ -56,15 +56,20 @@ let unexpected_character ~text colons ~at ~character ~offset ~is_first =
       else Printf.sprintf "with code %d" (Char.code character.[0])
     in
     let { Character_hint.hint; instead } = Character_hint.of_character ~text ~at:offset character in
+    let is_told (hint : Diagnostic.hint) =
+      Option.fold hint.topic ~none:false ~some:(fun topic -> List.mem topic colons)
+    in
     let diagnostic =
-      if is_first && not (is_colon && List.mem hint colons) then
+      if is_first && not (is_colon && Option.fold hint ~none:false ~some:is_told) then
         Some
           (error ~code:"E0103" ~at "unexpected character %s" shown
-          |> Option.fold hint ~none:Fun.id ~some:(Diagnostic.hint "%s")
+          |> Option.fold hint ~none:Fun.id ~some:Diagnostic.suggest
           |> Option.fold instead ~none:Fun.id ~some:(Diagnostic.write at))
       else None
     in
-    (diagnostic, if is_colon then Colon_hint.of_each_line hint @ colons else colons)
+    ( diagnostic,
+      if is_colon then Option.fold hint ~none:[] ~some:Colon_hint.of_each_line @ colons else colons
+    )
 
 let of_problem ~at : Lexical_fact.problem -> Diagnostic.t option = function
   | Unexpected_character _ -> None

@@ -4,7 +4,7 @@
 open Basis
 
 type colons
-(** The hints given for colons so far. *)
+(** The topics of the hints given for colons so far. *)
 
 val no_colons : colons
 

@@ -3,6 +3,7 @@ open Syntax
 open Grammar
 open Found
 open Syntax_hint
+open Syntax_topic
 
 (* {1 Description of the found token} *)
 
@@ -70,8 +71,9 @@ let type_before_name found =
     (Typed_equation.alone (between found bol (end_of_line found bol)))
 
 let no_effect =
-  "Frob does not call functions for their effects: write an equation that names a value, as in `v \
-   = 0.3[m/s]`"
+  suggestion No_effect
+    "Frob does not call functions for their effects: write an equation that names a value, as in \
+     `v = 0.3[m/s]`"
 
 (* `proc i roMake …` without an arrow, or `proc x y -> …` with two inputs *)
 let inputs_of_proc found =
@@ -172,7 +174,9 @@ let plain found =
   let { State_message.expected; hints = state_hints; expects } = message found in
   let d =
     match foreign found with
-    | Some (text, at) -> Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" text
+    | Some (text, at) ->
+        Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" text
+        |> if text = "function" then Diagnostic.about Function_keyword else Fun.id
     | None when found.token.token = OPERATOR "!" && Operator_hint.negation found <> None ->
         Diagnostic.error ~code:"E0110" ~at:(span found.token) "Frob has no prefix `!`"
     | None when Operator_hint.disjunction found <> None ->
@@ -186,38 +190,39 @@ let plain found =
     (* a call such as `setVelTR(0.2, 0)` is parsed as a left-hand side *)
     | [] when expects = Equals ->
         let rules = [ compares_instead; text_alone; type_before_name ] in
-        [ Option.value (List.find_map (fun rule -> rule found) rules) ~default:no_effect ]
+        [ Option.fold (List.find_map (fun rule -> rule found) rules) ~none:no_effect ~some:text ]
     | _ :: _ when found.token.token = EQUAL && expects = Arrow ->
-        [ "write `->` between the input and the output; `=` is for equations" ]
+        [ text "write `->` between the input and the output; `=` is for equations" ]
     | _ when expects = Arrow && inputs_of_proc found <> None ->
-        [ Option.get (inputs_of_proc found) ]
+        [ text (Option.get (inputs_of_proc found)) ]
     | _ when found.token.token = WHERE && expects = Arrow ->
-        [ "write the output before `where`: `proc x -> y where`" ]
+        [ text "write the output before `where`: `proc x -> y where`" ]
     | _ when lacks_else found && innermost_block found.context = Do && names_before found "return"
       ->
         [
-          "`return` does not end the task early: put the remaining statements into the other \
-           branch, below `else do`";
+          text
+            "`return` does not end the task early: put the remaining statements into the other \
+             branch, below `else do`";
         ]
     | _ when lacks_else found && task_without_else found <> None ->
         [
-          Printf.sprintf
+          Diagnostic.suggestion
             "to run a task only if a condition holds, write `%s`; to choose between two tasks, add \
              an `else`"
             (Option.get (task_without_else found));
         ]
     | _ when lacks_else found && block_without_else found <> None ->
         [
-          Printf.sprintf
+          Diagnostic.suggestion
             "to run these tasks only if the condition holds, replace the line of the `if` with \
              `%s`; to choose between two blocks of tasks, add an `else`"
             (Option.get (block_without_else found));
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
-        List.map (fun _ -> "add an `else`: every `if` has a value") hints
+        List.map (fun _ -> text "add an `else`: every `if` has a value") hints
     | hints -> hints
   in
-  List.fold_left (fun d hint -> Diagnostic.hint "%s" hint d) d hints
+  List.fold_left (fun d hint -> Diagnostic.suggest hint d) d hints
   |> with_fix found |> other_place found
 
 (* {1 `if` and `case` with commands in their branches} *)
@@ -376,19 +381,9 @@ let waiting found =
       Diagnostic.error ~code:"E0110"
         ~at:(Build.span (at first, at last))
         "an equation cannot wait: it holds at every instant"
-      |> Diagnostic.hint "%s" Beginnings.waiting
+      |> Diagnostic.suggest Beginnings.waiting
       |> Option.some
   | _ -> None
-
-let said_once =
-  [
-    Operator_hint.own_operator;
-    Beginnings.no_procedures;
-    Beginnings.by_equation;
-    Beginnings.no_end;
-    Beginnings.waiting;
-    no_effect;
-  ]
 
 let explained ~told:earlier found =
   let first_of list = List.find_map (fun explain -> explain found) list in
@@ -407,45 +402,27 @@ let explained ~told:earlier found =
     | Some d -> d
     | None -> plain found
   in
+  let is_about (other : Diagnostic.t) topic = List.mem topic (Diagnostic.topics other) in
+  let was_told topic = List.exists (fun other -> is_about other topic) earlier in
   (* A hint about the whole program is reported only once. *)
-  let of_colon (other : Diagnostic.t) =
-    List.exists (String.starts_with ~prefix:Beginnings.of_record) other.hints
+  let repeats (topic : Diagnostic.topic) =
+    let told (other : Diagnostic.t) =
+      is_about other topic
+      &&
+      match topic with
+      | Shared (Record_declaration _) -> true
+      | Shared _ -> String.equal other.code d.code
+      | _ -> false
+    in
+    List.exists told earlier
   in
-  let told (other : Diagnostic.t) =
-    other.hints = d.hints && (other.code = d.code || of_colon other)
-  in
-  let is_said_once hint =
-    List.mem hint said_once || String.starts_with ~prefix:Beginnings.of_record hint
-  in
-  let once = List.exists is_said_once d.hints in
   (* The lines of a block in braces are not definitions, so they are not reported separately. *)
-  let in_braces (other : Diagnostic.t) =
-    List.exists Indentation_hint.is_by_indentation other.hints
-  in
-  let is_a_call =
-    List.exists (fun hint -> List.mem hint [ no_effect; Beginnings.waiting ]) d.hints
-  in
-  let of_block = is_a_call && List.exists in_braces earlier in
-  let ends_function =
-    let is_function (other : Diagnostic.t) = other.message = "Frob has no `function`" in
-    d.hints = [ Beginnings.no_end ] && List.exists is_function earlier
-  in
+  let is_a_call = List.exists (is_about d) [ Shared No_effect; Shared Waiting ] in
+  let of_block = is_a_call && was_told Block_in_braces in
+  let ends_function = is_about d (Shared End_of_block) && was_told Function_keyword in
   (* the closing brace of a record copy that was already reported, `{ p with x = 1; y = 2 }` *)
-  let ends_copy =
-    found.token.token = RBRACE && d.code = "E0111"
-    && List.exists
-         (fun (other : Diagnostic.t) -> List.exists Record_hint.is_of_a_copy other.hints)
-         earlier
-  in
-  (* every `;` in the head of a `for` loop in C ends a definition *)
-  let of_loop =
-    Other_loop.as_value found.text found.token.start.pos_cnum <> None
-    && List.exists
-         (fun (other : Diagnostic.t) -> other.message = d.message && Span.compare other.at d.at = 0)
-         earlier
-  in
-  if of_block || of_loop || ends_function || ends_copy || (once && List.exists told earlier) then
-    None
+  let ends_copy = found.token.token = RBRACE && d.code = "E0111" && was_told Changed_copy in
+  if of_block || ends_function || ends_copy || List.exists repeats (Diagnostic.topics d) then None
   else Some d
 
 let unexpected ~told ~text ~state ~before token =

@@ -59,7 +59,7 @@ let diagnostic sources (fact : Typing.Fact.t) =
   | Inference { around; fact } -> inference (wording around) fact
   | Instance { around; fact } -> Instance_mistake.diagnostic (wording around) fact
   | Misapplied { around; call; mistake } ->
-      Application_mistake.explain (wording around) call (Facts.diagnostic mistake)
+      Application_mistake.explain (wording around) call mistake
   | Called_as_method { around; call; mistake } ->
       Missing_field_mistake.called_as_method (wording around) call (Facts.diagnostic mistake)
   | Refutable_input { pattern; input; mistake } ->

@@ -207,16 +207,22 @@ let is_any_number t =
       | _ -> false)
   | _ -> false
 
+let has_any_representation t =
+  match Type.expand t with
+  | _ when is_any_number t -> true
+  | Number (r, u) -> (
+      match (Type.representation r, Units.flexible_powers (Units.resolve u)) with
+      | Flexible_representation _, [] -> true
+      | _ -> false)
+  | _ -> false
+
 (* A type as part of a sentence. The text of a number with an undetermined representation needs no
    generated name for the representation. *)
 let described words t =
   match Type.expand t with
   | _ when is_any_number t -> "a number"
-  | Number (r, u) -> (
-      let u = Units.resolve u in
-      match (Type.representation r, Units.flexible_powers u) with
-      | Flexible_representation _, [] -> Printf.sprintf "a number in `%s`" (measure words u)
-      | _ -> quoted words t)
+  | Number (_, u) when has_any_representation t ->
+      Printf.sprintf "a number in `%s`" (measure words (Units.resolve u))
   | _ -> quoted words t
 
 let rec parameters t =

@@ -75,6 +75,9 @@ val is_any_number : Type.t -> bool
 (** Whether all that is known about the type is that it is a number. Then its text does not contain
     names of variables. *)
 
+val has_any_representation : Type.t -> bool
+(** Is this a number whose representation is undetermined? *)
+
 val described : t -> Type.t -> string
 (** A type as part of a sentence: quoted, or [a number]. *)
 

@@ -6,14 +6,26 @@
 
 type severity = Error | Warning
 
-type label = { at : Span.t; text : string }
+type text
+(** A text for users. Code that needs to know what a message says asks for its topics instead. *)
+
+val for_display : text -> string
+(** Only renderers and the language server call this function; a test checks it. *)
+
+type topic = ..
+(** The subject of a message or of a hint, for the rules that need to know whether it has been
+    mentioned. Topics are compared with [=]. *)
+
+type label = { at : Span.t; text : text }
 (** Another place involved in the problem. *)
+
+type hint = { text : text; topic : topic option }
 
 type edit = { span : Span.t; text : string }
 (** Replaces the text in the span. If the span is empty, inserts the text at its position. *)
 
 type fix = {
-  title : string;  (** the effect of the fix, as an imperative: [write `speed`] *)
+  title : text;  (** the effect of the fix, as an imperative: [write `speed`] *)
   edits : edit list;  (** non-overlapping edits in one file *)
   safe : bool;
       (** whether a tool may apply the fix without asking: only if there is no alternative and the
@@ -25,12 +37,13 @@ type t = {
   severity : severity;
   code : string;  (** for example [E0401]; codes of warnings start with [W] *)
   at : Span.t;  (** the main place, to look at first *)
-  message : string;
-  here : string;  (** printed next to the main place; may be empty *)
+  message : text;
+  here : text option;  (** printed next to the main place *)
   labels : label list;
-  notes : string list;
-  hints : string list;  (** suggested corrections, each of which is probably right *)
+  notes : text list;
+  hints : hint list;  (** suggested corrections, each of which is probably right *)
   fixes : fix list;  (** the hints that a tool can apply, as edits *)
+  about : topic list;  (** the topics of the message, its labels and notes *)
 }
 
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
@@ -38,18 +51,47 @@ val warning : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format
 
 (** The functions below extend a diagnostic: [error … "…" |> label ~at "…" |> emit sink]. *)
 
-type 'a text := ('a, unit, string, t -> t) format4 -> 'a
+type 'a extend := ('a, unit, string, t -> t) format4 -> 'a
 
-val here : 'a text
-val label : at:Span.t -> 'a text
-val note : 'a text
-val hint : 'a text
+val here : 'a extend
+val label : at:Span.t -> 'a extend
+val note : 'a extend
+val hint : ?topic:topic -> 'a extend
+
+val message : 'a extend
+(** Replaces the message. *)
 
 val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
 (** [fix title edits] replaces the text at each place. Not safe by default. *)
 
 val write : Span.t -> string -> t -> t
 (** The fix that replaces the text at this place. *)
+
+(** {1 Topics} *)
+
+val suggestion : ?topic:topic -> ('a, unit, string, hint) format4 -> 'a
+(** A hint, for rules that do not build the whole diagnostic. *)
+
+val suggest : hint -> t -> t
+val about : topic -> t -> t
+
+val topics : t -> topic list
+(** The topics of the diagnostic and of its hints. *)
+
+(** {1 Comparing} *)
+
+val is_same : t -> t -> bool
+(** Do both have the same code and place? *)
+
+val has_same_effect : fix -> fix -> bool
+(** Do both have the same title? *)
+
+type wording
+(** The code, message, notes and hints. Wordings can be compared with [=] and hashed. *)
+
+val wording : ?without_hints:bool -> t -> wording
+
+(** {1 Collecting} *)
 
 type sink
 (** Collects diagnostics; it has no other state. *)

@@ -48,17 +48,23 @@ let span source ~primary ~label (at : Span.t) =
         ("label", if label = "" then Null else String label);
       ])
 
+let for_display = Diagnostic.for_display
+
 let fix source (f : Diagnostic.fix) =
   let edit (e : Diagnostic.edit) =
     Object [ ("span", Object (place source e.span)); ("text", String e.text) ]
   in
   Object
-    [ ("title", String f.title); ("safe", Bool f.safe); ("edits", List (List.map edit f.edits)) ]
+    [
+      ("title", String (for_display f.title));
+      ("safe", Bool f.safe);
+      ("edits", List (List.map edit f.edits));
+    ]
 
 let child level message =
   Object
     [
-      ("message", String message);
+      ("message", String (for_display message));
       ("code", Null);
       ("level", String level);
       ("spans", List []);
@@ -72,16 +78,20 @@ let diagnostic source (d : Diagnostic.t) =
   Json.to_string
     (Object
        [
-         ("message", String d.message);
+         ("message", String (for_display d.message));
          ("code", Object [ ("code", String d.code); ("explanation", explanation) ]);
          ("level", String level);
          ( "spans",
            List
-             (span source ~primary:true ~label:d.here d.at
+             (span source ~primary:true ~label:(Option.fold d.here ~none:"" ~some:for_display) d.at
              :: List.map
-                  (fun (l : Diagnostic.label) -> span source ~primary:false ~label:l.text l.at)
+                  (fun (l : Diagnostic.label) ->
+                    span source ~primary:false ~label:(for_display l.text) l.at)
                   d.labels) );
-         ("children", List (List.map (child "note") d.notes @ List.map (child "help") d.hints));
+         ( "children",
+           List
+             (List.map (child "note") d.notes
+             @ List.map (fun (h : Diagnostic.hint) -> child "help" h.text) d.hints) );
          ("fixes", List (List.map (fix source) d.fixes));
          ("rendered", String (Render_text.diagnostic ~colour:false source d));
        ])

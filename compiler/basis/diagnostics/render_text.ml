@@ -215,28 +215,18 @@ let place source (at : Span.t) =
   in
   Printf.sprintf "%s:%d:%d" (Printable.name at.file) (Span.line at.start) column
 
+(* Escapes control characters, because diagnostics may quote untrusted text. *)
+let shown text = Printable.text (Diagnostic.for_display text)
+
 let header paint (d : Diagnostic.t) =
   let kind = match d.severity with Error -> "error" | Warning -> "warning" in
-  main_colour paint (Printf.sprintf "%s[%s]" kind d.code) ^ strong paint (": " ^ d.message)
-
-(* Escapes control characters, because diagnostics may quote untrusted text. *)
-let printable (d : Diagnostic.t) =
-  let text = Printable.text in
-  {
-    d with
-    message = text d.message;
-    here = text d.here;
-    labels = List.map (fun (l : Diagnostic.label) -> { l with text = text l.text }) d.labels;
-    notes = List.map text d.notes;
-    hints = List.map text d.hints;
-  }
+  main_colour paint (Printf.sprintf "%s[%s]" kind d.code) ^ strong paint (": " ^ shown d.message)
 
 let diagnostic ~colour source (d : Diagnostic.t) =
-  let d = printable d in
   let paint = { colour; severity = d.severity } in
   let places =
-    (true, (d.at, d.here))
-    :: List.map (fun (l : Diagnostic.label) -> (false, (l.at, l.text))) d.labels
+    (true, (d.at, Option.fold d.here ~none:"" ~some:shown))
+    :: List.map (fun (l : Diagnostic.label) -> (false, (l.at, shown l.text))) d.labels
   in
   let file_of (_, ((at : Span.t), _)) = at.file in
   let rec files seen = function
@@ -267,7 +257,7 @@ let diagnostic ~colour source (d : Diagnostic.t) =
   in
   let sections = List.concat_map section (files [] places) in
   let foot kind text =
-    let lines = String.split_on_char '\n' text in
+    let lines = String.split_on_char '\n' (shown text) in
     let lead = Printf.sprintf "%s = " margin in
     let indent = String.make (String.length lead + String.length kind + 2) ' ' in
     match lines with
@@ -277,7 +267,7 @@ let diagnostic ~colour source (d : Diagnostic.t) =
         :: List.map (fun line -> indent ^ line) rest
   in
   let notes = List.concat_map (foot "note") d.notes in
-  let hints = List.concat_map (foot "hint") d.hints in
+  let hints = List.concat_map (fun (h : Diagnostic.hint) -> foot "hint" h.text) d.hints in
   (* drop the last bar if nothing follows it *)
   let sections =
     match List.rev sections with

@@ -21,7 +21,9 @@ let of_fix ws (a : Analysis.t) (d : Diagnostic.t) (fix : Diagnostic.fix) =
     (uri, edits @ [ one ]) :: List.remove_assoc uri files
   in
   let changes = List.rev (List.fold_left by_file [] fix.edits) in
-  action ~title:fix.title ~kind:"quickfix"
+  action
+    ~title:(Diagnostic.for_display fix.title)
+    ~kind:"quickfix"
     (List.map (fun (uri, edits) -> (uri, Json.List edits)) changes)
     ~more:
       [ ("isPreferred", Bool fix.safe); ("diagnostics", List [ Diagnostics.of_diagnostic ws a d ]) ]

@@ -27,15 +27,20 @@ let link (ws : Workspace.t) code =
       uri
 
 let text (d : Diagnostic.t) =
-  let here = if d.here = "" then [] else [ d.here ] in
-  let notes = List.map (fun note -> "note: " ^ note) d.notes in
-  let hints = List.map (fun hint -> "hint: " ^ hint) d.hints in
-  String.concat "\n" ((d.message :: here) @ notes @ hints)
+  let show = Diagnostic.for_display in
+  let here = List.map show (Option.to_list d.here) in
+  let notes = List.map (fun note -> "note: " ^ show note) d.notes in
+  let hints = List.map (fun (hint : Diagnostic.hint) -> "hint: " ^ show hint.text) d.hints in
+  String.concat "\n" ((show d.message :: here) @ notes @ hints)
 
 let is_unused code = List.mem code [ "W0304"; "W0305"; "W0306" ]
 
 let related ws (a : Analysis.t) ((at : Span.t), message) : Json.t =
-  Object [ ("location", Workspace.location ws a.sources at); ("message", String message) ]
+  Object
+    [
+      ("location", Workspace.location ws a.sources at);
+      ("message", String (Diagnostic.for_display message));
+    ]
 
 let labels (d : Diagnostic.t) = List.map (fun (l : Diagnostic.label) -> (l.at, l.text)) d.labels
 

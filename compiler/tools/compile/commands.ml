@@ -7,11 +7,10 @@ let check_one general ?robot ~library ~told file =
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   Queries.check sink sources (Request.make ~options:general ?robot ~library file);
-  let identity (d : Diagnostic.t) = (d.code, d.at, d.message) in
-  let is_new d = not (List.mem (identity d) !told) in
+  let is_new d = not (List.exists (Diagnostic.is_same d) !told) in
   let fresh = Diagnostic.sink () in
   List.iter (Diagnostic.emit fresh) (List.filter is_new (Diagnostic.all sink));
-  told := List.map identity (Diagnostic.all sink) @ !told;
+  told := Diagnostic.all sink @ !told;
   print_diagnostics general.format sources fresh;
   status sink
 

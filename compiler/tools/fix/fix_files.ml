@@ -63,7 +63,7 @@ let most_rounds = 100
 
 let rec mended check choice file ~done_ rounds text =
   let sink, sources = check file text in
-  let place (d : Diagnostic.t) = (d.code, d.message, Span.line d.at.start) in
+  let place (d : Diagnostic.t) = (Diagnostic.wording ~without_hints:true d, Span.line d.at.start) in
   (* Without this check, a fix that does not remove its diagnostic would be applied forever. *)
   let is_new (d, _) = not (List.mem (place d) done_) in
   let offers = List.filter_map (offered choice sources) (Diagnostic.all sink) in
@@ -71,7 +71,7 @@ let rec mended check choice file ~done_ rounds text =
   let after, made = applied sources ~file (List.map snd offers) in
   let named = List.filter (fun (_, fix) -> List.memq fix made) offers in
   let line ((d : Diagnostic.t), (fix : Diagnostic.fix)) =
-    Format.asprintf "%a: %s (%s)" Span.pp d.at fix.title d.code
+    Format.asprintf "%a: %s (%s)" Span.pp d.at (Diagnostic.for_display fix.title) d.code
   in
   if made = [] || rounds = 0 then (text, [], sink, sources)
   else

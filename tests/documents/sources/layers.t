@@ -41,10 +41,21 @@ No module has a mutable table of its own: state is in values that functions are 
   $ tables ../../../compiler
   [1]
 
+Only the code that shows messages to users reads their text. All other code asks for the topics of a
+diagnostic.
+
+  $ cd ../../../compiler
+  $ grep -Rlw for_display --include='*.ml' . | sort
+  ./basis/diagnostics/diagnostic.ml
+  ./basis/diagnostics/render_json.ml
+  ./basis/diagnostics/render_text.ml
+  ./lsp/features/code_actions.ml
+  ./lsp/features/diagnostics.ml
+  ./tools/fix/fix_files.ml
+
 A stage reports facts, and never builds a diagnostic. It may only raise `Diagnostic.Bug`, for an
 internal error.
 
-  $ cd ../../../compiler
   $ ls syntax/parse.ml typing/of_resolved.ml
   syntax/parse.ml
   typing/of_resolved.ml

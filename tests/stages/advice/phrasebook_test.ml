@@ -81,7 +81,12 @@ let contains part text =
   from 0
 
 let has_hint row program =
-  let hints = List.concat_map (fun (d : Diagnostic.t) -> d.hints) (diagnostics program) in
+  let hints =
+    List.concat_map
+      (fun (d : Diagnostic.t) ->
+        List.map (fun (h : Diagnostic.hint) -> Diagnostic.for_display h.text) d.hints)
+      (diagnostics program)
+  in
   List.exists (contains (expected row)) hints
 
 let is_without_effect (row : Phrasebook.row) =

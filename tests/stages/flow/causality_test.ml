@@ -4,14 +4,18 @@ open Basis
 open Flow
 
 let text (d : Diagnostic.t) =
+  let shown = Diagnostic.for_display in
   let place (at : Span.t) = Printf.sprintf "%s:%d" at.file (Span.line at.start) in
   String.concat "\n"
-    ([ Printf.sprintf "%s %s: %s [%s]" (place d.at) d.code d.message d.here ]
+    ([
+       Printf.sprintf "%s %s: %s [%s]" (place d.at) d.code (shown d.message)
+         (Option.fold d.here ~none:"" ~some:shown);
+     ]
     @ List.map
-        (fun (l : Diagnostic.label) -> Printf.sprintf "  %s: %s" (place l.at) l.text)
+        (fun (l : Diagnostic.label) -> Printf.sprintf "  %s: %s" (place l.at) (shown l.text))
         d.labels
-    @ List.map (( ^ ) "  note: ") d.notes
-    @ List.map (( ^ ) "  hint: ") d.hints)
+    @ List.map (fun note -> "  note: " ^ shown note) d.notes
+    @ List.map (fun (hint : Diagnostic.hint) -> "  hint: " ^ shown hint.text) d.hints)
 
 let messages program =
   let sink = Diagnostic.sink () in

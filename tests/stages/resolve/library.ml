@@ -17,7 +17,8 @@ let diagnostics file =
       let facts = Advice.Of_typing.into sink in
       ignore (Typing.Of_resolved.program facts ~real:Double resolved));
   List.map
-    (fun (d : Diagnostic.t) -> Format.asprintf "%a: %s: %s" Span.pp d.at d.code d.message)
+    (fun (d : Diagnostic.t) ->
+      Format.asprintf "%a: %s: %s" Span.pp d.at d.code (Diagnostic.for_display d.message))
     (Diagnostic.all sink)
 
 let check file =

@@ -113,7 +113,11 @@ let types =
 let hint point text expected =
   Alcotest.test_case point `Quick (fun () ->
       match Support.load [ ("main.frob", text) ] with
-      | [ d ], _ -> Alcotest.(check (list string)) point expected (d.hints @ d.notes)
+      | [ d ], _ ->
+          let hints = List.map (fun (h : Basis.Diagnostic.hint) -> h.text) d.hints in
+          Alcotest.(check (list string))
+            point expected
+            (List.map Basis.Diagnostic.for_display (hints @ d.notes))
       | diagnostics, _ -> Alcotest.failf "%d diagnostics" (List.length diagnostics))
 
 let hints =

@@ -4,11 +4,14 @@
 open Basis
 
 let print_diagnostic (d : Diagnostic.t) =
+  let shown = Diagnostic.for_display in
   let severity = match d.severity with Error -> "error" | Warning -> "warning" in
-  Format.printf "%s[%s] %a: %s@." severity d.code Span.pp d.at d.message;
-  List.iter (fun (l : Diagnostic.label) -> Format.printf "  %a: %s@." Span.pp l.at l.text) d.labels;
-  List.iter (Format.printf "  note: %s@.") d.notes;
-  List.iter (Format.printf "  hint: %s@.") d.hints
+  Format.printf "%s[%s] %a: %s@." severity d.code Span.pp d.at (shown d.message);
+  List.iter
+    (fun (l : Diagnostic.label) -> Format.printf "  %a: %s@." Span.pp l.at (shown l.text))
+    d.labels;
+  List.iter (fun note -> Format.printf "  note: %s@." (shown note)) d.notes;
+  List.iter (fun (hint : Diagnostic.hint) -> Format.printf "  hint: %s@." (shown hint.text)) d.hints
 
 let () =
   let library = Sys.argv.(1) and file = Sys.argv.(2) in

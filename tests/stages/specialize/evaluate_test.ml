@@ -18,7 +18,8 @@ let flow definitions =
   | None ->
       String.concat "\n"
         (List.map
-           (fun (d : Diagnostic.t) -> Printf.sprintf "%s: %s" d.code d.message)
+           (fun (d : Diagnostic.t) ->
+             Printf.sprintf "%s: %s" d.code (Diagnostic.for_display d.message))
            (Diagnostic.all sink))
 
 let check expected definitions =

@@ -6,7 +6,9 @@ let parsed text =
   match parse text with
   | _, Some program -> program
   | (d : Basis.Diagnostic.t) :: _, None ->
-      Alcotest.failf "%s %s at %a in:\n%s" d.code d.message Basis.Span.pp d.at text
+      Alcotest.failf "%s %s at %a in:\n%s" d.code
+        (Basis.Diagnostic.for_display d.message)
+        Basis.Span.pp d.at text
   | [], None -> Alcotest.fail "rejected without a word"
 
 let same name a b =

@@ -101,7 +101,9 @@ let messages pass definitions =
   let sink = Diagnostic.sink () in
   pass sink (program definitions);
   let lines (d : Diagnostic.t) =
-    Printf.sprintf "%s: %s [%s]" d.code d.message d.here
-    :: List.map (fun (l : Diagnostic.label) -> "  " ^ l.text) d.labels
+    Printf.sprintf "%s: %s [%s]" d.code
+      (Diagnostic.for_display d.message)
+      (Option.fold d.here ~none:"" ~some:Diagnostic.for_display)
+    :: List.map (fun (l : Diagnostic.label) -> "  " ^ Diagnostic.for_display l.text) d.labels
   in
   String.concat "\n" (List.concat_map lines (Diagnostic.all sink))

@@ -10,7 +10,7 @@ let () =
   let count = ref 0 in
   let failed = ref [] in
   let like (d : Diagnostic.t) (other : Diagnostic.t) =
-    String.equal d.code other.code && String.equal d.message other.message
+    String.equal d.code other.code && d.message = other.message
   in
   let try_fix path all sources (d : Diagnostic.t) (fix : Diagnostic.fix) =
     incr count;
@@ -21,7 +21,8 @@ let () =
     let is_there (other : Diagnostic.t) = like d other && other.at.start <= d.at.start in
     if made = [] || (number left >= number all && List.exists is_there left) then
       failed :=
-        Printf.sprintf "%s: %s after `%s`\n%s%s" (Filename.basename path) d.code fix.title
+        Printf.sprintf "%s: %s after `%s`\n%s%s" (Filename.basename path) d.code
+          (Diagnostic.for_display fix.title)
           (Render_text.diagnostics ~colour:false sources [ d ])
           (Render_text.diagnostics ~colour:false sources' left)
         :: !failed
@@ -39,7 +40,8 @@ let () =
       if List.exists is_lost (List.init (List.length lines) Fun.id) then
         failed :=
           Printf.sprintf "%s: %s: a comment is lost after `%s`\n%s" (Filename.basename path) d.code
-            fix.title after
+            (Diagnostic.for_display fix.title)
+            after
           :: !failed
     in
     List.iter (fun (d : Diagnostic.t) -> List.iter (try_fix d) d.fixes) all

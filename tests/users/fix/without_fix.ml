@@ -15,7 +15,10 @@ let says_what_to_write hint =
 let () =
   let found = Hashtbl.create 100 in
   Corpus.each (fun ~path:_ ~text:_ _ _ d ->
-      let note hint = if says_what_to_write hint then Hashtbl.replace found (d.code, hint) () in
+      let note (hint : Basis.Diagnostic.hint) =
+        let hint = Basis.Diagnostic.for_display hint.text in
+        if says_what_to_write hint then Hashtbl.replace found (d.code, hint) ()
+      in
       if d.fixes = [] then List.iter note d.hints);
   List.iter
     (fun (code, hint) -> Printf.printf "%s %s\n" code hint)

@@ -89,7 +89,8 @@ let alias found =
         (match Other_definition.record found.text (start_of_definition found) with
         | Some declaration -> Beginnings.declare_a_record declaration
         | None ->
-            "remove `alias`: `type` by itself declares an alias, as in `type Speed = Float[m/s]`")
+            Syntax_topic.text
+              "remove `alias`: `type` by itself declares an alias, as in `type Speed = Float[m/s]`")
   | _ -> None
 
 let capital found =

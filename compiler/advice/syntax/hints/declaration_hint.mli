@@ -18,7 +18,7 @@ val foreign_import : Found.rule
 val without_value : Found.rule
 (** A `param` without its default value, or a `foreign` without its C name. *)
 
-val alias : Found.rule
+val alias : Found.t -> Basis.Diagnostic.hint option
 (** [type alias], as in Elm. *)
 
 val capital : Found.rule

@@ -1,3 +1,4 @@
+open Basis
 open Syntax
 open Grammar
 open Found
@@ -32,7 +33,7 @@ let where_above found =
   let count c = List.length (String.split_on_char c line) in
   let is_closed = count '(' = count ')' && count '[' = count ']' in
   let last = List.hd (List.rev words) in
-  if is_definition && last <> "where" && Basis.Suggest.closest last [ "where" ] <> None then
+  if is_definition && last <> "where" && Suggest.closest last [ "where" ] <> None then
     let n = String.length line - String.length last in
     Some (String.sub line 0 n ^ "where")
   else if is_definition && is_closed && (not is_open) && String.length line <= 50 then
@@ -90,14 +91,8 @@ let misplaced_line found =
       | _ -> None)
   | Some _ | None -> None
 
-let by_indentation = "indent the block instead: braces are only for records"
-let on_lines = "write it without braces, each part on a line of its own: "
-let output_first = "write the output first, and the equations below it in a `where`: "
-
-let is_by_indentation hint =
-  let starts prefix = String.starts_with ~prefix hint in
-  hint = by_indentation || starts on_lines || starts output_first
-
+(* A hint that the lines of a block in braces need not be reported separately. *)
+let of_block format = Diagnostic.suggestion ~topic:Syntax_topic.Block_in_braces format
 let written value = Option.value (Other_notation.expression value) ~default:value
 
 (* The equation in `v = 1;`, `float v = 1;` or `let v = 1`. *)
@@ -106,7 +101,7 @@ let equation line =
   | Some i when i + 1 < String.length line && line.[i + 1] <> '=' -> (
       let value = String.trim (String.sub line (i + 1) (String.length line - i - 1)) in
       match List.rev (String.split_on_char ' ' (String.trim (String.sub line 0 i))) with
-      | name :: ([] | [ _ ]) when name <> "" && String.for_all Basis.Character.is_name name ->
+      | name :: ([] | [ _ ]) when name <> "" && String.for_all Character.is_name name ->
           Some (Printf.sprintf "%s = %s" name (written value))
       | _ -> None)
   | Some _ | None -> None
@@ -131,13 +126,19 @@ let with_where ~head ~closing lines =
           let last = List.length equations - 1 in
           let shown i e = Printf.sprintf "`%s%s`" e (if i = last then closing else "") in
           Some
-            (Printf.sprintf "%s`%s %s where`, and below it, indented, %s" output_first head
-               (written output)
+            (of_block
+               "write the output first, and the equations below it in a `where`: `%s %s where`, \
+                and below it, indented, %s"
+               head (written output)
                (String.concat ", " (List.mapi shown (List.filter_map Fun.id equations))))
       | Some _ | None -> None)
   | _ -> None
 
 let without_braces found =
+  let by_indentation = of_block "indent the block instead: braces are only for records" in
+  let on_lines format =
+    of_block ("write it without braces, each part on a line of its own: " ^^ format)
+  in
   match Other_definition.in_braces found.text found.token.start.pos_cnum with
   | Some (inside, after)
     when (not (String.contains inside '{')) && String.length inside < 200 && inside <> "" -> (
@@ -151,10 +152,9 @@ let without_braces found =
       | _ when with_where ~head ~closing lines <> None ->
           Option.get (with_where ~head ~closing lines)
       | _ when String.length inside >= 80 -> by_indentation
-      | [ first; second ] -> Printf.sprintf "%s`%s`, and below it `%s`" on_lines first second
-      | first :: second :: _ ->
-          Printf.sprintf "%s`%s`, below it `%s`, and so on" on_lines first second
-      | [ line ] -> Printf.sprintf "remove the braces, which are only for records: `%s`" line
+      | [ first; second ] -> on_lines "`%s`, and below it `%s`" first second
+      | first :: second :: _ -> on_lines "`%s`, below it `%s`, and so on" first second
+      | [ line ] -> Diagnostic.suggestion "remove the braces, which are only for records: `%s`" line
       | [] -> by_indentation)
   | Some _ | None -> by_indentation
 

@@ -1,9 +1,11 @@
 (** Hints about lines that are indented too little or too much. *)
 
+open Basis
+
 val of_where : Found.rule
 (** A `where` at the left margin. *)
 
-val equations_before_output : Found.rule
+val equations_before_output : Found.t -> Diagnostic.hint option
 (** Equations below `proc i ->`, and the output below them. *)
 
 val not_indented : Found.rule
@@ -12,8 +14,5 @@ val not_indented : Found.rule
 val misplaced_line : Found.rule
 (** A line that starts at a different column than the items of its block. *)
 
-val is_by_indentation : string -> bool
-(** Is this {!by_indentation}, or a hint from {!without_braces} for several lines? *)
-
-val without_braces : Found.t -> string
+val without_braces : Found.t -> Diagnostic.hint
 (** The hint for the opening brace of a block. *)

@@ -70,8 +70,9 @@ let starts_a_comment found =
   && between found found.token.start.pos_bol found.token.start.pos_cnum = ""
 
 let own_operator =
-  "programs cannot define operators: define a function, and use it infix in backticks, as in ``a \
-   `f` b``"
+  Syntax_topic.suggestion Own_operator
+    "programs cannot define operators: define a function, and use it infix in backticks, as in ``a \
+     `f` b``"
 
 (* `map (\x -> x * 2) xs` for `xs .* 2`, `zipWith (\x y -> x * y) xs ys` for `xs .* ys` *)
 let element_by_element found (point : Layout.token) operator =
@@ -152,7 +153,6 @@ let foreign_operator found (before : Layout.token) =
              Printf.sprintf "to shift the bits of an Int, write `shiftL %s %s`" bits by
            else "to shift the bits of an Int, write `shiftL bits n`")
     | "<>" -> Some "use `/=` to compare for inequality"
-    | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
     | ">>" when combines_commands found <> None -> combines_commands found
     | ">>" | ">>=" -> Some "write each task on its own line in a `do`"
     | "++" when after found = ' ' ->
@@ -185,7 +185,15 @@ let foreign_operator found (before : Layout.token) =
         Some (Beginnings.no_ranges inside)
     | _ -> None
 
-let foreign found = Option.bind found.before (foreign_operator found)
+let is_own_operator text = String.length text > 1 && text.[0] = '|' && is_symbol text.[1]
+
+let foreign found =
+  match found.before with
+  | Some before
+    when is_adjacent found before
+         && is_own_operator (written found before ^ written found found.token) ->
+      Some own_operator
+  | before -> Option.map Syntax_topic.text (Option.bind before (foreign_operator found))
 
 let row found =
   match (found.token.token, found.before) with

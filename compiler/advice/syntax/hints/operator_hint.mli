@@ -1,6 +1,8 @@
 (** Hints about operators, most of which come from other languages. *)
 
-val foreign : Found.rule
+open Basis
+
+val foreign : Found.t -> Diagnostic.hint option
 (** An operator of another language that starts with a Frob operator. *)
 
 val row : Found.rule
@@ -30,7 +32,7 @@ val after_point : Found.rule
 val comment : Found.rule
 (** A comment that starts with a slash. *)
 
-val own : Found.rule
+val own : Found.t -> Diagnostic.hint option
 (** An operator that starts with a bar. *)
 
 val pipe : Found.rule
@@ -46,6 +48,3 @@ val assigns : Found.t -> string option
 
 val starts_a_comment : Found.t -> bool
 (** Is this a C-style comment at the start of a line? *)
-
-val own_operator : string
-(** The hint for the definition of an operator. *)

@@ -152,9 +152,6 @@ let type_before_name found =
       | _ -> None)
   | _ -> None
 
-let of_a_copy = "for a copy of the record with changed fields, write "
-let is_of_a_copy hint = String.starts_with ~prefix:of_a_copy hint
-
 (* A record update such as `{ p | x = 1 }`. *)
 let changed_copy found =
   let brace =
@@ -163,9 +160,7 @@ let changed_copy found =
     | _, (Brace, { by; _ }) :: _ -> Some by.start.pos_cnum
     | _ -> None
   in
-  Option.map
-    (Printf.sprintf "%s`%s`" of_a_copy)
-    (Option.bind brace (Other_record.update found.text))
+  Option.bind brace (Other_record.changed_copy found.text)
 
 let block_in_braces found =
   match (found.token.token, found.before) with

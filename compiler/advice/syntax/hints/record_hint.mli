@@ -24,13 +24,10 @@ val constructor_of_data : Found.rule
 val type_before_name : Found.rule
 (** [data P = P { Float x }], a field as in C. *)
 
-val changed_copy : Found.rule
+val changed_copy : Found.t -> Basis.Diagnostic.hint option
 (** [{ r | speed = 1 }] or [{ r with speed = 1 }]. *)
 
-val is_of_a_copy : string -> bool
-(** Is this the hint of {!changed_copy}? *)
-
-val block_in_braces : Found.rule
+val block_in_braces : Found.t -> Basis.Diagnostic.hint option
 (** A block in braces, as in C. *)
 
 val without_equation : Found.rule

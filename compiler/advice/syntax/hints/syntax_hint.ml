@@ -5,6 +5,8 @@ open Found
 
 (* {1 Lines that begin like code in another language} *)
 
+let text = Syntax_topic.text
+
 (* `Robot (setVelTR)` for `from Robot import setVelTR`. *)
 let python_import found =
   let bol = found.token.start.pos_bol in
@@ -40,7 +42,9 @@ let beginning found =
   | "function" ->
       let hint =
         match Other_definition.of_matlab found.text bol with
-        | Some d -> Other_definition.advice d ^ "; a block ends where its indentation ends"
+        | Some d ->
+            Diagnostic.suggestion "%s; a block ends where its indentation ends"
+              (Other_definition.advice d)
         | None -> Beginnings.by_equation
       in
       Some (definition, hint)
@@ -49,7 +53,7 @@ let beginning found =
       Some (definition, Beginnings.declare_a_record text)
   | "enum" when Other_definition.enumeration found.text bol <> None ->
       let text = Option.get (Other_definition.enumeration found.text bol) in
-      Some (definition, Printf.sprintf "declare an enumeration with `data`: `%s`" text)
+      Some (definition, Diagnostic.suggestion "declare an enumeration with `data`: `%s`" text)
   | "from" when found.token.token = IMPORT ->
       Some
         ( start,
@@ -60,24 +64,26 @@ let beginning found =
             | _ -> first_module found bol
           in
           if List.mem module_ [ "math"; "cmath"; "numpy" ] then
-            "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
+            text
+              "remove the import: mathematical functions are built in, as in `sin x` and `sqrt x`"
           else if Import_hint.of_library module_ <> None then
-            Option.get (Import_hint.of_library module_)
-          else Printf.sprintf "use `import %s`" (python_import found) )
+            text (Option.get (Import_hint.of_library module_))
+          else Diagnostic.suggestion "use `import %s`" (python_import found) )
   | _ ->
       let word = part found (first_word_from found start.pos_bol) in
       let line = between found start.pos_bol (end_of_line found start.pos_bol) in
       let hint =
         match Beginnings.rounds line with
-        | _ when Beginnings.is_forever line -> Some Beginnings.forever
-        | Some rounds when innermost_block found.context = Do -> Some (Beginnings.repeated rounds)
+        | _ when Beginnings.is_forever line -> Some (text Beginnings.forever)
+        | Some rounds when innermost_block found.context = Do ->
+            Some (text (Beginnings.repeated rounds))
         | Some _ | None -> None
       in
       let hint =
         match hint with
         | Some hint -> Some hint
         | None when List.mem word [ "for"; "foreach" ] ->
-            Some (Other_loop.over_array found.text start.pos_bol)
+            Some (text (Other_loop.over_array found.text start.pos_bol))
         | None -> Beginnings.of_word word
       in
       Option.map (fun hint -> (start, hint)) hint
@@ -92,28 +98,31 @@ let beginning found =
      rule for that token in any context.
    - The indentation rules come last: they apply only if nothing else explains the token. *)
 
+let texts rules =
+  let rule (rule : Found.rule) found = Option.map text (rule found) in
+  List.map rule rules
+
 let habits =
-  [
-    Choice_hint.of_assignments;
-    (fun found -> Option.map snd (beginning found));
-    Operator_hint.foreign;
-  ]
+  texts [ Choice_hint.of_assignments ]
+  @ [ (fun found -> Option.map snd (beginning found)); Operator_hint.foreign ]
 
 let imports =
-  Import_hint.
-    [
-      path;
-      mathematics;
-      of_python;
-      capital;
-      Declaration_hint.choices;
-      of_haskell;
-      with_points;
-      hiding;
-    ]
+  texts
+    Import_hint.
+      [
+        path;
+        mathematics;
+        of_python;
+        capital;
+        Declaration_hint.choices;
+        of_haskell;
+        with_points;
+        hiding;
+      ]
 
 let declarations =
-  Declaration_hint.
+  let open Declaration_hint in
+  texts
     [
       Choice_hint.matched;
       Choice_hint.after_value;
@@ -131,85 +140,97 @@ let declarations =
       Operator_hint.row;
       foreign_import;
       without_value;
-      alias;
-      capital;
-      Choice_hint.branch;
-      Type_hint.with_parameters;
-      Type_hint.unit_without_brackets;
-      Type_hint.in_another_notation;
-      Type_hint.contexts;
-      Type_hint.list;
-      Type_hint.split_arrow;
-      Type_hint.parameters;
-      Choice_hint.in_braces;
     ]
+  @ [ alias ]
+  @ texts
+      [
+        capital;
+        Choice_hint.branch;
+        Type_hint.with_parameters;
+        Type_hint.unit_without_brackets;
+        Type_hint.in_another_notation;
+        Type_hint.contexts;
+        Type_hint.list;
+        Type_hint.split_arrow;
+        Type_hint.parameters;
+        Choice_hint.in_braces;
+      ]
 
 let equations_and_fields =
-  [
-    Indentation_hint.equations_before_output;
-    Equation_hint.changed;
-    Equation_hint.in_a_choice;
-    Equation_hint.keyword_argument;
-    Equation_hint.changed_field;
-    Equation_hint.statement;
-    Record_hint.changed_copy;
-    Record_hint.constructor_of_data;
-    Record_hint.type_before_name;
-    Record_hint.without_names;
-    Record_hint.with_points;
-    Record_hint.in_a_unit;
-    Equation_hint.without_parentheses;
-    Equation_hint.two_names;
-    Equation_hint.comparison;
-    Type_hint.capital;
-    Record_hint.without_comma;
-    Record_hint.typed;
-    Expression_hint.do_argument;
-    Expression_hint.lambda_argument;
-    Record_hint.block_in_braces;
-    Record_hint.without_equation;
-  ]
+  [ Indentation_hint.equations_before_output ]
+  @ texts
+      [
+        Equation_hint.changed;
+        Equation_hint.in_a_choice;
+        Equation_hint.keyword_argument;
+        Equation_hint.changed_field;
+        Equation_hint.statement;
+      ]
+  @ [ Record_hint.changed_copy ]
+  @ texts
+      [
+        Record_hint.constructor_of_data;
+        Record_hint.type_before_name;
+        Record_hint.without_names;
+        Record_hint.with_points;
+        Record_hint.in_a_unit;
+        Equation_hint.without_parentheses;
+        Equation_hint.two_names;
+        Equation_hint.comparison;
+        Type_hint.capital;
+        Record_hint.without_comma;
+        Record_hint.typed;
+        Expression_hint.do_argument;
+        Expression_hint.lambda_argument;
+      ]
+  @ [ Record_hint.block_in_braces ]
+  @ texts [ Record_hint.without_equation ]
 
 let expressions =
-  [
-    Expression_hint.pattern_of_proc;
-    Choice_hint.otherwise;
-    Choice_hint.without_then;
-    Choice_hint.tuple_in_a_branch;
-    Choice_hint.chain;
-    Expression_hint.fat_arrow;
-    Expression_hint.function_handle;
-    Expression_hint.list_comprehension;
-    Operator_hint.member;
-    Record_hint.changed;
-    Record_hint.strict;
-    Choice_hint.absolute_value;
-    Declaration_hint.local;
-    Type_hint.pointer;
-    Type_hint.size;
-    Choice_hint.equation_before_guards;
-    Record_hint.capital;
-    Choice_hint.without_of;
-    Indentation_hint.of_where;
-  ]
+  texts
+    [
+      Expression_hint.pattern_of_proc;
+      Choice_hint.otherwise;
+      Choice_hint.without_then;
+      Choice_hint.tuple_in_a_branch;
+      Choice_hint.chain;
+      Expression_hint.fat_arrow;
+      Expression_hint.function_handle;
+      Expression_hint.list_comprehension;
+      Operator_hint.member;
+      Record_hint.changed;
+      Record_hint.strict;
+      Choice_hint.absolute_value;
+      Declaration_hint.local;
+      Type_hint.pointer;
+      Type_hint.size;
+      Choice_hint.equation_before_guards;
+      Record_hint.capital;
+      Choice_hint.without_of;
+      Indentation_hint.of_where;
+    ]
 
 let general =
-  [
-    Operator_hint.negation;
-    Operator_hint.decimal_comma;
-    Operator_hint.before_point;
-    Operator_hint.after_point;
-    Operator_hint.comment;
-    Operator_hint.own;
-    Operator_hint.pipe;
-    Operator_hint.disjunction;
-    Declaration_hint.word_as_name;
-    Indentation_hint.not_indented;
-    Indentation_hint.misplaced_line;
-  ]
+  texts
+    [
+      Operator_hint.negation;
+      Operator_hint.decimal_comma;
+      Operator_hint.before_point;
+      Operator_hint.after_point;
+      Operator_hint.comment;
+    ]
+  @ [ Operator_hint.own ]
+  @ texts
+      [
+        Operator_hint.pipe;
+        Operator_hint.disjunction;
+        Declaration_hint.word_as_name;
+        Indentation_hint.not_indented;
+        Indentation_hint.misplaced_line;
+      ]
 
 let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general
-let of_token found = List.find_map (fun (rule : Found.rule) -> rule found) rules
+let of_token found = List.find_map (fun rule -> rule found) rules
 
 (* {1 Hints with a lower priority than the hints of the automaton's state} *)
 
@@ -231,21 +252,22 @@ let usual found =
   match found.token.token with
   | ARROW -> (
       match found.context with
-      | ((Block (Top | Let | Where) | Paren), _) :: _ -> Some (Expression_hint.arrow_function found)
+      | ((Block (Top | Let | Where) | Paren), _) :: _ ->
+          Some (text (Expression_hint.arrow_function found))
       | _ -> None)
   | DOUBLE_ARROW when opens_with Layout.Paren found.context && not (names_before found "::") ->
-      Some (Expression_hint.arrow_function found)
-  | LBRACE when opens_fields found "=" -> Some (Record_hint.without_constructor found)
+      Some (text (Expression_hint.arrow_function found))
+  | LBRACE when opens_fields found "=" -> Some (text (Record_hint.without_constructor found))
   | LBRACE when opens_fields found "::" && first_word found = "type" ->
       Some (Beginnings.declare_a_record "data Pose = Pose { heading :: Angle }")
   | LBRACE -> Some (Indentation_hint.without_braces found)
-  | DOUBLE_COLON -> Some (Type_hint.misplaced found)
+  | DOUBLE_COLON -> Some (text (Type_hint.misplaced found))
   | _ -> None
 
 let hint found ~state_hints =
   match (of_token found, state_hints, usual found) with
   | Some hint, _, _ -> [ hint ]
-  | None, (_ :: _ as hints), _ -> hints
+  | None, (_ :: _ as hints), _ -> List.map text hints
   | None, [], Some hint -> [ hint ]
   | None, [], None -> []
 

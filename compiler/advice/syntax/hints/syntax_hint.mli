@@ -3,7 +3,7 @@
     Newcomers bring habits from Haskell, C and Python. This module recognizes the common ones by the
     token at which the parser stops and the text around it. *)
 
-val hint : Found.t -> state_hints:string list -> string list
+val hint : Found.t -> state_hints:string list -> Basis.Diagnostic.hint list
 (** The hint for the token. If there is none, the hints of the automaton's state. If the state has
     none either, the hint for the most common mistake at such a token. *)
 

@@ -1,34 +1,42 @@
-let by_equation =
-  "define a function by an equation, `f x = …`; a block ends where its indentation ends"
+open Syntax_topic
 
-let no_end = "remove this line: a block ends where its indentation ends"
+let by_equation =
+  suggestion Function_by_equation
+    "define a function by an equation, `f x = …`; a block ends where its indentation ends"
+
+let no_end = suggestion End_of_block "remove this line: a block ends where its indentation ends"
 
 let no_procedures =
-  "Frob has no procedures: write equations that hold at every instant, as in `main = \
-   reactimateRobot (proc i -> roMake (setVelTR v omega))`"
+  suggestion No_procedures
+    "Frob has no procedures: write equations that hold at every instant, as in `main = \
+     reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
-let of_record = "declare a record with `data` and a constructor: "
-let declare_a_record text = Printf.sprintf "%s`%s`" of_record text
+let declare_a_record declaration =
+  suggestion (Record_declaration declaration)
+    (Printf.sprintf "declare a record with `data` and a constructor: `%s`" declaration)
 
 let fixes =
   [
     ([ "end"; "endif"; "endfunction"; "fi"; "done" ], no_end);
     ( [ "while" ],
-      "to repeat a task, write `forever t`; to repeat it while a signal function returns True, \
-       write `whileT condition t`" );
+      text
+        "to repeat a task, write `forever t`; to repeat it while a signal function returns True, \
+         write `whileT condition t`" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
-      "a program cannot print, so remove this line: `frobc run` prints the result of a task at its \
-       end; to see other values, make them outputs, and write all outputs to a file with \
-       `--record`" );
+      text
+        "a program cannot print, so remove this line: `frobc run` prints the result of a task at \
+         its end; to see other values, make them outputs, and write all outputs to a file with \
+         `--record`" );
     ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
-    ([ "enum" ], "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
+    ([ "enum" ], text "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],
-      "declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> Float \
-       = \"cbrt\"`" );
-    ([ "pass"; "break"; "continue" ], "remove this line: Frob has no loops");
+      text
+        "declare a C function with its Frob type and its C name: `foreign cubeRoot :: Float -> \
+         Float = \"cbrt\"`" );
+    ([ "pass"; "break"; "continue" ], text "remove this line: Frob has no loops");
     ( [ "global"; "nonlocal" ],
-      "remove this line: an equation can use any name in the module without declaring it" );
-    ([ "using"; "namespace" ], "import names from a module, as in `import Control`");
+      text "remove this line: an equation can use any name in the module without declaring it" );
+    ([ "using"; "namespace" ], text "import names from a module, as in `import Control`");
   ]
 
 let of_word word = Option.map snd (List.find_opt (fun (words, _) -> List.mem word words) fixes)
@@ -82,8 +90,9 @@ let no_ranges inside =
        as in `generate (\\i -> i + 1)`; the type of the array determines its size"
 
 let waiting =
-  "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an event \
-   that occurs 1 s after the start"
+  suggestion Waiting
+    "to wait in a task, write `sleepT 1[s] restingOutput`; in a `proc`, `after 1[s] ()` is an \
+     event that occurs 1 s after the start"
 
 let waits word =
   List.mem word [ "delay"; "delayMicroseconds"; "sleep"; "usleep"; "wait"; "pause"; "sleepT" ]

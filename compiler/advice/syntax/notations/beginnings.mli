@@ -1,19 +1,18 @@
 (** Words that begin a line in other languages, and their equivalents in Frob. *)
 
-val by_equation : string
+open Basis
 
-val no_end : string
+val by_equation : Diagnostic.hint
+
+val no_end : Diagnostic.hint
 (** The hint for a line that consists of [end]. *)
 
-val no_procedures : string
+val no_procedures : Diagnostic.hint
 
-val of_word : string -> string option
+val of_word : string -> Diagnostic.hint option
 (** The hint for a line that begins with this word. *)
 
-val of_record : string
-(** The first words of the hint {!declare_a_record}. *)
-
-val declare_a_record : string -> string
+val declare_a_record : string -> Diagnostic.hint
 (** The hint that suggests this declaration of a record. *)
 
 val rounds : string -> string option
@@ -25,7 +24,7 @@ val repeated : string -> string
 val no_ranges : string -> string
 (** The hint for a range such as [1..10], given as text without spaces. *)
 
-val waiting : string
+val waiting : Diagnostic.hint
 (** The hint that explains how to wait. *)
 
 val waits : string -> bool

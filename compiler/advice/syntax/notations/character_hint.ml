@@ -1,6 +1,6 @@
 open Text_place
 
-type t = Colon_hint.t = { hint : string option; instead : string option }
+type t = Colon_hint.t = { hint : Basis.Diagnostic.hint option; instead : string option }
 
 (* The Frob spelling of a non-ASCII character, and the hint. *)
 let symbol text at = function
@@ -142,8 +142,8 @@ let of_character ~text ~at character =
     let n = String.length word in
     at + n <= String.length text && String.equal (String.sub text at n) word
   in
-  let only hint = { hint = Some hint; instead = None } in
-  let both hint instead = { hint = Some hint; instead = Some instead } in
+  let only hint = { hint = Some (Syntax_topic.text hint); instead = None } in
+  let both hint instead = { hint = Some (Syntax_topic.text hint); instead = Some instead } in
   match (character, symbol text at character) with
   | _, Some (instead, hint) -> both hint instead
   | "'", None when in_quotes text at <> None ->

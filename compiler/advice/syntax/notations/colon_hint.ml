@@ -1,21 +1,24 @@
+open Basis
+open Syntax_topic
 open Text_place
 
-type t = { hint : string option; instead : string option }
+type t = { hint : Diagnostic.hint option; instead : string option }
 
 (* [f x y] for `def f(x, y)`. *)
 let of_def words =
   let text = String.concat " " (List.tl words) in
   let blank = function '(' | ')' | ',' | ':' -> ' ' | c -> c in
   let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
-  let is_name w = String.for_all Basis.Character.is_name w in
+  let is_name w = String.for_all Character.is_name w in
   if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
-
-let of_choice = "choose the value in one equation: "
 
 (* The equation for the `if` statement on the line that starts at this offset. *)
 let chosen text start =
   let rec first i = if char_at text i = ' ' then first (i + 1) else i in
-  Option.map (Printf.sprintf "`%s`") (Other_definition.choice text (first start))
+  Option.map
+    (fun choice ->
+      Diagnostic.suggestion ~topic:(Choice choice) "choose the value in one equation: `%s`" choice)
+    (Other_definition.choice text (first start))
 
 (* `if c then a else b` for the `if` on the line that starts at this offset, if a colon ends its
    condition and its branches are values. *)
@@ -25,20 +28,21 @@ let chosen_value text start at =
     else if
       i + 3 <= at
       && String.equal (String.sub text i 3) "if "
-      && not (Basis.Character.is_name (char_at text (i - 1)))
+      && not (Character.is_name (char_at text (i - 1)))
     then Some i
     else last_if (i - 1)
   in
-  Option.bind (last_if at) (Other_definition.choice_of_values text)
-
-let of_value = "write the choice as `"
+  Option.map
+    (fun choice -> Diagnostic.suggestion ~topic:(Choice choice) "write the choice as `%s`" choice)
+    (Option.bind (last_if at) (Other_definition.choice_of_values text))
 
 let is_an_else text start at =
   String.equal (String.trim (String.sub text start (at - start))) "else"
 
 let of_block =
-  "remove the colon: a block is delimited by its indentation; write a choice as `if c then a else \
-   b`"
+  Diagnostic.suggestion ~topic:Colon_of_a_block
+    "remove the colon: a block is delimited by its indentation; write a choice as `if c then a \
+     else b`"
 
 (* Does the line begin like a record declaration in another language? *)
 let declares_a_record line =
@@ -69,8 +73,7 @@ let open_brace text at =
       | '}' -> back (i - 1) (closed + 1)
       | '{' when closed = 0 -> Some i
       | '{' -> back (i - 1) (closed - 1)
-      | '\n' when Basis.Character.is_lower (char_at text (i + 1)) && line_start text at <> i + 1 ->
-          None
+      | '\n' when Character.is_lower (char_at text (i + 1)) && line_start text at <> i + 1 -> None
       | _ -> back (i - 1) closed
   in
   back (at - 1) 0
@@ -84,10 +87,7 @@ let line_of_brace text at =
     (open_brace text at)
 
 (* The changed copy of a record around this offset: `{ ...p, x: 1 }`. *)
-let changed_copy text at =
-  Option.map
-    (Printf.sprintf "for a copy of the record with changed fields, write `%s`")
-    (Option.bind (open_brace text at) (Other_record.update text))
+let changed_copy text at = Option.bind (open_brace text at) (Other_record.changed_copy text)
 
 (* `case 1:` and `default:` of a C `switch`. *)
 let starts_a_case text at =
@@ -97,8 +97,6 @@ let starts_a_case text at =
   let start = start at in
   let part = String.trim (String.sub text start (at - start)) in
   String.starts_with ~prefix:"case " part || String.equal part "default"
-
-let is_switch = "to choose by value, write "
 
 (* The branch `1 -> x` for a line such as `case 1: return x;`. *)
 let branch_of_switch line =
@@ -122,7 +120,7 @@ let branch_of_switch line =
     if text = "" || String.exists (function ';' | '=' -> true | _ -> false) text then None
     else Other_notation.expression (String.trim text)
   in
-  let is_pattern text = text <> "" && String.for_all Basis.Character.is_name text in
+  let is_pattern text = text <> "" && String.for_all Character.is_name text in
   match String.index_opt line ':' with
   | None -> None
   | Some colon -> (
@@ -171,23 +169,26 @@ let of_switch text at =
   in
   let switch = last_switch (at - 6) in
   let value = Option.value (Option.bind switch inside) ~default:"x" in
-  match Option.bind switch (branches_of_switch text) with
-  | Some branches ->
-      let quoted = List.map (Printf.sprintf "`%s`") branches in
-      Printf.sprintf "%s`case %s of`, and below it, without braces and each on its own line, %s"
-        is_switch value (Basis.Enumeration.all quoted)
-  | None ->
-      Printf.sprintf
-        "%s`case %s of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> \
-         y`"
-        is_switch value
+  let case =
+    match Option.bind switch (branches_of_switch text) with
+    | Some branches ->
+        let quoted = List.map (Printf.sprintf "`%s`") branches in
+        Printf.sprintf "`case %s of`, and below it, without braces and each on its own line, %s"
+          value (Enumeration.all quoted)
+    | None ->
+        Printf.sprintf
+          "`case %s of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> \
+           y`"
+          value
+  in
+  Diagnostic.suggestion ~topic:(Switch case) "to choose by value, write %s" case
 
 (* The numbers around the colon of a range, as in `(1:5)` *)
 let range text at =
   let rec last i =
-    if i < String.length text && Basis.Character.is_digit text.[i] then last (i + 1) else i
+    if i < String.length text && Character.is_digit text.[i] then last (i + 1) else i
   in
-  let first = ending text at Basis.Character.is_digit in
+  let first = ending text at Character.is_digit in
   let stop = last (at + 1) in
   if first <> "" && stop > at + 1 then Some (first ^ ".." ^ String.sub text (at + 1) (stop - at - 1))
   else None
@@ -210,14 +211,14 @@ let of_types = "put `::` before a type"
 
 (* The hint for a colon after a field name in braces. *)
 let of_field text at =
+  let plain hint = { hint = Some (Syntax_topic.text hint); instead = None } in
   let start = definition_start text at in
   let first = String.sub text start (at - start) in
   let rec before_blanks i = if char_at text (i - 1) = ' ' then before_blanks (i - 1) else i in
   let stop = before_blanks at in
-  match (line_of_brace text at, ending text stop Basis.Character.is_name) with
-  | Some _, _ when seeds text at <> None -> { hint = seeds text at; instead = None }
-  | None, _ when range text at <> None ->
-      { hint = Option.map Beginnings.no_ranges (range text at); instead = None }
+  match (line_of_brace text at, ending text stop Character.is_name) with
+  | Some _, _ when seeds text at <> None -> plain (Option.get (seeds text at))
+  | None, _ when range text at <> None -> plain (Beginnings.no_ranges (Option.get (range text at)))
   | Some _, _ when declares_a_record first ->
       let declaration =
         Option.value
@@ -234,13 +235,14 @@ let of_field text at =
         | None -> name ^ " = …"
       in
       {
-        hint = Some (Printf.sprintf "set a field with `=`: `%s`" fields);
+        hint = Some (Diagnostic.suggestion "set a field with `=`: `%s`" fields);
         instead = Some (if stop = at then " =" else "=");
       }
-  | _ -> { hint = Some of_types; instead = None }
+  | _ -> plain of_types
 
 let of_class =
-  "Frob has no objects: declare a record with `data`, and define its functions at the top level"
+  Diagnostic.suggestion ~topic:Class_of_objects
+    "Frob has no objects: declare a record with `data`, and define its functions at the top level"
 
 (* An indented `def` below a `class`. *)
 let is_a_method text start =
@@ -263,7 +265,7 @@ let of_elements =
 
 (* `x:rest`, a Haskell pattern. *)
 let splits_a_list text at =
-  let is_word c = Basis.Character.is_name c || c = ' ' in
+  let is_word c = Character.is_name c || c = ' ' in
   let rec after i = if is_word (char_at text i) then after (i + 1) else i in
   let next = after (at + 1) in
   let first = String.trim (String.sub text (at + 1) (next - at - 1)) in
@@ -273,23 +275,23 @@ let splits_a_list text at =
     | _ -> false
   in
   first <> ""
-  && (Basis.Character.is_lower first.[0] || first = "_")
+  && (Character.is_lower first.[0] || first = "_")
   && (not (String.contains first ' '))
   && ends
   && line_of_brace text at = None
 
 (* `xs[0:2]`, a Python slice. *)
 let is_a_slice text at =
-  let digits = ending text at Basis.Character.is_name in
+  let digits = ending text at Character.is_name in
   char_at text (at - String.length digits - 1) = '['
 
 (* `[1:10]` after a space, a MATLAB range *)
 let is_a_range text at =
-  let digits = ending text at Basis.Character.is_digit in
+  let digits = ending text at Character.is_digit in
   let bracket = at - String.length digits - 1 in
   digits <> ""
   && char_at text bracket = '['
-  && not (Basis.Character.is_name (char_at text (bracket - 1)) || char_at text (bracket - 1) = ')')
+  && not (Character.is_name (char_at text (bracket - 1)) || char_at text (bracket - 1) = ')')
 
 (* `f (x: Float) = …`, a parameter with a type. *)
 let types_a_parameter text start at =
@@ -320,7 +322,7 @@ let typed_as_in_elm text start at =
     when is_alone
          && line_of_brace text at = None
          && char_at text (at + 1) = ' '
-         && (is_top || String.exists Basis.Character.is_upper signature) ->
+         && (is_top || String.exists Character.is_upper signature) ->
       Some (Printf.sprintf "%s: %s" of_types signature)
   | Some _ | None -> if is_top && splits_a_list text at then Some of_types else None
 
@@ -331,7 +333,7 @@ let typed_equation text start at =
 
 (* `if c then a else b` for `if c: a else: b` around the colon. *)
 let chosen_inline text at =
-  let open Basis.Let_syntax.Option in
+  let open Let_syntax.Option in
   let start = line_start text at in
   let line = String.sub text start (end_of_line text at - start) in
   let colon = at - start in
@@ -347,7 +349,7 @@ let chosen_inline text at =
   Some (Printf.sprintf "if %s then %s else %s" condition value other)
 
 let is_constructor word =
-  word <> "" && Basis.Character.is_upper word.[0] && String.for_all Basis.Character.is_name word
+  word <> "" && Character.is_upper word.[0] && String.for_all Character.is_name word
 
 (* `lambda x, y: x + y` *)
 let of_lambda text at words =
@@ -358,7 +360,7 @@ let of_lambda text at words =
   in
   let name word = String.concat "" (String.split_on_char ',' word) in
   let names = List.map name (after words) in
-  let is_name w = w <> "" && String.for_all Basis.Character.is_name w in
+  let is_name w = w <> "" && String.for_all Character.is_name w in
   let parameters =
     if names <> [] && List.for_all is_name names then String.concat " " names else "x"
   in
@@ -378,26 +380,26 @@ let repeated text at =
       (Printf.sprintf
          "`%s` repeats anyway, because it calls itself at its end: write `%s`, without the `while`"
          name body)
-  else Some (Printf.sprintf "to repeat a task, write `forever %s`" (Basis.Source.grouped body))
+  else Some (Printf.sprintf "to repeat a task, write `forever %s`" (Source.grouped body))
 
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
   let ends_line = match char_at text (at + 1) with '\n' | '\000' -> true | _ -> false in
-  let hint hint = { hint = Some hint; instead = None } in
+  let suggest hint = { hint = Some hint; instead = None } in
+  let hint text = suggest (Syntax_topic.text text) in
   match words with
-  | "class" :: _ -> hint of_class
-  | "def" :: _ when is_a_method text start -> hint of_class
+  | "class" :: _ -> suggest of_class
+  | "def" :: _ when is_a_method text start -> suggest of_class
   | "def" :: _ ->
       hint
         (match Other_definition.of_python text start with
         | Some d -> Other_definition.advice d
         | None when String.equal (of_def words) "main" -> Other_definition.of_main
         | None -> Printf.sprintf "define a function by an equation: `%s = …`" (of_def words))
-  | "if" :: _ when chosen text start <> None -> hint (of_choice ^ Option.get (chosen text start))
-  | _ when chosen_value text start at <> None ->
-      hint (Printf.sprintf "%s%s`" of_value (Option.get (chosen_value text start at)))
-  | _ when is_an_else text start at -> hint of_block
+  | "if" :: _ when chosen text start <> None -> suggest (Option.get (chosen text start))
+  | _ when chosen_value text start at <> None -> suggest (Option.get (chosen_value text start at))
+  | _ when is_an_else text start at -> suggest of_block
   | ("assert" | "assume") :: _ ->
       hint
         (Printf.sprintf "add a label in quotes: `%s \"keeps off the wall\" (x > 0)`" (List.hd words))
@@ -418,7 +420,7 @@ let of_colon text at =
          && Beginnings.rounds (String.concat " " words) <> None ->
       hint (Beginnings.repeated (Option.get (Beginnings.rounds (String.concat " " words))))
   | _ when List.mem "for" words || List.mem "(for" words -> hint (Other_loop.over_array text start)
-  | _ when seeds text at <> None -> { hint = seeds text at; instead = None }
+  | _ when seeds text at <> None -> hint (Option.get (seeds text at))
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
       hint
@@ -428,7 +430,7 @@ let of_colon text at =
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "to give values names, declare a record: `data Gains = Gains { p :: Float }`"
   | _ when typed_as_in_elm text start at <> None ->
-      { hint = typed_as_in_elm text start at; instead = None }
+      hint (Option.get (typed_as_in_elm text start at))
   | _ when splits_a_list text at && not (List.mem "if" words || List.mem "lambda" words) ->
       hint ("an array cannot be split into its first element and the rest; " ^ of_elements)
   | "param" :: _ when typed_parameter text start at <> None ->
@@ -445,12 +447,13 @@ let of_colon text at =
       hint (of_lambda text at words)
   | [ pattern ] when is_constructor pattern && not ends_line ->
       {
-        hint = Some (Printf.sprintf "write `->` after a pattern in a `case`: `%s -> …`" pattern);
+        hint =
+          Some (Diagnostic.suggestion "write `->` after a pattern in a `case`: `%s -> …`" pattern);
         instead = Some " ->";
       }
   | _ when ends_line && List.mem "case" words ->
       hint "end the line of a `case` with `of`: `case x of`"
-  | _ when ends_line -> hint of_block
+  | _ when ends_line -> suggest of_block
   | _ when joins text start at && not (List.mem "if" words) ->
       hint "an array has a fixed size: write all its elements, as in `[x, 0, 0]`"
   | _ when List.mem "if" words ->
@@ -460,11 +463,8 @@ let of_colon text at =
         | None -> "put `then` after the condition: `if c then a else b`")
   | _ -> of_field text at
 
-let of_each_line hint =
-  let starts prefix = Option.fold hint ~none:false ~some:(String.starts_with ~prefix) in
-  if starts of_choice || starts of_value then [ hint; Some of_block ]
-  else if
-    List.mem hint [ Some of_block; Some of_class ]
-    || starts is_switch || starts Beginnings.of_record
-  then [ hint ]
-  else []
+let of_each_line (hint : Diagnostic.hint) : Diagnostic.topic list =
+  match hint.topic with
+  | Some (Choice _ as topic) -> [ topic; Colon_of_a_block ]
+  | Some ((Colon_of_a_block | Class_of_objects | Switch _ | Shared _) as topic) -> [ topic ]
+  | Some _ | None -> []

@@ -1,6 +1,11 @@
 (** Hints about a colon, which begins a block, a branch, a slice or a type in other languages. *)
 
-type t = { hint : string option; instead : string option  (** the text to write instead *) }
+open Basis
+
+type t = {
+  hint : Diagnostic.hint option;
+  instead : string option;  (** the text to write instead *)
+}
 
 val of_colon : string -> int -> t
 (** The hint for the colon at this offset of the text. *)
@@ -8,5 +13,6 @@ val of_colon : string -> int -> t
 val of_elements : string
 (** The hint that suggests a replacement for a function that deconstructs a list. *)
 
-val of_each_line : string option -> string option list
-(** The hints that become superfluous for later colons once this hint has been given. *)
+val of_each_line : Diagnostic.hint -> Diagnostic.topic list
+(** The topics of the hints that become superfluous for later colons once this hint has been given.
+*)

@@ -122,6 +122,12 @@ let update text at =
       | _ -> updated)
   | Some _ | None -> None
 
+let changed_copy text at =
+  Option.map
+    (Diagnostic.suggestion ~topic:Syntax_topic.Changed_copy
+       "for a copy of the record with changed fields, write `%s`")
+    (update text at)
+
 let value text at =
   match word_before text at with
   | "" -> None

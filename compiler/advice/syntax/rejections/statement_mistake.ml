@@ -28,7 +28,7 @@ let waiting (word : Ir.name) =
   if Beginnings.waits word.text then
     Some
       (error word.span "a `proc` cannot wait: all its statements hold at every instant"
-      |> Diagnostic.hint "%s" Beginnings.waiting)
+      |> Diagnostic.suggest Beginnings.waiting)
   else None
 
 let in_proc ~is_last (e : Ir.expr) =

@@ -5,6 +5,7 @@ type fact = {
   words : Wording.t;
   call : Application_fact.call;
   mistake : Diagnostic.t;  (** the message about the failing argument *)
+  expects_number : bool;  (** whether the argument may have any representation of a number *)
 }
 
 let failing { call; _ } = List.nth call.arguments (call.failed - 1)
@@ -43,15 +44,8 @@ let in_order words ~name ~at ~(arguments : Resolve.Ir.expr list) order (d : Diag
   in
   let texts = List.map text order in
   let d =
-    {
-      d with
-      message = Printf.sprintf "the arguments of `%s` are in the wrong order" name;
-      at;
-      here = "";
-      labels = [];
-      hints = [];
-      fixes = [];
-    }
+    Diagnostic.message "the arguments of `%s` are in the wrong order" name
+      { d with at; here = None; labels = []; hints = []; fixes = [] }
   in
   let shown = List.map (Option.value ~default:"(…)") texts in
   let fixed = String.concat " " (name :: shown) in
@@ -65,7 +59,7 @@ let exchange a b ~of_:n =
 
 (* Two arguments are swapped, or the first argument is in the last position, or the last one in the
    first. *)
-let order ({ words; call; mistake } as fact) =
+let order ({ words; call; mistake; _ } as fact) =
   let arguments = List.map fst call.arguments in
   let exchanged =
     if Bare_number.is_per_millisecond words (fst (failing fact)) then None else call.exchanged
@@ -108,18 +102,14 @@ let example words t =
 
 (* A call with too few arguments, such as `knob "speed" 0 1[m/s] i`, which lacks the initial
    value. *)
-let lacking ({ words; call; mistake } as fact) =
+let lacking ({ words; call; mistake; _ } as fact) =
   let argument = fst (failing fact) in
   (* if a constant has the wrong unit, a missing argument is unlikely *)
   let is_likely = (not (String.equal mistake.code "E0320")) || is_signal words argument in
-  (* whether the hint shows a call of the function, rather than its type *)
-  let shows_a_call (g : Resolve.Ir.Global.t) text =
-    Other_type.mentions (Printf.sprintf "`%s " g.name) text && not (Other_type.mentions "::" text)
-  in
   match (call.head.desc, call.lacking) with
   | Global g, Some missing
-    when is_likely && is_about_the_argument fact && not (List.exists (shows_a_call g) mistake.hints)
-    ->
+    when is_likely && is_about_the_argument fact
+         && not (List.mem (Shape_fact.Call g.name) (Diagnostic.topics mistake)) ->
       let arguments = List.map fst call.arguments in
       let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Wording.quote words e.span) in
       let before, after =
@@ -128,10 +118,9 @@ let lacking ({ words; call; mistake } as fact) =
       in
       let types = Option.fold (Wording.declared_type words g) ~none:[] ~some:Wording.parameters in
       let of_the_missing i _ = i >= call.failed - 1 && i < call.failed - 1 + missing in
-      let of_numbers = String.starts_with ~prefix:"expected a number" mistake.message in
       let example t =
         match (example words t, Type.expand t) with
-        | None, (Rigid _ | Flexible _) when of_numbers && missing = 1 -> Some "0"
+        | None, (Rigid _ | Flexible _) when fact.expects_number && missing = 1 -> Some "0"
         | text, _ -> text
       in
       let examples = List.map example (List.filteri of_the_missing types) in
@@ -142,18 +131,9 @@ let lacking ({ words; call; mistake } as fact) =
         else Some (String.concat " " (g.name :: List.filter_map Fun.id texts))
       in
       let d =
-        {
-          mistake with
-          code = "E0301";
-          message =
-            (if missing = 1 then Printf.sprintf "`%s` lacks an argument before `%s`" g.name shown
-             else Printf.sprintf "`%s` lacks %d arguments before `%s`" g.name missing shown);
-          here = "";
-          labels = [];
-          hints = [];
-          notes = [];
-          fixes = [];
-        }
+        Diagnostic.error ~code:"E0301" ~at:mistake.at "`%s` lacks %s before `%s`" g.name
+          (if missing = 1 then "an argument" else Printf.sprintf "%d arguments" missing)
+          shown
         |> Option.fold (Wording.declared words g) ~none:Fun.id ~some:(fun ty ->
                Diagnostic.label ~at:call.head.span "`%s :: %s`" g.name ty)
       in
@@ -170,7 +150,7 @@ let lacking ({ words; call; mistake } as fact) =
 
 (* `robotPose i.x`, where the field belongs to the result of the function or to a part of that
    result. *)
-let field_of_the_result { words; call; mistake } =
+let field_of_the_result { words; call; mistake; _ } =
   match call.arguments with
   | ({ desc = Field { record; field; _ }; _ }, _) :: _
     when call.failed = 1 && String.equal mistake.code "E0310"
@@ -205,7 +185,7 @@ let rec final t = match Type.expand t with Type.Function (_, result) -> final re
 
 (* Missing parentheses, as in `forever forward 1[m]`: a function among the arguments was meant to be
    applied to the arguments after it. *)
-let parentheses ({ words; call; mistake } as fact) =
+let parentheses ({ words; call; mistake; _ } as fact) =
   let { Application_fact.head; arguments; failed; _ } = call in
   let all = List.length arguments in
   let type_at i = snd (List.nth arguments (i - 1)) in
@@ -282,8 +262,15 @@ let parentheses ({ words; call; mistake } as fact) =
    types. *)
 let rules = [ field_of_the_result; habit; parentheses; order; lacking ]
 
-let explain words call mistake =
-  let fact = { words; call; mistake } in
+let explain words call held =
+  let mistake = Facts.diagnostic held in
+  let expects_number =
+    match Facts.fact held with
+    | Fact.Inference { fact = Mismatch { expected; _ }; _ } ->
+        String.equal mistake.code "E0301" && Wording.has_any_representation expected.ty
+    | _ -> false
+  in
+  let fact = { words; call; mistake; expects_number } in
   Option.value (List.find_map (fun rule -> rule fact) rules) ~default:mistake
 
 (* {1 Functions on arrays} *)

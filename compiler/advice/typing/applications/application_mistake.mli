@@ -3,7 +3,7 @@
 open Basis
 open Typing
 
-val explain : Wording.t -> Application_fact.call -> Diagnostic.t -> Diagnostic.t
+val explain : Wording.t -> Application_fact.call -> Fact.t Facts.held -> Diagnostic.t
 (** Completes or replaces the message about the failing argument, if the application explains the
     mistake better. *)
 

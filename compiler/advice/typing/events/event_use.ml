@@ -266,7 +266,7 @@ let value_in_place_of_event fact =
   | (Parameter _ | Field _ | Signature _ | Output _ | Branch _ | Element _), Some x
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
       Some
-        (Printf.sprintf
+        (Diagnostic.suggestion ~topic:(Call "tag")
            "use `tag e %s`, which occurs with this value when the event `e` occurs, or `NoEvent`, \
             which never occurs"
            (value fact.words x))
@@ -374,35 +374,43 @@ let value_is_nothing fact =
    about parameters: `held_value` before `value_in_place_of_event`, and `made_twice` before
    `in_place_of_a_truth`. *)
 let hints =
-  [
-    merged_truths;
-    asked_of_a_truth;
-    other_constructor;
-    compared_with_content;
-    without_function;
-    truth_held_for_a_time;
-    wrapped_twice;
-    of_a_maybe;
-    held_after_its_event;
-    held_value;
-    value_in_place_of_event;
-    without_value;
-    time_as_condition;
-    event_in_place_of_a_truth;
-    content_as_condition;
-    made_twice;
-    in_place_of_a_truth;
-    without_output;
-    applied_to_an_event;
-    value_is_nothing;
-  ]
+  let texts rules =
+    let rule rule fact = Option.map (Diagnostic.suggestion "%s") (rule fact) in
+    List.map rule rules
+  in
+  texts
+    [
+      merged_truths;
+      asked_of_a_truth;
+      other_constructor;
+      compared_with_content;
+      without_function;
+      truth_held_for_a_time;
+      wrapped_twice;
+      of_a_maybe;
+      held_after_its_event;
+      held_value;
+    ]
+  @ [ value_in_place_of_event ]
+  @ texts
+      [
+        without_value;
+        time_as_condition;
+        event_in_place_of_a_truth;
+        content_as_condition;
+        made_twice;
+        in_place_of_a_truth;
+        without_output;
+        applied_to_an_event;
+        value_is_nothing;
+      ]
 
 let mistake fact =
-  let message text =
+  let message hint =
     (match fact.expected.because with
     | Value _ -> not_matched fact
     | Condition -> not_a_condition fact
     | _ -> different fact)
-    |> Diagnostic.hint "%s" text
+    |> Diagnostic.suggest hint
   in
   Option.map message (first hints fact)

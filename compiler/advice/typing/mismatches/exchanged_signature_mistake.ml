@@ -71,8 +71,8 @@ let in_wrong_order sources
 (* Keeps the message about the definition, because the definition may be wrong instead of the
    signature. *)
 let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnostic.t) =
-  let is_of_a_signature text =
-    String.starts_with ~prefix:"if this is the right result, write the signature as" text
+  let is_of_a_signature (hint : Diagnostic.hint) =
+    hint.topic = Some Number_mistake.Corrected_signature
   in
   let signature = Printf.sprintf "%s :: %s" name text in
   (* A wrong formula is a better explanation than parameters in the wrong order. *)

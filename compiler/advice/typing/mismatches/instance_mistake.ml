@@ -116,8 +116,8 @@ let several_outputs fact =
   | Declared { name = "RobotOutput"; _ }
     when fact.required.by = Name "roMake" && is_function fact.lack.culprit ->
       Some
-        (fun (d : Diagnostic.t) ->
-          { d with message = "`roMake` takes one function, and turns it into an output" }
+        (fun d ->
+          Diagnostic.message "`roMake` takes one function, and turns it into an output" d
           |> Diagnostic.hint
                "combine several commands with `.`: `roMake (setVelTR v omega . setLight On)`")
   | _ -> None
@@ -139,15 +139,10 @@ let output_with_an_event fact =
       let output = Option.fold written ~none:unknown ~some:snd in
       Some
         (fun d ->
-          {
-            d with
-            message =
-              Printf.sprintf
-                "a pair of an output and an event is needed here, but %s returns only an output"
-                (user fact);
-            here = "";
-            labels = [];
-          }
+          Diagnostic.message
+            "a pair of an output and an event is needed here, but %s returns only an output"
+            (user fact)
+            { d with here = None; labels = [] }
           |> Diagnostic.hint "return a pair of the output and an event: %s"
                (Switch_mistake.ends_it output)
           |> Option.fold written ~none:Fun.id ~some:(fun (whole, output) ->

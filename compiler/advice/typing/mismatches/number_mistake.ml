@@ -199,12 +199,15 @@ let corrected_signature words at (expected : Expected.t) found =
   | Some text when String.equal text wanted -> Some found
   | Some _ | None -> None
 
+type topic += Corrected_signature
+
 let hint_for_signature words ~(expected : Expected.t) ~found d =
   match expected.because with
   | Signature { at; name } | Output (Signature { at; name }) -> (
       match corrected_signature words at expected found with
       | Some text ->
-          hint "if this is the right result, write the signature as `%s :: %s`" name text d
+          hint ~topic:Corrected_signature
+            "if this is the right result, write the signature as `%s :: %s`" name text d
           |> write at text
       | None ->
           hint "if this is the right result, write `%s` in the signature"

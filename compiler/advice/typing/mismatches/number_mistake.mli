@@ -6,6 +6,9 @@
 open Basis
 open Typing
 
+type Diagnostic.topic +=
+  | Corrected_signature  (** the hint that suggests another signature, for a result of this type *)
+
 val units :
   Wording.t ->
   subject:Resolve.Ir.expr option ->

@@ -85,15 +85,16 @@ let rec label_reason words (reason : Expected.reason) (expected : Type.t) diagno
           Option.fold constructor ~none:Fun.id ~some:relate diagnostic)
       |> label ~at (Printf.sprintf "the field `%s` is %s" name (Wording.described words expected))
 
-let definition name = Printf.sprintf "this defines `%s`" name
-let is_of_definition name (label : label) = String.equal label.text (definition name)
+type topic += Definition of string
+
+let defines ~at name d = label ~at "this defines `%s`" name d |> about (Definition name)
 
 (* If there is no better place to point at, labels the place where the variable is bound. *)
 let label_subject subject (reason : Expected.reason) diagnostic =
   match (subject, reason) with
   | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
     when Span.compare local.span diagnostic.at <> 0
-         && not (List.exists (is_of_definition local.name) diagnostic.labels) ->
+         && not (List.mem (Definition local.name) diagnostic.about) ->
       label ~at:local.span "`%s` is bound here" local.name diagnostic
   | _ -> diagnostic
 

@@ -3,8 +3,8 @@
 open Basis
 open Typing
 
-val definition : string -> string
-(** The label at the definition of this name. *)
+val defines : at:Span.t -> string -> Diagnostic.t -> Diagnostic.t
+(** Labels the definition of this name. *)
 
 val add : Wording.t -> Expected.t -> Diagnostic.t -> Diagnostic.t
 (** Labels the place that determines the expected type. *)

@@ -77,7 +77,7 @@ let missing_signal fact ~missing d =
       Some
         (match fact.expected.because with
         | Parameter { callee = Some f; position = 1; before = None; _ } ->
-            hint "put parentheses around the argument: `%s (%s)`" f text d
+            hint ~topic:(Call f) "put parentheses around the argument: `%s (%s)`" f text d
         | _ -> applied fact text d)
   | _ -> None
 
@@ -91,7 +91,7 @@ let missing_output fact ~missing d =
   match Option.bind fact.subject Plain_name.of_head with
   | Some "sleepT" when missing = 1 && Environment.is_task fact.expected.ty ->
       let fixed = Printf.sprintf "%s restingOutput" (raw fact "sleepT 1[s]") in
-      { d with message = "`sleepT` lacks its last argument, the output during that time" }
+      Diagnostic.message "`sleepT` lacks its last argument, the output during that time" d
       |> hint "add an output: `%s` waits with the robot at rest" fixed
       |> fix (Printf.sprintf "write `%s`" fixed) [ (fact.at, fixed) ]
       |> Option.some
@@ -371,6 +371,6 @@ let missing_before fact =
       let after = List.filteri (fun i _ -> i >= position - 1) given in
       let whole = (f :: List.map text before) @ (start :: List.map text after) in
       Some
-        (hinted fact "an argument is missing before this one, %s: write `%s`" (expected_text fact)
-           (String.concat " " whole))
+        (hinted ~topic:(Call f) fact "an argument is missing before this one, %s: write `%s`"
+           (expected_text fact) (String.concat " " whole))
   | _ -> None

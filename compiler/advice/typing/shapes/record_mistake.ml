@@ -9,8 +9,9 @@ let before fact ~callee ~(next : Resolve.Ir.expr) whole =
   match Wording.quote fact.words next.span with
   | Some next ->
       let next = Source.grouped next in
-      Printf.sprintf "write the record before `%s`: `%s (%s) %s`" next callee whole next
-  | None -> Printf.sprintf "write the record: `%s`" whole
+      Diagnostic.suggestion ~topic:(Call callee) "write the record before `%s`: `%s (%s) %s`" next
+        callee whole next
+  | None -> Diagnostic.suggestion "write the record: `%s`" whole
 
 let is_number words (e : Resolve.Ir.expr) =
   match e.desc with Number _ -> true | _ -> Bare_number.literal words e <> None
@@ -42,14 +43,15 @@ let how_to_build fact constructor fields =
          && is_number fact.words first
          && from_numbers fact ~callee constructor fields given <> None ->
       Some
-        (Printf.sprintf "`%s` takes one record in place of these numbers: write `%s`" callee
+        (Diagnostic.suggestion ~topic:(Call callee)
+           "`%s` takes one record in place of these numbers: write `%s`" callee
            (Option.get (from_numbers fact ~callee constructor fields given)))
   | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
       Some (before fact ~callee ~next whole)
-  | Parameter _ -> Some (Printf.sprintf "write the record: `%s`" whole)
+  | Parameter _ -> Some (Diagnostic.suggestion "write the record: `%s`" whole)
   | Signature _ | Output _ | Branch _ | Field _ ->
       Some
-        (Printf.sprintf
+        (Diagnostic.suggestion
            "write the whole record, `%s`, or a copy of a record `r` with a different `%s`: `r { %s \
             = … }`"
            whole (List.hd fields) (List.hd fields))
@@ -59,7 +61,9 @@ let built fact =
   match (fact.wanted, fact.given, Wording.fields fact.words fact.expected.ty) with
   | Data _, (Number _ | Bool), Some (constructor, fields)
     when List.compare_length_with fields 8 <= 0 ->
-      Option.map (hinted fact "%s") (how_to_build fact constructor fields)
+      Option.map
+        (fun hint -> Diagnostic.suggest hint (different fact))
+        (how_to_build fact constructor fields)
   | _ -> None
 
 (* `robotPose i.heading`, where a field of `robotPose i` was meant. *)

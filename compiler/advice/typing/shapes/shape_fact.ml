@@ -12,6 +12,7 @@ type t = {
   given : Type.t;
 }
 
+type Diagnostic.topic += Call of string
 type rule = t -> Diagnostic.t option
 
 let make words ~subject ~at ~(expected : Expected.t) ~found =
@@ -67,7 +68,8 @@ let names n = List.init n (Variable_name.nth Variable_name.Type)
 let different fact =
   error ~code:"E0301" ~at:fact.at "expected %s, found %s" (expected_text fact) (found_text fact)
 
-let hinted fact format = Printf.ksprintf (fun text -> hint "%s" text (different fact)) format
+let hinted ?topic fact format =
+  Printf.ksprintf (fun text -> hint ?topic "%s" text (different fact)) format
 
 let not_a_condition fact =
   error ~code:"E0301" ~at:fact.at "a condition must be `Bool`, but this is %s" (found_text fact)

@@ -13,6 +13,8 @@ type t = {
   given : Type.t;  (** the type found, expanded *)
 }
 
+type Diagnostic.topic += Call of string  (** The hint shows how to call this function. *)
+
 type rule = t -> Diagnostic.t option
 (** A rule returns the message if it applies to the mismatch. *)
 
@@ -77,7 +79,7 @@ val names : int -> string list
 val different : t -> Diagnostic.t
 (** The error [E0301], which says that the type found differs from the expected one. *)
 
-val hinted : t -> ('a, unit, string, Diagnostic.t) format4 -> 'a
+val hinted : ?topic:Diagnostic.topic -> t -> ('a, unit, string, Diagnostic.t) format4 -> 'a
 (** {!different}, with this hint added. *)
 
 val not_a_condition : t -> Diagnostic.t

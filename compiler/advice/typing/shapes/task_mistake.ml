@@ -374,7 +374,7 @@ let without_count fact =
       let counted = f ^ " 4" in
       let d =
         different fact
-        |> hint "the number of times comes first: write `%s (…)`%s" counted
+        |> hint ~topic:(Call f) "the number of times comes first: write `%s (…)`%s" counted
              (if String.equal f "repeatT" then "; to repeat endlessly, use `forever`" else "")
         |> write at counted
       in

@@ -3,8 +3,9 @@ open Typing
 open Diagnostic
 open Shape_fact
 
-let no_truth fact text =
-  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact) |> hint "%s" text
+let no_truth ?topic fact text =
+  error ~code:"E0301" ~at:fact.at "expected `Bool`, found %s" (found_text fact)
+  |> hint ?topic "%s" text
 
 (* A comparison to suggest in place of a number. *)
 let comparison fact =
@@ -108,7 +109,7 @@ let grouped_with_an_argument fact =
               (Option.get (Wording.quote fact.words left.span))
               name (raw fact "…") operator))
   | Bool, Parameter { before = Some operator; callee = Some name; _ } ->
-      Some (no_truth fact (hint_to_group ~left:(raw fact "…") name operator))
+      Some (no_truth ~topic:(Call name) fact (hint_to_group ~left:(raw fact "…") name operator))
   | _ -> None
 
 (* `when frontSonar i < 1[m]`, which applies `when` to two arguments *)

@@ -291,7 +291,7 @@ let without_winner fact =
       let d =
         error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with 2 elements"
           (expected_text fact)
-        |> hint
+        |> hint ~topic:(Call "latch")
              "say what happens if both are True: write `latch ResetWins %s` or `latch SetWins %s`"
              text text
       in
@@ -315,7 +315,7 @@ let separated_by_commas fact =
       let arguments = side_by_side fact components in
       error ~code:"E0301" ~at:fact.at "expected %s, found a tuple with %d elements"
         (expected_text fact) (List.length components)
-      |> hint "%s"
+      |> hint ~topic:(Call name) "%s"
            (match (takes, name) with
            | 1, "atan" -> Printf.sprintf "for two numbers, write `atan2 %s`" arguments
            | 1, ("integral" | "derivative") when List.find_map signal_of (elements fact) <> None ->

@@ -201,7 +201,7 @@ let message words ~subject ~at ~wanted ~input ~found =
       let d =
         match (subject, meant words subject) with
         | Some { desc = Local x; _ }, Some e when Some e <> subject ->
-            label ~at:e.span "%s" (Reason_label.definition x.name) d
+            Reason_label.defines ~at:e.span x.name d
         | _ -> d
       in
       match sense_without_input words ~subject input with

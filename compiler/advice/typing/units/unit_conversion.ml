@@ -206,10 +206,10 @@ let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t)
   match subject with
   | Some e when is_of_a_signal words expected && not (is_of_time subject) ->
       (* this hint comes before the one about the signature *)
-      let text =
-        Printf.sprintf "for the sum over time, write `%s`; for a fixed time, `%s`" integral times
+      let first =
+        suggestion "for the sum over time, write `%s`; for a fixed time, `%s`" integral times
       in
-      { diagnostic with hints = text :: diagnostic.hints }
+      { diagnostic with hints = first :: diagnostic.hints }
       |> fix (Printf.sprintf "write `%s`" integral) [ (e.span, "(" ^ integral ^ ")") ]
   | _ ->
       hint "multiply by a time, as in `%s`, or, for the sum over time, write `%s`" times integral
@@ -248,7 +248,7 @@ let of_numbers words ~subject ~wanted d =
         Option.fold (Wording.definition words x) ~none:span ~some:(fun (e : Resolve.Ir.expr) ->
             e.span)
       in
-      label ~at "%s" (Reason_label.definition x.name)
+      Reason_label.defines ~at x.name
   | _ -> Fun.id
 
 let suggest words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
