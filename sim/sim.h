@@ -1,8 +1,8 @@
 /* sim.h -- the simulator, for hosts written in C.
  *
- * One simulation is one world file and the robots in it. The host controls time: in each round
- * it says how far to run the physics, reads the sensors, steps the controller, and passes on the
- * command.
+ * A simulation consists of one world and the robots in it. The host controls time: in each cycle,
+ * it runs the physics up to a given time, reads the sensors, steps the controller, and passes on
+ * the command.
  *
  *   struct frob_sim *sim = frob_sim_open("world.toml", &settings, message, sizeof message);
  *   for (each instant at time t) {
@@ -38,10 +38,10 @@ struct frob_sim_settings {
      * file's [measure]. If 0, the world file specifies the measurement. */
     double wall_distance_m;
     int picture; /* nonzero to record the data that frob_sim_picture draws */
-    /* The body of a user-defined robot, which `robot` names; else NULL. */
+    /* The body of the user-defined robot that `robot` names; NULL for any other robot. */
     const struct frob_body *body;
-    /* Nonzero if commands come from a firmware, which has already rounded them to whole steps. 0
-     * if the simulator must round them as the robot's driver does, see drivers/steps.h. */
+    /* Nonzero if commands come from a firmware, which has already rounded them to whole steps. 0 if
+     * the simulator must round them as the robot's driver does (drivers/steps.h). */
     int served;
 };
 
@@ -52,7 +52,7 @@ struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_set
 void frob_sim_close(struct frob_sim *sim);
 
 /* Sizes of the robot's input and output structs, which its header <frob/ROBOT.h> declares. The
- * robot is the one that the world file names, else the one in the settings, else a pioneer. */
+ * robot is named in the world file or, if not there, in the settings; the default is a pioneer. */
 size_t frob_sim_input_size(const struct frob_sim *sim);
 size_t frob_sim_output_size(const struct frob_sim *sim);
 
@@ -74,13 +74,13 @@ size_t frob_sim_robots(const struct frob_sim *sim);
  * physics runs in steps of 5 ms; it stops at the last step that is not later than this time. */
 void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 
-/* Reads the sensors into the robot's input struct. An echo is an event in the first reading
- * after it arrived. */
+/* Reads the sensors into the robot's input struct. An echo is an event in the first reading after
+ * it arrives. */
 void frob_sim_read(struct frob_sim *sim, void *input);
 void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
 
-/* Opens the camera of this name on all robots. Must be called before the physics runs. Returns the
- * camera's number, or -1 if the world has no camera of this name. */
+/* Opens the camera with this name on all robots. Must be called before the physics runs. Returns
+ * the camera's number, or -1 if the world has no camera with this name. */
 int frob_sim_look_through(struct frob_sim *sim, const char *camera);
 
 /* Name of the world's camera with this number, counted from 0; NULL if there is no such camera. */
@@ -116,9 +116,9 @@ struct frob_sim_bumps {
 
 struct frob_sim_bumps frob_sim_bumps_robot(const struct frob_sim *sim, size_t robot);
 
-/* Commands the robot with its output struct until the next command. The simulator limits the
- * values to the robot's abilities, and stops the robot if any of them is NaN. `time_ns` is the
- * controller's instant, for the record. */
+/* Gives the robot the command in its output struct, which stays in effect until the next command.
+ * The simulator limits the values to the robot's abilities, and stops the robot if any of them is
+ * NaN. `time_ns` is the time of the controller's instant. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output);
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
@@ -159,7 +159,7 @@ struct frob_sim_summary {
     double mean_error_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_error_m;
     int tape_measured;  /* nonzero if the world file selects the
-                           distance from the middle of tape on the floor: */
+                           distance from the centre line of a tape: */
     double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
     double tape_way_m;      /* the distance travelled along the tape, in the order of its points */
@@ -177,7 +177,7 @@ struct frob_sim_summary frob_sim_summarize_robot(const struct frob_sim *sim, siz
 struct frob_sim_collision {
     double time_s;
     double x_m, y_m;    /* place in the world */
-    double clearance_m; /* frob_sim_clearance_robot at that time */
+    double clearance_m; /* result of frob_sim_clearance_robot at that time */
     /* The object, for display: "the wall (room.toml, line 12)". Valid until the next advance. */
     const char *with;
 };

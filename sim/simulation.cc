@@ -80,7 +80,7 @@ void Simulation::watch(Member &member, const Body &body) {
                                      clearance(scene_, body.pose().position)});
 }
 
-// Takes all frames that are due at this step. They share one record of all positions.
+// Takes all frames that are due at this step. They share one snapshot of all positions.
 void Simulation::take_frames() {
     std::shared_ptr<const Moment> moment;
     for (Member &member : members_) {

@@ -36,7 +36,7 @@ struct Member {
     std::vector<Camera> cameras;       // the opened cameras
     std::vector<Lidar> lidars;         // the opened lidars
     std::vector<Imu> imus;             // the opened inertial measurement units
-    std::vector<Collision> collisions; // the first few
+    std::vector<Collision> collisions; // the first few collisions
     bool touched = false;              // whether the robot touched anything during the last call of
                                        // `advance` that made a step
 };
@@ -44,8 +44,8 @@ struct Member {
 class Simulation {
   public:
     // Throws WorldFileError if a robot starts inside an object. `keeps_samples`: whether to store
-    // the samples that a picture needs. The robot is `own` if it is given, otherwise the one that
-    // the scene names; `own` must outlive the simulation.
+    // the samples that a picture needs. If `own` is given, it is the kind of all robots, and must
+    // outlive the simulation; otherwise the scene names the kind.
     Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true,
                const RobotKind *own = nullptr);
 
@@ -56,13 +56,13 @@ class Simulation {
     // stops at the last step that is not later than this time.
     void advance(std::int64_t time_ns);
 
-    // One instant of a robot's controller: read the sensors, then command. The structs are those of
-    // the robot's header.
+    // An instant of a robot's controller: read the sensors, then send the command. The robot's
+    // header declares the structs.
     void read(void *input, std::size_t robot = 0);
     void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
 
-    // Opens the camera of this name on all robots. Must be called before the physics runs. Returns
-    // the camera's number, or no value if the world has no such camera.
+    // Opens the camera with this name on all robots. Must be called before the physics runs.
+    // Returns the camera's number, or no value if the world has no such camera.
     std::optional<std::size_t> look_through(const std::string &name);
 
     // Returns the newest frame that has arrived from a robot's camera by now, or nullptr if none

@@ -2,8 +2,8 @@
 
     The limit is in steps rather than seconds, so that every machine rejects the same programs. Each
     stage decides what it counts as a step, for example an expression evaluated or a part of a type
-    visited. A step takes tens of nanoseconds. Only loops that can run long for a short program need
-    to count.
+    visited. A step takes tens of nanoseconds. Only loops that can run for a long time on a short
+    program need to count their steps.
 
     The counter is the compiler's only mutable global. {!within} restores it however its function
     ends, so compilations do not affect each other. *)

@@ -64,7 +64,7 @@ let piece text =
   in
   { text; code; defines; is_function = (not is_directive) && before '(' < value }
 
-(* Splits a text at blank lines outside of braces. *)
+(* Splits a text at the blank lines outside braces. *)
 let pieces text =
   let depth text =
     let count sum = function '{' -> sum + 1 | '}' -> sum - 1 | _ -> sum in

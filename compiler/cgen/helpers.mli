@@ -9,6 +9,6 @@ val names : unit -> string list
 
 val standalone : real:Basis.Real.t -> elementary:(string * string) list -> string -> string
 (** Makes a source independent of all files except the standard headers of C: replaces the line
-    {!included} with the definitions that the source needs, directly or indirectly, and appends
-    elementary functions at the end. [elementary]: names and texts of the files in
+    {!included} with the definitions that the source needs, directly or indirectly, and appends the
+    elementary functions that it calls. [elementary]: names and texts of the files in
     [runtime/elementary]. All added functions are static, and their names start with [frob_]. *)

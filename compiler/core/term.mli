@@ -13,11 +13,11 @@ val apply : Ir.expr -> Ir.expr -> Ir.ty -> Span.t -> Ir.expr
 val not_ : Ir.expr -> Ir.expr
 
 val conjunction : Ir.expr -> Ir.expr -> Ir.expr
-(** The second operand is evaluated only if the first is true, so it may rely on what the first has
-    tested. *)
+(** The second operand is evaluated only if the first is true, so it may assume that the first is
+    true. *)
 
 val if_ : Ir.expr -> Ir.expr -> Ir.expr -> Span.t -> Ir.expr
-(** A conditional. If the condition is a negation, removes it and swaps the branches. *)
+(** A conditional. If the condition is a negation, removes the negation and swaps the branches. *)
 
 val equal : Ir.expr -> Ir.expr -> Ir.expr
 (** Equality at the type of the first operand. *)
@@ -25,11 +25,12 @@ val equal : Ir.expr -> Ir.expr -> Ir.expr
 val let_ : Ir.binder -> Ir.expr -> Ir.expr -> Ir.expr
 
 val is_trivial : Ir.expr -> bool
-(** May the expression be duplicated? True for a variable, a constant, or the call of a nullary
-    function. It binds no variables. *)
+(** Whether the expression may be duplicated: true for a variable, a constant, or a call of a
+    nullary function. Such an expression binds no variables. *)
 
 val parts : Ir.expr -> Ir.expr list
 (** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
-(** Replaces the {!parts} of the expression with their images, computed in order. *)
+(** Applies the function to the {!parts} of the expression, in order, and replaces each of them with
+    its result. *)

@@ -1,4 +1,5 @@
-(** The runtime's elementary functions ([frob/elementary.h]), so that the interpreter and compiled
+(** Bindings to the runtime's elementary functions ([frob/elementary.h]), so
+    that the interpreter and compiled
     programs compute the same bits on every machine. That header documents errors, special cases and
     sources. Angles are in radians. *)
 
@@ -17,10 +18,11 @@ module type S = sig
   val atan : float -> float
 
   val atan2 : float -> float -> float
-  (** [atan2 y x] is the direction of the point [(x, y)]. *)
+  (** [atan2 y x] is the angle from the positive x-axis to the point [(x, y)]. *)
 
   val hypot : float -> float -> float
 end
 
 val of_precision : Basis.Real.t -> (module S)
-(** The functions of single precision take and return singles. *)
+(** The single-precision functions take and return floats that single precision can represent
+    exactly. *)

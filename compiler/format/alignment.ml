@@ -16,7 +16,8 @@ type line = {
   line : int;
 }
 
-(* A line joins an aligned group only if this moves the group's column by at most this much. *)
+(* The maximum number of columns by which a line may move an aligned group when it joins the
+   group. *)
 let most_joining = 8
 
 let is_sign ~(role : role) ~of_cases = function
@@ -61,7 +62,8 @@ let line_from (words : Word.t array) first =
     in
     match (role, w.item) with Item, false -> None | _ -> go first 0
 
-(* Whether several signs share a column, and at least one of them was moved there by spaces. *)
+(* Whether the sign of a line shares its column with other signs, and at least one of them was moved
+   there by extra spaces. *)
 let shared group =
   let columns = Hashtbl.create 16 in
   let count line =

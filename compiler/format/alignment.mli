@@ -4,4 +4,4 @@
     they stay aligned, and other lines of the same group are aligned with them. *)
 
 val set : Word.t array -> unit
-(** Increases [gap] (see {!Spacing}). *)
+(** Aligns signs by increasing their [gap]. {!Spacing.set} must have set the gaps. *)

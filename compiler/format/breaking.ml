@@ -51,8 +51,8 @@ let least_rest = 12
 let is_opener = function LPAREN | LBRACKET | LBRACE -> true | _ -> false
 let is_closer = function RPAREN | RBRACKET | RBRACE -> true | _ -> false
 
-(* Whether the word opens a function that is the last argument. Such a line is broken inside the
-   function, not before it. *)
+(* Whether the word opens the brackets around a function that is the last argument. The line is then
+   broken inside the function, not before it. *)
 let hugs (words : Word.t array) ~last k =
   words.(k).token.token = LPAREN && k < last
   && words.(k - 1).token.token <> RPAREN
@@ -67,7 +67,7 @@ let hugs (words : Word.t array) ~last k =
   in
   words.(k).partner > last || only_ends words.(k).partner
 
-(* Whether the word opens a list or tuple with almost nothing after it. *)
+(* Whether the word opens a list or tuple that has almost nothing after it on the line. *)
 let spans (words : Word.t array) ~last k =
   let w = words.(k) in
   is_opener w.token.token && w.partner > k && w.partner <= last
@@ -89,7 +89,7 @@ type part = { depth : int; mutable operators : bool }
 let depth_cost = 50
 
 (* Computes the part of the line that contains each word up to [until]. The text between brackets,
-   and after [if], [proc] and similar keywords, is nested one level deeper. *)
+   and after [if], [do] and similar keywords, is nested more deeply. *)
 let parts (words : Word.t array) ~first ~until ~last =
   let whole = { depth = 0; operators = false } in
   let found = Array.make (until - first + 1) whole in
@@ -224,7 +224,7 @@ let list (words : Word.t array) ~first ~column =
   in
   let rec fill k at =
     if k < close then
-      (* the element, with 1 column for the comma *)
+      (* the width of an element includes 1 column for its comma *)
       let next, width = element (k + 1) 1 in
       if at + width > most then (
         words.(k).starts <- true;

@@ -29,10 +29,11 @@ type kind =
 
 type frame = {
   kind : kind;
-  mutable base : int;  (** the column of the line that lines in this frame continue *)
+  mutable base : int;  (** the column of the line from which continuation lines in this frame are
+                           indented *)
   mutable bar : (int * int) option;
       (** the columns, in the source and in the result, of the last [|], or of the [=] of a data
-          declaration if no [|] precedes *)
+          declaration if there is no [|] yet *)
 }
 
 type state = {
@@ -65,7 +66,8 @@ let rec around = function
   | frame :: _ -> frame
   | [] -> file ()
 
-(* Closes the frames that end before a word. Returns the last one, and the columns of the blocks. *)
+(* Closes the frames that end before a word. Returns the last of them, and the columns of the closed
+   blocks and of the block that contains the word. *)
 let close state (w : Word.t) =
   let last = ref None and blocks = ref [] in
   let take () =
@@ -158,7 +160,7 @@ let starts_line (words : Word.t array) state i column =
   | _, Bracket bracket when i > 0 && begins_element words i -> bracket.element <- Some column
   | _ -> ()
 
-(* The last word of each line that starts with a word. *)
+(* For each word, the index of the last word on its line. *)
 let ends (words : Word.t array) =
   let n = Array.length words in
   let ends = Array.make n (n - 1) in
@@ -167,9 +169,9 @@ let ends (words : Word.t array) =
   done;
   ends
 
-(* The frames that a word at [column] opens or changes before the layout of its line: a block has
-   the column of its first item, and a bracket has the column of its first word, if that word
-   follows on the same line. *)
+(* Records the column of a word in its frame before its line is broken: a block gets the column of
+   its first item, and a bracket gets the column of its first word if that word is on the same
+   line. *)
 let place state (words : Word.t array) i ~column =
   let w = words.(i) in
   match (inside state).kind with
@@ -187,7 +189,7 @@ let place state (words : Word.t array) i ~column =
       | _ -> ())
   | _ -> ()
 
-(* Opens the frame of a word at [column]. *)
+(* Opens the frame that a word at [column] starts, if there is one. *)
 let enter state (words : Word.t array) i ~column =
   let w = words.(i) in
   let frame = inside state and first = i = 0 || w.starts in

@@ -1,7 +1,7 @@
 type t = Tree | Comments | Rest
 
-(* A comment without trailing spaces on its lines. Comments may be the documentation of definitions,
-   so the text must stay the same otherwise. *)
+(* Removes trailing spaces from the lines of a doc comment. The rest of the text must stay the same,
+   because it is the documentation of a definition. *)
 let documentation text =
   String.split_on_char '\n' text |> List.map Reading.without_trailing_blanks |> String.concat "\n"
 
@@ -35,4 +35,4 @@ let broken (a : Reading.t) (b : Reading.t) =
 let name = function
   | Tree -> "the program would be different"
   | Comments -> "a comment would be lost"
-  | Rest -> "formatting it again would change it again"
+  | Rest -> "formatting the result again would change it"

@@ -171,10 +171,10 @@ type reader = {
   mutable from : int;  (** the offset after the previous word *)
   mutable next : int;  (** index of the next layout token *)
   partner : int array;  (** for a bracket, the index of its partner; -1 for other words *)
-  commas_first : bool array;  (** brackets with a comma at the start of a line *)
+  commas_first : bool array;  (** whether a bracket contains a comma at the start of a line *)
 }
 
-(* Collects the layout tokens before a word. A semicolon is not a word. *)
+(* Collects the layout tokens before a word, but not before a semicolon in the source. *)
 let made_before r index (token : Lexer.token) =
   let at = token.start.pos_cnum in
   let made = { closes = 0; opens = false; item = index = 0 } in

@@ -70,8 +70,8 @@ let column_of (c : Word.comment) ~below ~ended =
           | None, Some (_, column) -> column
           | None, None -> 0))
 
-(* Whether a comment continues the one at the end of the previous line: it is directly below, in the
-   same column. *)
+(* Whether a comment continues the one at the end of the previous line, that is, whether it is
+   directly below it, in the same column. *)
 let goes_on state (c : Word.comment) =
   match (state.now, state.done_) with
   | Some { behind = Some b; _ }, _ | None, { behind = Some b; _ } :: _ ->

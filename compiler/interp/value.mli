@@ -15,23 +15,23 @@ type t =
       (** a function that starts an instance; also represents a program *)
   | Task of task
   | Ending of { signal_function : thunk; result : Core.Ir.ty }
-      (** a program that can end: the signal function returns its output together with the event
-          that signals its end, whose value has type [result] *)
+      (** a program that can end: besides its output, the signal function returns an event that
+          signals the end and carries a value of type [result] *)
 
 and thunk = t Thunk.t
 
 (** An activity that ends. *)
 and task =
   | Runs of { signal_function : thunk; ended : thunk -> (thunk, thunk) Either.t }
-      (** [ended] takes an output of the signal function apart: it returns the output to show, or
-          the result with which the task ends *)
+      (** [ended] examines an output of the signal function: it returns either the output to show,
+          or the result with which the task ends *)
   | Returns of thunk
   | First of thunk * thunk  (** a task, and the function that maps its result to the next task *)
 
 and instance = {
   output : Clock.instant -> thunk -> thunk;
-      (** Returns the output for this input as a thunk that can be evaluated at any time, because it
-          does not depend on later state. It may even be part of the input. *)
+      (** Returns the output for this input as a thunk, which may even be part of the input. The
+          thunk can be evaluated at any time, because it does not depend on later state. *)
   commit : unit -> unit;  (** Advances the state to the next instant. *)
   successor : unit -> instance option;
       (** The instance that can replace this instance from now on, if this instance only forwards to

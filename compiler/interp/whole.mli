@@ -1,4 +1,4 @@
 (** Evaluates values completely. *)
 
 val evaluate : Value.thunk -> unit
-(** Forces a value and all its parts. Must be called outside of any evaluation. *)
+(** Forces a value and all its parts. Must not be called during another evaluation. *)

@@ -1,6 +1,6 @@
-/* calls.h -- the kernels by name, all with the same calling convention. A call takes the addresses
- * of the arguments and of the result. The arguments are images, or structs as in generated C (a
- * number is a struct with one member). */
+/* calls.h -- a table of the kernels by name. They share one calling convention: a call takes the
+ * addresses of the arguments and of the result. Each argument is an image, or a struct as in
+ * generated C (a number is a struct with one member). */
 #ifndef FROB_KERNEL_CALLS_H
 #define FROB_KERNEL_CALLS_H
 

@@ -2,7 +2,7 @@
 
     The interpreter and compiled programs use the same C functions. When the interpreter checks a
     compiled program that uses images, it therefore checks everything that the compiler generated,
-    but not the kernels themselves. Programs can call kernels without having their own C file. *)
+    but not the kernels themselves. Programs can call kernels without a C file of their own. *)
 
 val is_known : string -> bool
 (** Whether there is a kernel with this name. *)
@@ -10,13 +10,13 @@ val is_known : string -> bool
 type image
 (** An image from a camera, which stays in memory until the process ends. *)
 
-type argument = Image of image | Struct of Bytes.t  (** a struct in C's layout *)
+type argument = Image of image | Struct of Bytes.t  (** a struct, laid out as in C *)
 
 val call : string -> argument list -> size:int -> Bytes.t
-(** Calls an existing kernel. [size] is the size of its result. *)
+(** Calls a kernel, which must exist. [size] is the size of its result in bytes. *)
 
 type frames
-(** The frames of a recording, which are in the folder next to it. *)
+(** The frames of a recording, stored in a folder next to it. *)
 
 val frames : record:string -> frames
 (** Takes the path of the recording. Does not read any frame yet. *)

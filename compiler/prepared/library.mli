@@ -3,10 +3,10 @@
     compile a short program.
 
     Only the trees are stored. The results of later stages depend on all modules of a program, which
-    determine the numbers of names and type variables and the visible instances. Therefore these
+    determine the ids of names and type variables, and which instances are visible. Therefore these
     stages run for each program. *)
 
 val tree : file:string -> string -> Syntax.Ir.program option
-(** The tree of a module, equal to the result of {!Syntax.Parse.program} for this file and text,
-    which causes no diagnostics. [None] unless the file and text are identical to those of a library
+(** The tree of a library module. It equals the result of {!Syntax.Parse.program} for this file and
+    text; parsing them would report no errors. [None] unless the file and text are identical to those of a library
     module when the compiler was built. Each call creates a new tree. *)

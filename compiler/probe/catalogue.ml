@@ -100,8 +100,8 @@ let defined (node : Ir.node) =
   @ List.concat_map (fun (i : Ir.instance) -> i.outputs) node.instances
 
 (* Maps a signal to its origin if it is only a copy, made by an equation or by an instance that
-   passes an input through. For each earlier node, [passed] says which of its outputs are copies of
-   which inputs, by number. *)
+   passes an input through. For each output of each earlier node, [passed] has the index of the
+   input that it copies, if any. *)
 let source passed (node : Ir.node) =
   let from = Hashtbl.create 16 in
   let comes (s : Ir.signal) (atom : Ir.atom) =

@@ -34,7 +34,7 @@ type probe = {
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
 (** Lists the probes in source order; inner instances follow the instance that contains them. [None]
-    if there are more than {!most} instances. Skips arrays of more than 1,000 leaves and values of
+    if there are more than {!most} instances. Skips arrays with more than 1,000 leaves and values of
     foreign types. *)
 
 val most : int
@@ -43,7 +43,7 @@ val defined : Flow.Ir.node -> Flow.Ir.signal list
 (** The signals that equations and instances define. *)
 
 val modes_of : Flow.Ir.program -> probe -> string list
-(** The modes that a [Running_mode] can take. *)
+(** The names of the modes that a [Running_mode] can show. *)
 
 val mode_names : Flow.Ir.program -> Flow.Ir.machine -> string list
 (** Unique names for the modes of a machine. *)

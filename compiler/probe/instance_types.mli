@@ -1,8 +1,8 @@
 (** The types of signals in the instances of a program.
 
-    A polymorphic signal function, such as [lowPass :: Float[s] -> SF Float[u] Float[u]], has the
-    variables of its type in {!Signal_types}. Here, its variables have the values that the use of
-    the function determines: [u] is [m] in [lowPass 1[s] (frontSonar i)]. *)
+    {!Signal_types} keeps the type variables of a polymorphic signal function, such as [u] in
+    [lowPass :: Float[s] -> SF Float[u] Float[u]]. This module replaces them with the values that
+    each use of the function determines: [u] is [m] in [lowPass 1[s] (frontSonar i)]. *)
 
 type t
 

@@ -16,7 +16,7 @@ val claims :
   margin:(Basis.Span.t -> Core.Formula.t option) ->
   Catalogue.probe list ->
   Flow.Ir.claim list
-(** The claims of those probes that are the verdicts of assertions. *)
+(** A claim for each probe that is the verdict of an assertion. *)
 
 val has_claims : Flow.Ir.program -> bool
 (** Whether the program contains assertions. *)

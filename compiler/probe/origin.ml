@@ -30,7 +30,7 @@ let before = -2
 type definition =
   | Equation of Ir.equation
   | Given of int * int  (** an output of an instance: the numbers of the instance and the output *)
-  | Chosen of int  (** the machine's output of this number *)
+  | Chosen of int  (** the machine's output with this number *)
   | Input of int
   | Static of int
 
@@ -43,7 +43,7 @@ type run = {
   definitions : (int, definition) Hashtbl.t option array;
       (** definitions of each node's signals, computed when first needed *)
   frames : (int * Catalogue.step, frame) Hashtbl.t;
-  columns : (int * Catalogue.own, string) Hashtbl.t;  (** columns, by the frame's number *)
+  columns : (int * Catalogue.own, string) Hashtbl.t;  (** columns, by frame number *)
   inputs : (string * string) array;
       (** columns of the root's inputs: the text before and after the [[0]] of an array *)
   mutable count : int;
@@ -121,7 +121,7 @@ let earlier at =
 
 let at_first at = match at.back with Instants _ -> { at with back = First } | First | Entry -> at
 
-(* Prints the elements at the start of a path. Columns' names do not show other parts. *)
+(* Prints the array indices at the start of a path. Column names do not show other parts. *)
 let rec element = function
   | Element k :: part -> Printf.sprintf "[%d]" k ^ element part
   | (Leaf _ | Tag) :: _ | [] -> ""

@@ -14,14 +14,15 @@ type back =
   | First
       (** the source matters only in the first instant of the signal function that contains the
           signal *)
-  | Entry  (** the source matters only when the mode whose parameter the signal is was entered *)
+  | Entry  (** the signal is a parameter of a mode, and the source matters only when that mode is
+               entered *)
 
 type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
-      (** the innermost mode in which the source matters, as a machine and the number of its mode.
-          For [Entry], this is the previous mode: {!any}, or {!before} if the machine itself was
+      (** the innermost mode in which the source matters, as the column of a machine and the number
+          of its mode. For [Entry], this is the previous mode: {!any}, or {!before} if the machine itself was
           starting *)
 }
 
@@ -51,4 +52,4 @@ type t = {
 
 val of_program : Equations.t -> Flow.Ir.program -> Catalogue.probe list -> t list
 (** The sources of the output's leaves and of these probes. Columns are named as in a trace. If the
-    element of an array is not known, the source is the column of the whole array. *)
+    index of an array element is not known, the source is the column of the whole array. *)

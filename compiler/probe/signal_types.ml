@@ -73,8 +73,8 @@ let type_of_signal t ~name (written : Span.t) =
   match String.split_on_char '.' name with
   | [] -> None
   | name :: path ->
-      (* The components of a tuple pattern have their variables inside the span of the whole
-         pattern. *)
+      (* For a component of a tuple pattern, [written] is the span of the whole pattern, and the
+         variable lies inside it. *)
       let is_there ((span : Span.t), _) =
         String.equal span.file written.file
         && span.start >= written.start && span.stop <= written.stop

@@ -64,7 +64,8 @@ let without variables t =
 
 (* {1 Matching} *)
 
-(* Units that must be equal. A unit with one unknown variable determines it. *)
+(* Solves equations between units. An equation with only one unknown variable determines its
+   value. *)
 let rec solve t equations =
   let unknown (general : Ir.unit_) =
     List.filter (fun ((v : Ir.variable), _) -> not (List.mem_assoc v.id t.units)) general.variables

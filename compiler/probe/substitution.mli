@@ -17,8 +17,8 @@ val without : Ir.variable list -> t -> t
 (** Removes the values of these variables. *)
 
 val union : t -> t -> t
-(** The values of both substitutions. For a variable that is in both, uses the value of the first
-    one. *)
+(** The values of both substitutions. If both have a value for a variable, the first one's
+    counts. *)
 
 val data :
   unit_parameters:Ir.variable list ->
@@ -26,6 +26,6 @@ val data :
   type_parameters:Ir.variable list ->
   Ir.ty list ->
   t
-(** The arguments of a type, for the parameters of its declaration. *)
+(** Substitutes the arguments of a data type for the parameters of its declaration. *)
 
 val product : Ir.unit_ list -> Ir.unit_

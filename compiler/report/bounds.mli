@@ -11,8 +11,8 @@ type t = {
 val of_program : Step.Ir.program -> t
 
 val place : file:string -> Basis.Span.t -> string
-(** The place as the report prints it: without folders, so that the text does not depend on where
-    the program and the library are. *)
+(** The source location as the report prints it: without folders, so that the text does not depend
+    on where the program and the library are stored. *)
 
 val operations : (string * Cost.kind) list
 (** The kinds of operations and their names, in the order of the report. Calls of elementary

@@ -7,10 +7,11 @@ type kind =
   | Choices  (** comparisons, logic, and all branches *)
   | Conversions  (** conversions between integers, floats and nanoseconds *)
   | Calls of string
-      (** calls of this elementary function, kernel or C function of the user, or [fabs] *)
+      (** calls of this function: an elementary function, a kernel, [fabs], or a C function of the
+          user *)
   | Pixels of string  (** pixels that this kernel reads, if their number is known *)
   | Images of string  (** calls of this kernel that may read a whole image *)
-  | Loads  (** loads of one scalar of the state *)
+  | Loads  (** loads of a scalar from the state *)
   | Stores
 
 type t
@@ -28,4 +29,4 @@ val times : int -> t -> t
 val count : t -> kind -> int
 
 val calls : t -> (string * int) list
-(** Calls of elementary functions, by name. *)
+(** The functions that are called, with the number of calls. *)

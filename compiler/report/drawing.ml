@@ -12,9 +12,10 @@ type line = {
   lane : int;
   arrow : Machines.arrow;
 }
-(** An arrow between two places of the column. Places are counted from the top. *)
+(** An arrow between two positions in the column, which are counted from the top. *)
 
-(* The states, starting with the initial one, each followed by the states that it leads to. *)
+(* The states in depth-first order from the initial state, followed by those that it does not lead
+   to. *)
 let in_order (m : Machines.t) =
   let rec visit order source =
     List.fold_left
@@ -53,8 +54,7 @@ let in_lanes lines =
 
 let lanes lines = List.fold_left (fun most line -> max most (line.lane + 1)) 0 lines
 
-(* The maximum width of a text: a character of the font is at most 7.5 pixels wide. Counts UTF-8
-   characters, not bytes. *)
+(* An upper bound on the width of a text: 7.5 pixels for each UTF-8 character. *)
 let width_of text =
   let starts count c = if Char.code c land 0xC0 = 0x80 then count else count + 1 in
   15 * String.fold_left starts 0 text / 2
@@ -104,11 +104,11 @@ type column = {
   left : int;
   order : int list;
   next : (int * Machines.arrow) list;
-      (** arrows to the next place, by the place at which they start *)
+      (** arrows to the next state in the column, with the positions at which they start *)
   down : line list;
   up : line list;
   outside : (int * Machines.arrow) list;
-      (** arrows that do not start at a state, by their targets *)
+      (** arrows that do not start at a state, with the positions of their targets *)
 }
 (** The column of a machine: the positions of its states, and the arrows next to them. *)
 
@@ -182,7 +182,8 @@ let up_arrow column line =
        (a + turn) (b - turn) x b (x + bend) b (column.left - 7))
   ^ head line.arrow ~x:column.left ~y:b ~direction:`Right
 
-(* Prints a machine. Returns the coordinates of the lowest and the rightmost pixel. *)
+(* Prints a machine. Returns the y coordinate of its bottom edge and the x coordinate of its right
+   edge. *)
 let machine ppf machines ~top (m : Machines.t) =
   let column = column ~top:(top + 28) m in
   let states = List.map (fun k -> (k, List.nth m.states k)) column.order in
@@ -231,7 +232,7 @@ let print ppf ~name machines =
   let body = Buffer.create 4096 in
   let out = Format.formatter_of_buffer body in
   if machines = [] then
-    Format.fprintf out "<text x=\"%d\" y=\"24\">%s has no switch and no task</text>@." border
+    Format.fprintf out "<text x=\"%d\" y=\"24\">%s has no switches or tasks</text>@." border
       (escaped name);
   let bottom, right =
     List.fold_left

@@ -3,7 +3,7 @@
     - [program]
     - [entry]: [name], [file], [line]
     - [state_bytes]
-    - [structs], the root's first: each has [name], [file], [line], [bytes] and [members]. A member
+    - [structs], beginning with the root's struct: each has [name], [file], [line], [bytes] and [members]. A member
       has [name], [line], [offset], [bytes] and [holds], which is [value] (with [purpose]), [struct]
       (with [struct], an index into [structs]), [structs] (an array: with [struct] and [count]), or
       [mode] or [modes] (with [modes], each having [name], [bytes], [members])

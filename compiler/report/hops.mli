@@ -3,7 +3,7 @@
 open Basis
 
 type machine = {
-  name : string;  (** the definition that contains it *)
+  name : string;  (** name of the definition that contains the machine *)
   file : string;
   span : Span.t;
   modes : string list;

@@ -14,8 +14,8 @@ type arrow = {
 type state = { name : string; place : string; inside : int list }
 type t = { title : string; states : state list; arrows : arrow list }
 
-(* The nodes with machines that run inside a node. Excludes nodes that run inside a mode of the
-   node's own machine. *)
+(* The nodes that have a machine and run inside this node, including the node itself. Excludes nodes
+   that run inside a mode of its own machine. *)
 let inside (program : Ir.program) index =
   let rec from found index =
     let node = program.nodes.(index) in

@@ -1,7 +1,7 @@
 (** The machines of a program as states and arrows, for drawings. *)
 
 type source =
-  | Start  (** the machine begins *)
+  | Start  (** the start of the machine *)
   | Any  (** an event from outside, in any state *)
   | State of int  (** the number of a state *)
 
@@ -15,7 +15,7 @@ type arrow = {
 }
 
 type state = {
-  name : string;  (** from the program *)
+  name : string;  (** its name in the program *)
   place : string;  (** [line 5], or [Robot.frob:5] for another file *)
   inside : int list;  (** the numbers of the machines that run inside this state *)
 }
@@ -23,5 +23,5 @@ type state = {
 type t = { title : string; states : state list; arrows : arrow list }
 
 val of_program : Flow.Ir.program -> t list
-(** The machines of a program. They are numbered from 0 in this order, and so are the states of each
-    machine. *)
+(** The machines of a program. The number of a machine is its index in this list, and the number of
+    a state is its index in [states]. *)

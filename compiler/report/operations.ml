@@ -16,7 +16,7 @@ let stored c (field : M.field) =
   | Value ty -> Cost.several (scalars c ty) Stores
   | State_of _ | States_of _ | Running_mode | Modes _ | Component _ -> Cost.one Stores
 
-(* The number of scalars that copying the state reads. *)
+(* The number of scalars that are read to copy the state. *)
 let rec scalars_of_state c fields =
   let content (field : M.field) =
     match field.content with
@@ -45,7 +45,8 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
       Cost.(sum [ one Multiplications; several 2 Choices; several 2 Additions ])
   | Elementary f -> Cost.one (Calls (Core.Primitive_table.name (Elementary f)))
 
-(* The slowest path of the conversion; see the helpers of the generated C. *)
+(* The cost of the slowest path through the conversion; see the helper functions in the generated
+   C. *)
 let in_nanoseconds =
   Cost.(
     sum
@@ -160,8 +161,8 @@ let run c (r : M.run) =
     Cost.add rounds.(k) (entries c followed (List.map (fun (n : M.next) -> n.entry) taken))
   in
   let at_entry (n : M.next) = n.at_entry = Possible in
-  (* For each mode, the maximum cost of the instant in which it is entered, if at most [steps] modes
-     still run. *)
+  (* For each mode, the maximum cost of the instant in which it is entered, if at most [steps] more
+     modes run in that instant. *)
   let rec entered steps =
     if steps <= 0 then Array.map (fun _ -> Cost.none) rounds
     else
@@ -214,14 +215,14 @@ let rec statement c (s : M.statement) =
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
 
-(* The cost of rounding dt to whole nanoseconds. In single precision, the step only limits the
+(* The cost of rounding dt to whole nanoseconds. In single precision, the step only clamps the
    integer that the caller has computed. *)
 let whole_nanoseconds (program : M.program) =
   match program.real with
   | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
   | Single -> Cost.several 2 Choices
 
-(* The root converts dt and replaces it with 0 in the first instant; see the helpers of the
+(* The root converts dt and replaces it with 0 in the first instant; see the helper functions in the
    generated C. *)
 let root_clock (program : M.program) (root : M.node) =
   let whole = whole_nanoseconds program in

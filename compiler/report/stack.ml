@@ -13,21 +13,21 @@ type context = {
 
 let word = 8
 
-(* Bytes in every frame, for the return address, the frame pointer, the alignment of the stack, and
-   two saved registers. *)
+(* Bytes that every frame needs for the return address, the frame pointer, the alignment of the
+   stack, and two saved registers. *)
 let fixed = 5 * word
 
 (* Maximum stack usage of a helper function in the generated C, including its callees. *)
 let helper = 12 * word
 
-(* The number of arguments that are certainly passed in registers. *)
+(* The number of arguments that are guaranteed to be passed in registers. *)
 let in_registers = 4
 
 (* The stack usage of a function, as far as it has been computed. *)
 type frame = {
   mutable bytes : int;
   mutable helper : int;
-      (** stack usage of the largest constructor function or helper that it calls *)
+      (** the largest stack usage of a constructor function or helper that it calls *)
   mutable callees : t list;
 }
 
@@ -41,7 +41,7 @@ let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
 
 type code =
-  | Operators  (** operators of C *)
+  | Operators  (** C operators *)
   | Library
   | Helper  (** a function in the generated C *)
 
@@ -76,10 +76,11 @@ let rec calls (e : M.expr) =
 let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
-(* A function of a node. *)
+(* The step or reset function of a node. *)
 type callee = Step of int | Reset of int
 
-(* Visits an expression. [calling] says whether the surrounding expression contains calls. *)
+(* Adds the stack usage of an expression to [frame]. [calling] says whether the surrounding
+   expression contains calls. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
@@ -171,7 +172,8 @@ and choice c (e : M.expr) =
   | At { element; _ } -> room c element
   | Index { array; _ } -> choice c array
 
-(* Arguments that are not passed in registers: sums, and all arguments after the first few. *)
+(* Adds the arguments that are not passed in registers: values of sum types, and all arguments after
+   the first few. *)
 and arguments c frame ~calling es =
   List.iteri
     (fun i (e : M.expr) ->
@@ -257,7 +259,8 @@ let statement c frame (s : M.statement) =
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
-(* The function reads fields of a record where it uses them, and copies only arrays. *)
+(* Whether the function reads the fields of its input record where it uses them, and copies only
+   arrays. *)
 let in_place (program : M.program) k =
   k = Array.length program.nodes - 1
   &&
@@ -285,7 +288,8 @@ let function_ c k ~results (code : M.code) =
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
   { bytes = Saturating_int.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
-(* The user's C functions take and return structs made of the leaves, with doubles for all numbers.
+(* The user's C functions take and return structs that contain the leaves, with all numbers as
+   doubles.
    The stack usage of the functions themselves is known only for the library's kernels. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
@@ -298,12 +302,12 @@ let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let calls = Saturating_int.times word (2 + List.length leaves) in
   List.fold_left Saturating_int.add (2 * fixed) [ Saturating_int.times 3 rooms; calls; own ]
 
-(* The root receives the state, dt, its input and its output by address, and its step calls the
-   helpers of the clock. *)
+(* The root receives dt, and the addresses of the state, its input and its output. Its step calls
+   the clock's helper functions. *)
 let root (program : M.program) (node : M.node) (bounds : bounds) : bounds =
   let more (t : t) bytes = { t with bytes = Saturating_int.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
-  (* In single precision, a step function that takes seconds calls this one. *)
+  (* In single precision, an outer step function, which takes dt in seconds, calls this one. *)
   let outer = match program.real with Double -> 0 | Single -> fixed + (5 * word) in
   { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock + outer) }
 

@@ -3,7 +3,7 @@
 open Basis
 
 type member = {
-  name : string;  (** the programmer's name *)
+  name : string;  (** the name in the program *)
   offset : int;  (** the member's offset in its struct *)
   bytes : int;
   holds : holds;
@@ -11,7 +11,7 @@ type member = {
 }
 
 and holds =
-  | Value of string  (** purpose of the value, for the user: [delay], [integral], … *)
+  | Value of string  (** purpose of the value, as shown to the user: [delay], [integral], … *)
   | Struct of int  (** a struct: the index of the node that it belongs to *)
   | Structs of { node : int; count : int }  (** an array of such structs *)
   | Running_mode
@@ -38,15 +38,15 @@ val definition : t -> int -> definition
 (** The struct of a node with state, or of the root. *)
 
 val in_use : t -> int list
-(** The definitions whose structs are part of the root's state: in depth-first order from the root,
-    without duplicates. *)
+(** The indices of the definitions whose structs are part of the root's state, in depth-first order
+    from the root, without duplicates. *)
 
 val padding : bytes:int -> member list -> int
 (** The number of bytes in a struct that do not belong to any member. *)
 
 val foreign : Step.Ir.program -> string list
-(** The user's C structs that are part of the state. Their size is not included in any number here.
+(** The user's C structs that are part of the state. No size in this module includes them.
 *)
 
 val params_bytes : Step.Ir.program -> int
-(** Size of the parameter struct. There is one such struct for each set of values. *)
+(** Size of the parameter struct. There is one such struct for each set of parameter values. *)

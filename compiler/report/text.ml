@@ -32,7 +32,7 @@ let number n = if n >= Basis.Saturating_int.most then "2^53 or more" else string
 
 (* {1 The state} *)
 
-(* The rows in reverse order. The members of a struct are listed where the struct first occurs. *)
+(* Builds the rows in reverse order. The members of a struct are listed where the struct first occurs. *)
 let state_rows (t : State.t) =
   let shown = Hashtbl.create 16 in
   let rec members depth ~bytes:whole ~place rows list =
@@ -57,7 +57,7 @@ let state_rows (t : State.t) =
           row (if String.equal name "" then "as above" else name ^ ", as above") :: rows
         else definition k (depth + 1) (row name :: rows)
     | Largest alternatives ->
-        let rows = row "memory for one of these" :: rows in
+        let rows = row "memory shared by these modes" :: rows in
         List.fold_left (alternative (depth + 1) ~place) rows alternatives
   and alternative depth ~place rows (a : State.alternative) =
     let inner = State.definition t a.node in
@@ -86,7 +86,7 @@ let state_rows (t : State.t) =
 
 let plain label amount note = { depth = 1; label; amount; note; place = "" }
 
-(* The pixels that a kernel reads in its calls. *)
+(* Describes how many pixels the calls of a kernel read. *)
 let looks cost name calls =
   let whole = Cost.count cost (Images name) and pixels = Cost.count cost (Pixels name) in
   let images =
@@ -129,7 +129,7 @@ let stack_rows (t : Bounds.t) =
 
 let machine_line (m : Hops.machine) =
   let count = List.length m.modes in
-  Printf.sprintf "  %s, %s: %d %s (%s), at most %d stepped within one instant\n" m.name
+  Printf.sprintf "  %s, %s: %d %s (%s), at most %d run within one instant\n" m.name
     (Bounds.place ~file:m.file m.span)
     count
     (if count = 1 then "mode" else "modes")
@@ -193,8 +193,9 @@ let assertions = function
       [
         Printf.sprintf
           "\n\
-           assertions: %d; checking them adds %d operations to a step (%.2f of those without) and \
-           %d bytes to the state; without checking, the generated C does not contain them\n"
+           assertions: %d; checking them adds %d operations to a step (%.2f times the operations \
+           without checks) and \
+           %d bytes to the state; if checking is off, the generated C does not contain them\n"
           j.count j.operations j.share j.bytes;
       ]
 
@@ -244,7 +245,8 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | n ->
         [
           Printf.sprintf
-            "\nmarks drawn in an instant, at most: %d; the generated C does not draw them\n" n;
+            "\nmaximum number of marks drawn in an instant: %d; the generated \
+             C does not draw them\n" n;
         ]
   in
   let foreign =

@@ -1,5 +1,5 @@
 (** The report as text for people, in aligned columns. *)
 
 val to_string : ?judged:Judged.t -> ?wire:Wire.t -> Bounds.t -> string
-(** [judged] must be given if the program contains assertions, and [wire] if the resolution of the
-    robot's protocol is known. *)
+(** Pass [judged] if the program contains assertions, and [wire] if the resolution of the robot's
+    protocol is known. *)

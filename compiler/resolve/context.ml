@@ -5,7 +5,7 @@ type t = {
   mutable has_errors : bool;
   mutable next_local : int;
   mutable depth : int;
-  mutable too_deep : bool;  (** whether this has been reported *)
+  mutable too_deep : bool;  (** whether {!Fact.Too_deep} has been reported *)
   mutable unresolved : Fact.unresolved list;  (** undefined names of this module, newest first *)
 }
 
@@ -54,7 +54,7 @@ let nested t span ~otherwise f =
     t.depth <- t.depth - 1;
     result)
 
-(* A separate line, below the existing imports. *)
+(* A new import goes on its own line, below any existing imports. *)
 let import_place (program : Syntax.Ir.program) : Ir.import_place =
   let below (span : Span.t) = Span.make ~file:span.file ~start:span.stop ~stop:span.stop in
   match (List.rev program.imports, program.header) with

@@ -31,13 +31,13 @@ val parse : t -> file:string -> string -> Syntax.Ir.program option
 (** {1 Expressions} *)
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
-(** A new local variable. *)
+(** Creates a local variable with a new id. *)
 
 val deepest : int
 (** The maximum number of nesting levels: 10,000. *)
 
 val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
-(** Runs a function one nesting level deeper. Beyond {!deepest}, the stack could overflow. In that
-    case, reports an error (only once) and returns [otherwise]. *)
+(** Runs a function one nesting level deeper. If that would exceed {!deepest}, reports an error
+    (only once) and returns [otherwise], because the stack could overflow. *)
 
 val import_place : Syntax.Ir.program -> Ir.import_place

@@ -1,15 +1,15 @@
 (** The facts that name resolution reports, as values without text. The library [advice] translates
-    each of them to a diagnostic. *)
+    each of them into a diagnostic. *)
 
 open Basis
 open Syntax.Ir
 
-(** {1 Names without a meaning} *)
+(** {1 Unresolved names} *)
 
 type size = {
   variable : string;
   of_ : string;  (** the definition with this signature *)
-  array : string option;  (** one of its parameters that is an array of this size *)
+  array : string option;  (** a parameter of that definition that is an array of this size *)
 }
 (** A size variable of a signature, such as the [n] of [Array n Float]. *)
 
@@ -19,15 +19,16 @@ type unresolved =
       name : name;
       locals : string list Lazy.t;  (** the local names that are in scope *)
       around : right list;
-          (** the right-hand sides around the name that have a [where], innermost first, followed by
-              the outermost right-hand side *)
+          (** the enclosing right-hand sides that have a [where], innermost first, followed by the
+              outermost right-hand side *)
     }
-  | Unknown_qualifier of { qualifier : name; name : name }  (** no imported module is meant *)
+  | Unknown_qualifier of { qualifier : name; name : name }  (** the qualifier does not refer to an
+                                                                imported module *)
   | Unknown_in_module of {
       space : Interface.any_space;
       qualifier : name;
       name : name;
-      known : string list Lazy.t;  (** the names of the module *)
+      known : string list Lazy.t;  (** the names that the module provides *)
     }
   | Variable_for_unit of name  (** a unit variable in a number or in the declaration of a unit *)
   | Size_as_value of { size : size; name : name }
@@ -35,7 +36,8 @@ type unresolved =
       (** [(k * x)[m/s]]; [at]: the brackets *)
   | Unit_apart of { head : expr; unit_ : expr; at : Span.t }
       (** [3 [m/s]]; [head] is the number, or an application of a function to it *)
-  | Field_as_function of { whole : Span.t; field : name; record : name }  (** [x p] for [p.x] *)
+  | Field_as_function of { whole : Span.t; field : name; record : name }  (** [x p] instead of
+                                                                              [p.x] *)
   | Not_exported of { name : name; module_ : string; known : string list Lazy.t }
   | Not_in_import of { name : name; module_ : string; known : string list Lazy.t }
       (** an import list contains a name that the module does not export *)
@@ -47,17 +49,17 @@ type import_place = { importer : string; at : Span.t; target : name }
 type in_modules =
   | Missing_module of {
       target : name;
-      imported : string list;  (** the modules that the importing module mentions *)
+      imported : string list;  (** the modules named in the imports of the importing module *)
       known : string list;  (** the names of the files that could be modules, for suggestions *)
     }
   | Missing_file of { at : Span.t; file : string }
   | Unreadable_file of { at : Span.t; file : string; reason : string }
   | Import_cycle of { target : name; places : import_place list }
       (** the imports that lead from the target back to itself, in order *)
-  | Other_file_name of { module_ : name; file : string }  (** without the extension *)
+  | Other_file_name of { module_ : name; file : string }  (** [file] has no extension *)
   | Two_files of { target : name; earlier : string; later : string }
   | No_program of { tests : string; program : string; reason : string option }
-      (** A test file's program does not exist, or cannot be read for this reason. *)
+      (** The program of a test file cannot be read for this reason, or does not exist ([None]). *)
   | Header_in_tests of Span.t
   | Main_in_tests of Span.t
   | Primitive_outside_library of name
@@ -67,7 +69,7 @@ type in_modules =
 type setting =
   | No_parameter of { known : string list }
   | Several_modules of { qualified : string list }
-      (** each parameter, with the name of its module *)
+      (** the parameters of that name, qualified with their modules *)
   | Invalid_value of { value : string }
 
 (** {1 Definitions and names} *)
@@ -89,7 +91,7 @@ type in_definitions =
       namespace : Interface.namespace;
       name : name;
       first : Span.t;
-      is_function : bool;  (** the second one is a function with parameters *)
+      is_function : bool;  (** whether the second definition has parameters *)
     }
   | Defined_twice of defined  (** local variables that come into scope together *)
   | Two_labels of { first : Span.t; second : Span.t }
@@ -112,7 +114,8 @@ type in_types =
       at : Span.t;
       tycon : Interface.tycon;
       of_units : bool;
-          (** whether the number of unit arguments is wrong, rather than that of type arguments *)
+          (** true if the number of unit arguments is wrong; false if the number of type arguments
+              is *)
       expected : int;
       found : int;
       text : string;  (** the text of the file *)
@@ -150,7 +153,7 @@ type in_records =
       constructor : Interface.constructor;
       at : Span.t;
       absent : string list;
-      last : Span.t option;  (** the value of the last field *)
+      last : Span.t option;  (** the span of the last given field's value *)
     }
 
 (** {1 Foreign code} *)
@@ -173,7 +176,7 @@ type variable = {
   at : Span.t;
   is_parameter : bool;  (** whether it is a parameter of a named function *)
   zero : Span.t option;
-      (** a literal 0 that commands the speed that a variable with this name usually stands for *)
+      (** a literal 0 in a command, where one would expect a variable with this name *)
 }
 
 type warning =
@@ -182,7 +185,8 @@ type warning =
   | Unused_equation of {
       at : Span.t;
       name : string option;  (** [None] for a pattern *)
-      circle : string list;  (** the names that use only each other *)
+      circle : string list;  (** the names of a cycle that nothing else uses; empty if there is no
+                                 cycle *)
       zero : Span.t option;  (** see {!variable} *)
     }
   | Unused_variables of variable * variable list  (** variables of the same pattern *)

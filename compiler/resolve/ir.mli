@@ -1,4 +1,4 @@
-(** Resolved: a whole program with all its modules, in which names refer to declarations.
+(** The resolved form of a whole program with all its modules: names refer to declarations.
 
     Invariants (see {!Lint}): Every [Local] is bound exactly once and used within its scope. Every
     [Global], type, constructor and unit exists. Sections, [if] guards and operators have become
@@ -43,7 +43,7 @@ and param = {
 and module_ = {
   name : string;
   file : string;
-  library : bool;  (** from the standard library *)
+  library : bool;  (** whether the module is in the standard library *)
   includes : string list;  (** the C headers that its foreign declarations refer to *)
   idle_imports : idle list;
   imported : string list;  (** the modules whose names can all be used without a qualifier *)
@@ -59,7 +59,7 @@ and idle = {
   at : Span.t;
   whole : Span.t;  (** the text to remove: the line, or the name and a comma *)
 }
-(** An import that is not used, or a name in an import list that is not used. *)
+(** An unused import, or an unused name in an import list. *)
 
 (** {1 Types and units} *)
 
@@ -78,7 +78,7 @@ and type_definition =
   | Alias of ty
   | Data of constructor list  (** at least one constructor *)
   | Builtin
-      (** Float, Int, Bool, String, Array, SF, Task and Program, which have no declaration in source
+      (** Float, Int, Bool, String, Array, SF, Task and Program, which source code does not declare
       *)
   | Foreign of { c_type : string; copyable : bool }
 
@@ -87,12 +87,12 @@ and constructor = {
   tycon : Global.t;
   index : int;  (** position among the type's constructors, from 0 *)
   fields : field list;
-  record : bool;  (** fields have names *)
+  record : bool;  (** whether the fields have names *)
   span : Span.t;
 }
 
 and field = {
-  field_name : string;  (** the name is [""] for a positional field *)
+  field_name : string;  (** [""] for a positional field *)
   ty : ty;
   span : Span.t;
 }
@@ -102,14 +102,14 @@ and ty = { desc : ty_desc; span : Span.t }
 and ty_desc =
   | Type_variable of string  (** bound by the enclosing signature or declaration *)
   | Named of { tycon : Global.t; units : unit_ list; arguments : ty list }
-      (** arity checked; [Float] alone has [units = []] and means [Float[1]] *)
+      (** has the right arity, except that [Float] may have [units = []], which means [Float[1]] *)
   | Representation of { variable : string; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
   | Tuple_type of ty list  (** empty for [()] *)
   | Size of int  (** an array size; typing checks that it is used only where a size is allowed *)
 
 and unit_ = { factors : (unit_factor * Syntax.Ir.rational) list; span : Span.t }
-(** A product of powers, in source order but flattened. *)
+(** A flattened product of powers, in source order. *)
 
 and unit_factor = Declared of Global.t | Unit_variable of string
 and unit_declaration = { unit_name : Global.t; definition : unit_definition; span : Span.t }
@@ -143,7 +143,7 @@ and class_ = {
 }
 
 and method_ = {
-  name : Global.t;  (** can be referred to like any other value *)
+  name : Global.t;  (** usable in expressions like any other value *)
   scheme : scheme;
       (** the class's variable is free in it; the context does not contain the class itself *)
   default : binding option;  (** its binder is the method's name *)
@@ -158,7 +158,7 @@ and instance = {
   definitions : (Global.t * binding) list;
       (** the methods that it defines, without duplicates; the binders are generated names that
           cannot occur in source code *)
-  span : Span.t;  (** the class and the head *)
+  span : Span.t;  (** from the class to the head *)
 }
 
 (** {1 Bindings} *)
@@ -171,7 +171,7 @@ and binding_group = { bindings : binding list; recursive : bool }
 and binding = {
   name : binder;
   signature : scheme option;
-  parameters : pattern list;  (** the parameters; empty for a plain value *)
+  parameters : pattern list;  (** empty for a plain value *)
   body : right;
   doc : string option;
   span : Span.t;
@@ -218,7 +218,7 @@ and expr_desc =
   | Sequence of { statements : statement list; result : expr }
       (** tasks that run one after the other *)
   | Record of { constructor : Global.t; fields : (Syntax.Ir.name * expr) list }
-      (** the fields exist and are complete, in source order *)
+      (** all fields of the constructor, in the order of the source *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
   | Field of { record : expr; field : Syntax.Ir.name; candidates : Global.t list }
       (** [candidates]: the record types in scope that have a field of this name *)
@@ -257,5 +257,6 @@ and pattern_desc =
   | Tuple_of of pattern list
   | Array_of of pattern list  (** at least one element *)
   | Constructed of Global.t * pattern list
-      (** arity checked; record patterns have become positional, with [Any] for missing fields *)
+      (** has the right arity; record patterns have become positional, with [Any] for missing
+          fields *)
   | Literal of { negative : bool; number : number }

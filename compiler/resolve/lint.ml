@@ -79,7 +79,7 @@ let type_declaration known (d : Ir.type_declaration) =
     | Alias t ->
         ty known t;
         false
-    | Data [] -> broken "data %s has no constructor" d.tycon.name
+    | Data [] -> broken "data type %s has no constructors" d.tycon.name
     | Data constructors ->
         List.iteri constructor constructors;
         false
@@ -156,7 +156,7 @@ let rec expr known scope (e : Ir.expr) =
       expr known scope e
 
 and right known scope (r : Ir.right) =
-  if r.guards = [] then broken "a right side without alternatives";
+  if r.guards = [] then broken "a right-hand side without alternatives";
   let scope = declarations known scope r.where in
   let guarded (g : Ir.guarded) =
     Option.iter (expr known scope) g.condition;
@@ -170,11 +170,12 @@ and declarations known scope (ds : Ir.declarations) =
     match b.name with
     | Inner l -> bind known scope l
     | Destructure p -> pattern known scope p
-    | Top (g, _) -> broken "%s is bound inside of a definition" g.name
+    | Top (g, _) -> broken "%s is bound inside a definition as a top-level name" g.name
   in
   let scope = List.fold_left binder scope bindings in
   let signature ((l : Ir.Local.t), s) =
-    if not (Int_set.mem l.id scope) then broken "signature of %s@%d out of scope" l.name l.id;
+    if not (Int_set.mem l.id scope) then broken "the signature is for %s@%d, which is out of \
+                                                 scope" l.name l.id;
     scheme known s
   in
   List.iter signature ds.signatures;
@@ -192,7 +193,7 @@ let class_declaration known (c : Ir.class_) =
     scheme known m.scheme;
     match m.default with
     | Some { name = Top (g, _); _ } when g = m.name -> ()
-    | Some _ -> broken "the default of the method %s has another name" m.name.name
+    | Some _ -> broken "the default of the method %s has a different name" m.name.name
     | None -> ()
   in
   List.iter method_ c.methods

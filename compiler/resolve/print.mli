@@ -2,4 +2,4 @@
     name refers to: [Module.name] is a global name, and [name@line:column] is a local variable. *)
 
 val program : Format.formatter -> Ir.program -> unit
-(** Prints the modules outside the library, and only the names of the library modules. *)
+(** Prints the modules outside the library in full, but only the names of the library modules. *)

@@ -14,8 +14,8 @@ val binding : visitor -> Ir.binding -> unit
 (** Visits the parts of a binding: its parameters, its [where] and its right-hand side. *)
 
 val application : Ir.expr -> Ir.expr * Ir.expr list
-(** Splits nested applications into the function and all its arguments, in order. For an expression
-    that is not an application, there are no arguments. *)
+(** Splits nested applications into the function and all its arguments, in order. For any other
+    expression, the list of arguments is empty. *)
 
 val own_modules : Ir.program -> Ir.module_ list
 (** The modules outside the library, and the main module. *)

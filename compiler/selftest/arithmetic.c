@@ -1,5 +1,5 @@
 /* arithmetic.c -- the first program of the self-test. It checks that numbers have the properties
- * that generated C relies on, and prints `right` or the property that is violated. */
+ * that generated C relies on, and prints `right` or the violated property. */
 #include <frob/arithmetic.h>
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* The functions that foreign.frob calls. Each result comes from a single operation, so rounding it
- * to single precision yields the result that a float operation would have had. */
+ * to single precision yields the same result as a float operation. */
 #include "calls.h"
 #include "foreign.h"
 

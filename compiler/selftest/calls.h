@@ -1,4 +1,4 @@
-/* Types of foreign.frob's functions, which its generated header needs. */
+/* Types of the functions in foreign.frob. The header generated from it needs them. */
 #ifndef CALLS_H
 #define CALLS_H
 

@@ -1,4 +1,4 @@
-/* recording.h -- the input of a program as the cells of a trace, and its expected output.
+/* recording.h -- a program's input, as the cells of a trace, and its expected output.
  * `frobc selftest` writes both as C code, so that the test does not need any files. */
 #ifndef FROB_SELFTEST_RECORDING_H
 #define FROB_SELFTEST_RECORDING_H

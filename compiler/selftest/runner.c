@@ -44,7 +44,7 @@ static void *litter(size_t size)
     return memset(memory, 0xa5, size + 1);
 }
 
-/* The length of a cell. If the cell is in quotes, it may contain commas. */
+/* The length of a cell. A quoted cell may contain commas. */
 static int cell_length(const char *cell)
 {
     int length = 0, quoted = 0;
@@ -62,7 +62,7 @@ static void complain(int step, const char *names, const char *found, const char 
     for (;;) {
         const int name = cell_length(names), a = cell_length(found), b = cell_length(expected);
         if (a != b || strncmp(found, expected, (size_t)a) != 0 || found[a] != ',') {
-            printf("step %d: %.*s is %.*s and must be %.*s\n", step, name, names, a, found, b,
+            printf("step %d: %.*s is %.*s but must be %.*s\n", step, name, names, a, found, b,
                    expected);
             return;
         }
@@ -82,7 +82,7 @@ static int is_right(void *state, void *input, void *output, const char *names,
         for (int k = 0; k < column_count; k++) {
             struct frob_cell_error error;
             if (!frob_cell_read(row->cells[k], columns[k], input, NULL, &error)) {
-                printf("`%s` could not be read\n", row->cells[k]);
+                printf("cannot read the cell `%s`\n", row->cells[k]);
                 return 0;
             }
         }

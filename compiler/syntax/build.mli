@@ -22,14 +22,14 @@ val tuple : Surface.term option list -> Surface.term_desc
 (** The tuple of these elements, or a tuple section if some are missing. *)
 
 val context : Ir.ty -> (Ir.qualified * Ir.ty) list
-(** The context before [=>], which the grammar parses as a type. *)
+(** Converts the context before [=>], which the grammar parses as a type. *)
 
 val class_ : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** A class, given the context and the head before its [where]. The grammar parses the head as a
+(** Builds a class from its context, its head and its members. The grammar parses the head as a
     type. *)
 
 val instance : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
-(** An instance; the arguments are those of {!class_}. *)
+(** Like {!class_}, for an instance. *)
 
 (** {1 Foreign code}
 
@@ -45,19 +45,20 @@ val whole : string -> int option
 (** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** The size of an array. The pair consists of the literal's text and a flag that is true if the
-    literal is decimal. *)
+(** The size of an array, from the text of a literal and whether the literal has a point or an
+    exponent. *)
 
 val sign_of_sizes : location -> string -> Ir.size_operator
-(** An operator between sizes other than [-] and [*]. *)
+(** The operator between two sizes, if it is neither [-] nor [*]. Rejects every operator except
+    [+]. *)
 
 val product : Surface.factor list -> Ir.unit_
-(** The unit with these factors, in reverse order. There must be at least one. *)
+(** The unit that is the product of these factors, in reverse order. There must be at least one. *)
 
 val exponent : location -> negative:bool -> string -> over:string -> Ir.rational
 
 val scaled_unit : name:Ir.name -> Surface.factor list -> Ir.declaration_desc
-(** The right-hand side of a [unit] declaration with these factors, in reverse order. *)
+(** A [unit] declaration whose right-hand side has these factors, in reverse order. *)
 
 val do_body : location -> Surface.statement list -> Ir.proc_body
 (** The body of a [proc]. *)

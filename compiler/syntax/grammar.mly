@@ -25,8 +25,8 @@ let expr = Term.to_expr
 %token <string> STRING
 %token <string> OPERATOR
 %token <string> DOC
-%token <Ir.claim> CLAIM "`assert` or `assume` at the start of a definition, with a text behind it"
-%token <Ir.check> CHECK "`test` or `trial` at the start of a definition, with a text behind it"
+%token <Ir.claim> CLAIM "`assert` or `assume` at the start of a definition, followed by a string"
+%token <Ir.check> CHECK "`test` or `trial` at the start of a definition, followed by a string"
 %token MINUS SLASH STAR CARET
 %token LPAREN RPAREN LBRACE RBRACE
 %token UNIT_BRACKET "a `[` directly after a name or number"

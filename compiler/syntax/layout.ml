@@ -154,7 +154,7 @@ let rec line_starts t column =
     pop t;
     line_starts t column)
 
-(* Which openers does this token close, if any? *)
+(* Recognizes the opener that this token closes, if there is one. *)
 let partner t (token : Grammar.token) : (opener -> bool) option =
   let reach = reach t in
   let if_ found test = if found then Some test else None in
@@ -336,7 +336,7 @@ let opened t block by (token : Lexer.token) =
 
 let advance t =
   let token = Lexer.next t.lexer in
-  (* Skips the assignment if nothing changes, because writing a pointer goes through the garbage
+  (* Skips the assignment if nothing changes, because storing a pointer triggers the garbage
      collector's write barrier. *)
   if t.outer != t.stack then t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;

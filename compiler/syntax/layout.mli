@@ -1,6 +1,6 @@
 (** Layout: turns indentation into explicit tokens (language reference, section 11).
 
-    It inserts tokens by means of a stack of openers, and does not depend on the parser's state. It
+    It uses a stack of openers to insert tokens, and does not depend on the parser's state. It
     encloses blocks in [OPEN] and [CLOSE], separates their items with [SEMICOLON], and ends each
     top-level item with [END]. A closing token ([in then else of , )] and similar ones) closes all
     blocks opened since its partner, whatever its column. Takes amortized constant time per token.
@@ -33,11 +33,11 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-      (** the span of the token; an inserted token is empty, and is at the end of the preceding
+      (** the span of the token; for an inserted token, an empty span at the end of the preceding
           token *)
-  made : bool;  (** inserted by layout *)
+  made : bool; (** whether layout inserted it *)
   column : int;  (** 0 if inserted by layout *)
-  first : bool;  (** first token on its line *)
+  first : bool;  (** whether it is the first token on its line *)
   around : entry list;
       (** the blocks and brackets that are open before this token; see {!context} *)
   last : bool;  (** whether this is the [END] of the whole file *)

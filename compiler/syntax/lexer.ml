@@ -230,7 +230,7 @@ let upper t =
     QUALIFIED_LOWER (word, take_name t))
   else UPPER word
 
-(* Digits in a base, with optional [_] between them. *)
+(* Reads digits in a base, with optional [_] between them. *)
 let rec digits ?(base = 10) t =
   let is_digit c = match Exact.value_of_digit c with Some value -> value < base | None -> false in
   let rec after_blanks i = if peek t i = '_' then after_blanks (i + 1) else i in
@@ -250,7 +250,7 @@ let is_unit = function
       true
   | _ -> false
 
-(* The `/s^2` in `0.3m/s^2`, without spaces. *)
+(* Reads the rest of a unit without spaces, such as the `/s^2` in `0.3m/s^2`. *)
 let rec take_rest_of_unit t =
   let part accepts =
     let rec stop i = if accepts (peek t i) then stop (i + 1) else i in
@@ -266,7 +266,8 @@ let rec take_rest_of_unit t =
   | '^' -> part Basis.Character.is_digit
   | _ -> ""
 
-(* The `.` in `5. * x` or `(5.)`, which cannot be an operator. *)
+(* Is this a `.` without digits after it, as in `5. * x` or `(5.)`, where it cannot be an
+   operator? *)
 let lacks_fraction t =
   peek t 0 = '.'
   && match peek t 1 with ' ' | '\n' | ')' | ',' | ']' | '[' | '\000' -> true | _ -> false
@@ -312,7 +313,7 @@ let follows_a_value t =
   t.at > 0
   && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> Basis.Character.is_name c
 
-(* The literal `.5`, which lacks a digit before the decimal point. *)
+(* Reports a literal such as `.5`, which lacks a digit before the decimal point. *)
 let fraction t =
   let start = position t in
   let first = t.at in

@@ -17,7 +17,7 @@ let local (d : Ir.declaration) =
   | Signature _ | Binding _ | Claim _ -> ()
   | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
   | Foreign _ | Parameter _ | Check _ ->
-      broken d.span "a declaration that belongs to the top level"
+      broken d.span "a declaration that is allowed only at the top level"
 
 let at_least n what span list =
   if List.compare_length_with list n < 0 then broken span "too few %s" what
@@ -27,7 +27,7 @@ let tuple span list = if List.compare_length_with list 1 = 0 then broken span "a
 let operand ~of_ ~side (e : Ir.expr) =
   match e.desc with
   | Binary { operator; _ } when not (Operators.groups_inside ~outer:of_ ~side operator) ->
-      broken e.span "`%s` is not grouped by the table" operator.name.text
+      broken e.span "`%s` is not grouped according to the precedence table" operator.name.text
   | _ -> ()
 
 let proc_body span (body : Ir.proc_body) =
@@ -104,7 +104,7 @@ let program (p : Ir.program) =
         let add work child =
           let inner = Node.span child in
           if not (contains outer inner) then
-            broken inner "lies outside of what it is part of (%a)" Span.pp outer;
+            broken inner "lies outside its parent node (%a)" Span.pp outer;
           child :: work
         in
         walk (List.fold_left add work (Node.children n))

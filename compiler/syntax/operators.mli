@@ -5,7 +5,7 @@ val symbols : string list
 
 val group : Surface.step list -> Surface.term -> Surface.term
 (** [group steps last] groups [steps… last] by precedence and associativity. The steps are in
-    reverse order. Takes linear time, and is not recursive.
+    reverse order. Takes linear time and does not use the call stack.
     @raise Reject.Rejected if the table does not define the grouping *)
 
 val left_section :

@@ -80,7 +80,7 @@ let explained reader =
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
         let ended = !token.token = END in
-        (* an item with a syntax error opened the bracket *)
+        (* whether an earlier item with a syntax error opened the bracket that this token closes *)
         let rest_of_last =
           match (before, !token.token) with
           | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
@@ -118,8 +118,8 @@ exception Bad_token
 
 (* Parses an item with the parser that menhir generates as code. It is several times as fast as the
    automaton, but does not provide information about an error. Its actions have no side effects, so
-   the automaton can parse a faulty item again from its first character. Errors of the lexer, which
-   then occur twice, are reported once (see {!Diagnostic.all}). *)
+   the automaton can parse a faulty item again from its first character. The lexer then finds each
+   error twice, but it is reported only once (see {!Diagnostic.all}). *)
 let item reader =
   let again = Layout.copy reader.layout in
   reader.tokens <- 0;

@@ -74,7 +74,7 @@ let string_literal s =
     s;
   "\"" ^ Buffer.contents b ^ "\""
 
-(* Can it be used as an argument without parentheses? *)
+(* Can the expression be an argument without parentheses? *)
 let is_argument (e : expr) =
   match e.desc with
   | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Tuple_section _ | Array _
@@ -360,7 +360,8 @@ and data b column constructors =
           enclosed b " { " " }" field fields)
     constructors
 
-(* The scale comes first, so a unit that starts with [1] continues the scale. *)
+(* The scale comes first. If the unit starts with [1], its other factors directly follow the
+   scale. *)
 and scaled b scale u =
   let written = scale.factor <> "1" || scale.times_pi || scale.divided_by <> "1" in
   if scale.factor <> "1" || not scale.times_pi then if written then text b scale.factor;

@@ -10,16 +10,17 @@ val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
 (** Prints the elements, separated by this text. *)
 
 val between : Buffer.t -> string -> string -> (unit -> unit) -> unit
-(** Prints something between two texts, such as parentheses. *)
+(** Prints the first text, calls the function, and prints the second text. The texts may be
+    parentheses. *)
 
 val words : Buffer.t -> (Buffer.t -> 'a -> unit) -> 'a list -> unit
-(** Prints a space before each element. *)
+(** Prints the elements, with a space before each. *)
 
 val enclosed : Buffer.t -> string -> string -> ('a -> unit) -> 'a list -> unit
-(** Prints the elements between two texts, with commas. *)
+(** Prints the elements, separated by commas, between two texts such as brackets. *)
 
 val name : Buffer.t -> name -> unit
-(** Puts an operator in parentheses. *)
+(** Prints a name. Puts an operator in parentheses. *)
 
 val qualified : Buffer.t -> qualified -> unit
 
@@ -34,7 +35,7 @@ val factor : Buffer.t -> unit_ -> unit
 (** Prints a unit, in parentheses if it needs them as a factor of a product. *)
 
 val in_brackets : Buffer.t -> unit_ list -> unit
-(** Units after a number or a type: [[m/s]]. *)
+(** Prints the units of a number or a type in brackets: [[m/s]]. *)
 
 val type_to : Buffer.t -> ty -> unit
 
@@ -42,7 +43,7 @@ val simple_type : Buffer.t -> ty -> unit
 (** Prints a type, in parentheses if it needs them as an argument of a type. *)
 
 val context : Buffer.t -> (qualified * ty) list -> unit
-(** The constraints of a signature, with the double arrow. *)
+(** Prints the constraints of a signature and the double arrow. *)
 
 val qualified_type : Buffer.t -> qualified_type -> unit
 val signature : Buffer.t -> signature -> unit

@@ -23,7 +23,7 @@ and term_desc =
   | Braces of { before : term; fields : (Ir.name * term) list }
       (** record construction or pattern ([before] is a constructor), or a record update *)
 
-(** One step of [a + - b * c] before its last operand. *)
+(** A part of an operator expression such as [a + - b * c], before its last operand. *)
 type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
 (** A statement of a [do] that has not been processed yet. *)
@@ -40,5 +40,5 @@ type factor = { factor : factor_desc; over : bool;  (** follows a [/] *) span : 
 
 and factor_desc = Amount of { digits : string; decimal : bool } | Measure of Ir.unit_
 
-(** The content between two separators at the top level. *)
+(** A top-level item. [Nothing] if there is no code between two separators. *)
 type item = Header of Ir.header | Import of Ir.import | Declaration of Ir.declaration | Nothing

@@ -7,4 +7,4 @@ val to_expr : Surface.term -> Ir.expr
 val to_pattern : Surface.term -> Ir.pattern
 
 val to_left : Surface.term -> Ir.left
-(** The left-hand side, before [=] or before a guard. *)
+(** Converts the left-hand side of a definition, before [=] or a guard. *)

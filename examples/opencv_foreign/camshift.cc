@@ -13,7 +13,7 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// Converts to OpenCV's hues, where 180 is the full circle.
+// Converts to OpenCV's hue scale, on which 180 is a full circle.
 double half_degrees(double radians)
 {
     return radians * 90.0 / pi;
@@ -51,7 +51,7 @@ extern "C" void camshift(const struct frob_image *image, const struct frob_hues 
         likely, window, cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 10, 1.0));
     if (window.area() == 0)
         return;
-    // CamShift returns the full width, and the angle in degrees.
+    // CamShift returns full axis lengths, and the angle in degrees.
     result->cx = found.center.x;
     result->cy = found.center.y;
     result->major = std::max(found.size.width, found.size.height);

@@ -1,9 +1,9 @@
 /* rover_board.c -- a Rover's onboard computer, for `frobc serve` and for tests.
  *
- * Written from the table of commands (README.md) and independently of the driver. Commands are
- * lines that end with a carriage return. A ranger answers when its echo would have come back.
- * Commands that arrive in the meantime have to wait. If no `m` command arrives for the time
- * that `w` has set (initially two seconds), the wheels stop. */
+ * This code was written from the command table in README.md, independently of the driver. Commands
+ * are lines that end with a carriage return. The answer to `p` is sent when the echo would have come
+ * back; commands that arrive in the meantime have to wait. If no `m` command arrives within the time
+ * set with `w` (initially two seconds), the wheels stop. */
 #include <frob/board.h>
 
 #include "rover.h"
@@ -27,17 +27,17 @@ struct board {
     bool on;
     int64_t now_ns;
     double left_m, right_m; /* distances that the wheels have travelled */
-    double heading_rad;     /* the heading of the body's odometry when it was last read, */
+    double heading_rad;     /* the body's heading when `sense` was last called, */
     double x_m, y_m;        /* and its position */
     double battery_v;
     double echo_m[RANGERS];
     int64_t echo_ns[RANGERS];
-    int32_t left, right;           /* speeds of the wheels, in counts per loop */
-    int64_t moved_ns, watchdog_ns; /* time of the last speed command, and how long it lasts */
+    int32_t left, right;           /* speeds of the wheels, in counts per 1/30 s */
+    int64_t moved_ns, watchdog_ns; /* time of the last speed command, and its timeout */
     bool pings;
     int pinged;
     int64_t ping_ns;       /* time at which the pending ping is answered */
-    char waiting[WAITING]; /* bytes that have not been processed */
+    char waiting[WAITING]; /* bytes that have not been processed yet */
     size_t waiting_count;
     char line[LONGEST + 1];
     size_t length;
@@ -50,7 +50,7 @@ static void say(struct frob_answer *answer, const char *text)
         answer->bytes[answer->count++] = (uint8_t)*text;
 }
 
-/* Computes the encoders' distances from the body's distance and turn. */
+/* Updates the encoders' distances from the body's motion, and stores the other readings. */
 static void sense(void *memory, const void *from, int64_t now_ns)
 {
     struct board *b = (struct board *)memory;
@@ -162,7 +162,7 @@ static void take_waiting(struct board *b, struct frob_answer *answer)
 static void receive(void *memory, uint8_t byte, struct frob_answer *answer)
 {
     struct board *b = (struct board *)memory;
-    if (b->waiting_count < WAITING) /* otherwise it is lost, as on the real board */
+    if (b->waiting_count < WAITING) /* otherwise the byte is lost, as on a real board */
         b->waiting[b->waiting_count++] = (char)byte;
     take_waiting(b, answer);
 }
@@ -193,7 +193,7 @@ static void drive(const void *memory, void *into)
     output->turn = (right - left) / SEPARATION_M;
 }
 
-/* In C++, other files can see a const table only with this declaration. */
+/* In C++, a const table has internal linkage without this declaration. */
 extern const struct frob_board frob_rover_board;
 
 const struct frob_board frob_rover_board = { "rover", 57600, sizeof(struct board), sense, receive,

@@ -49,7 +49,7 @@ static void command(const void *from, double *forward_m_s, double *turn_rad_s)
     *turn_rad_s = output->turn;
 }
 
-/* In C++, other files can see a const table only with this declaration. */
+/* In C++, a const table has internal linkage without this declaration. */
 extern const struct frob_body frob_rover_body;
 
 const struct frob_body frob_rover_body = {

@@ -5,11 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-#define MOST_M_S 0.5 /* for each wheel */
+#define MOST_M_S 0.5 /* maximum speed of each wheel */
 #define SILENCE_NS INT64_C(1000000000)
-#define BATTERY_V (15.0 / 1023.0) /* volts for each step of the converter */
+#define BATTERY_V (15.0 / 1023.0) /* volts per step of the A/D converter */
 #define FARTHEST_CM 300
-#define BATTERY_TURNS 40 /* number of turns between two queries of the battery */
+#define BATTERY_TURNS 40 /* one in this many range queries is replaced by a battery query */
 
 static int64_t ns(double seconds)
 {
@@ -19,7 +19,7 @@ static int64_t ns(double seconds)
 static enum frob_status send_bytes(struct rover *d, const uint8_t *bytes, size_t count)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, count);
-    /* If the line has no room now, the command counts as lost, so no answer will come. */
+    /* If the line's buffer is full, the command is lost, and the wait for its answer times out. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -32,12 +32,12 @@ static enum frob_status ask(struct rover *d, enum rover_awaited awaited, char le
     return send_bytes(d, command.bytes, command.count);
 }
 
-/* The first carriage return ends a line that noise or another program has begun. */
+/* The first carriage return ends any partial line left by noise or by another program. */
 static enum frob_status synchronize(struct rover *d)
 {
     static const uint8_t bytes[] = { '\r', 'b', '\r' };
     if (d->awaited == ROVER_BATTERY)
-        d->turn = 0; /* so that its next turn comes immediately instead of after a second */
+        d->turn = 0; /* so that it is queried again immediately, not only after a second */
     d->awaited = ROVER_SYNC;
     d->sent_ns = frob_now_ns(&d->clock);
     return send_bytes(d, bytes, sizeof bytes);
@@ -50,7 +50,7 @@ static enum frob_status send_stop(struct rover *d)
     return status == FROB_OK ? synchronize(d) : status;
 }
 
-/* Describes the resolution of the speeds: counts per loop for each wheel. */
+/* The range and resolution of speed commands: counts per 1/30 s for each wheel. */
 static struct frob_wire speeds_on_the_wire(const struct rover *d)
 {
     double step_m_s = (double)ROVER_LOOPS / d->settings[ROVER_COUNTS_PER_M];
@@ -96,7 +96,8 @@ static void take_echo(struct rover *d, int32_t cm)
     }
 }
 
-/* Takes the answer to the awaited command; returns false if it does not fit. */
+/* Processes the answer to the pending command. Returns false if it is not a valid answer to that
+ * command. */
 static bool take(struct rover *d, const struct rover_answer *answer, int64_t now_ns)
 {
     bool number = answer->kind == ROVER_NUMBER;
@@ -159,7 +160,7 @@ static enum frob_status read_all(struct rover *d)
     return FROB_OK;
 }
 
-/* The robot receives a speed of zero first. */
+/* Connects; the first command that the robot receives is a speed of zero. */
 static void start(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock)
 {
@@ -173,7 +174,8 @@ static void start(void *device, const double *settings, const struct frob_serial
     d->clock = *clock;
     d->heard_ns = frob_now_ns(clock);
     d->sensed_ns = INT64_MIN;
-    /* If the line cannot change its rate, it already has the right one, or no answer will come. */
+    /* A failure to change the rate is ignored: either the line already has the right rate, or no
+     * answer will come. */
     serial->operations->set_rate(serial->port, (uint32_t)settings[ROVER_BAUD]);
     serial->operations->discard(serial->port);
     send_stop(d);
@@ -275,9 +277,10 @@ static double most(const void *device, size_t i)
 
 static const struct frob_setting settings_table[ROVER_SETTING_COUNT] = {
     { "baud", ROVER_RATE, 9600, 115200, "rate of the serial line, bits per second" },
-    { "watchdog", 500, 100, 2000, "the robot stops by itself after so many ms without a speed" },
-    { "counts", ROVER_COUNTS_A_METRE, 100, 1000000, "of an encoder for each metre of way" },
-    { "wheel-separation", 0.19, 0.05, 1, "between the wheels, m" },
+    { "watchdog", 500, 100, 2000,
+      "milliseconds without a speed command after which the robot stops" },
+    { "counts", ROVER_COUNTS_A_METRE, 100, 1000000, "encoder counts per metre of travel" },
+    { "wheel-separation", 0.19, 0.05, 1, "distance between the wheels, m" },
     { "patience", 0.06, 0.01, 1, "timeout for the answer to a command, s" },
 };
 

@@ -1,10 +1,10 @@
-/* rover_driver.h -- the driver of a Rover behind a serial line.
+/* rover_driver.h -- the driver of a Rover on a serial line.
  *
  * Only one command is in transit at a time. A speed is sent as soon as the answer to the
  * previous command has arrived; in between, the driver queries the encoders and the rangers in
  * turn, and the battery occasionally. Answers do not say which command they belong to. If an
- * answer is late or invalid, the driver sends `b` and drops everything up to its answer, 57600,
- * which no other command has.
+ * answer is late or invalid, the driver sends `b` and drops everything up to the answer 57600,
+ * which no other command produces.
  *
  * Only `m` resets the board's watchdog, and the driver sends `m` only for commands of the host:
  * if the host stops commanding the robot, the board stops it. */
@@ -36,7 +36,7 @@ enum rover_setting {
 /* The answer that the driver is waiting for. */
 enum rover_awaited {
     ROVER_NOTHING,
-    ROVER_SYNC, /* the answer to `b`: drops everything except 57600 */
+    ROVER_SYNC, /* 57600, the answer to `b`; anything else is dropped */
     ROVER_SPEED,
     ROVER_COUNTS,
     ROVER_ECHO,
@@ -49,18 +49,17 @@ struct rover {
     struct frob_serial serial;
     struct frob_clock clock;
     enum rover_awaited awaited;
-    bool guarded;                    /* whether the watchdog has been set, or the board has none */
+    bool guarded;                    /* whether the watchdog's timeout has been set, or is fixed */
     int64_t sent_ns;                 /* time of the last command sent */
     int64_t heard_ns;                /* time of the last answer or, before the first one, of the
                                       * start */
     int64_t sensed_ns;               /* time of the last counts that were accepted */
-    bool speed_waits;                /* whether a speed has to be sent: */
+    bool speed_waits;                /* whether this speed has yet to be sent: */
     double forward_m_s, turn_rad_s;  /* this speed */
-    struct frob_wire_numbers speeds; /* the wheels' speeds as last sent, in counts per loop */
+    struct frob_wire_numbers speeds; /* the wheels' speeds as last sent, in counts per 1/30 s */
     unsigned turn;                   /* which sensor to query next */
     unsigned asked;                  /* the ranger that is being queried */
-    bool fresh[ROVER_SONARS];        /* echoes that have not been part of the program's input
-                                      * yet */
+    bool fresh[ROVER_SONARS];        /* new echoes, which the program has not received yet */
     double echo_m[ROVER_SONARS];
     double battery_v;
     struct rover_receiver receiver;

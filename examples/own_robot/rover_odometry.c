@@ -16,7 +16,7 @@ void rover_odometry_reconnect(struct rover_odometry *o)
     o->left_m_s = o->right_m_s = 0.0;
 }
 
-/* The distance between two counts, also across the counter's wraparound. */
+/* The distance between two counts, even if the counter wrapped around between them. */
 static double way_m(int32_t from, int32_t to, double counts_per_m)
 {
     uint32_t step = (uint32_t)to - (uint32_t)from;
@@ -31,7 +31,7 @@ static void begin(struct rover_odometry *o, int64_t now_ns)
     o->measured_ns = now_ns;
 }
 
-/* Moves along the chord of the arc that the robot has driven. */
+/* Moves the pose along the chord of the arc that the robot has driven. */
 static void move(struct rover_odometry *o, double left_m, double right_m, double separation_m)
 {
     double way = 0.5 * (left_m + right_m), turn = (right_m - left_m) / separation_m;

@@ -1,8 +1,8 @@
 /* rover_odometry.h -- a Rover's pose and speed, computed from its encoder counts.
  *
- * Counts wrap around, so only their differences are used. The pose survives reconnecting. Lines do
- * not have a checksum, so the odometry refuses counts that the robot cannot have reached since the
- * last ones, unless such counts keep coming. */
+ * Counts wrap around, so only their differences are used. The pose survives reconnecting. The
+ * protocol has no checksum, so the odometry refuses counts that the robot cannot have reached since
+ * the last ones. If such counts keep coming, it starts again from them. */
 #ifndef ROVER_ODOMETRY_H
 #define ROVER_ODOMETRY_H
 
@@ -15,12 +15,12 @@ extern "C" {
 
 /* Initialize with zeros. */
 struct rover_odometry {
-    bool known; /* whether these counts belong to this connection: */
+    bool known; /* whether these counts are from this connection: */
     int32_t left, right;
     int64_t taken_ns;
     unsigned refused; /* number of consecutive refused counts */
     double x_m, y_m, heading_rad;
-    double left_m, right_m; /* distances of the wheels since the start of the speed measurement */
+    double left_m, right_m; /* distances driven since the speed measurement began */
     int64_t measured_ns;
     double left_m_s, right_m_s;
 };
@@ -28,7 +28,7 @@ struct rover_odometry {
 /* Call this before the first counts of a connection: the board may have restarted its counters. */
 void rover_odometry_reconnect(struct rover_odometry *odometry);
 
-/* Takes counts that arrived at `now_ns`; returns false if it refuses them. */
+/* Adds the counts that arrived at `now_ns`. Returns false if it refuses them. */
 bool rover_odometry_add(struct rover_odometry *odometry, int32_t left, int32_t right,
                         double counts_per_m, double separation_m, int64_t now_ns);
 

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Reads a number as the board writes it: no whitespace, no plus sign, no leading zero. Returns
- * the text behind it, or NULL if there is no number at `text`. */
+/* Reads a number as the board writes it: no whitespace, no plus sign, no leading zero. Returns the
+ * text after the number, or NULL if there is no number at `text`. */
 static const char *read_number(const char *text, int32_t *number)
 {
     bool negative = *text == '-';

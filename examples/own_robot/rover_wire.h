@@ -1,13 +1,13 @@
 /* rover_wire.h -- a Rover's protocol: converts lines to numbers and back.
  *
- * The protocol has the form of ROSArduinoBridge's, a widespread firmware for boards of this
- * kind: 57600 bits per second; a command is one letter and its numbers, ended by a carriage
- * return; the board answers each command with one line, ended by a carriage return and a line
- * feed.
+ * The protocol is based on that of ROSArduinoBridge, a widespread firmware for boards of this kind.
+ * The line runs at 57600 bits per second. A command consists of one letter and its numbers, and
+ * ends with a carriage return. The board answers each command with one line, which ends with a
+ * carriage return and a line feed.
  *
  *   b        rate of the line                            57600
  *   e        counts of the left and right encoder        -120 4711
- *   m L R    speeds, counts in 1/30 s                    OK
+ *   m L R    speeds, counts per 1/30 s                   OK
  *   p N      queries ranger N, 0 to 4: cm, 0 for no echo 153
  *   a 0      battery, 0 to 1023 of 15 V                  839
  *   w MS     stop after this time without an m           OK
@@ -47,11 +47,12 @@ struct rover_answer {
 struct rover_receiver {
     char text[ROVER_LINE];
     size_t count;
-    bool spoiled; /* whether the line is too long, or is not text */
+    bool spoiled; /* whether the line is too long or has an invalid byte */
 };
 
-/* Takes a byte; returns true if it ends a line. After garbage, the next line may be invalid,
- * because it may have begun within the garbage; the line after that is read correctly. */
+/* Processes a byte. Returns true if the byte ends a line. After garbage, the next line may be
+ * invalid too, because it may have begun within the garbage; the line after it is read
+ * correctly. */
 bool rover_receive(struct rover_receiver *receiver, uint8_t byte, struct rover_answer *answer);
 
 /* A line with a letter and its numbers, ready to be sent. */

@@ -1,4 +1,4 @@
-"""The command `frobc` of the wheel. It does not import the package frob, so that it starts fast."""
+"""The wheel's `frobc` command. It does not import the package frob, so that it starts fast."""
 
 import os
 import sys
@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Replaces this process with frobc, and tells frobc for which Python it was installed."""
+    """Replaces this process with frobc, and tells it which Python it was installed for."""
     frobc = str(Path(__file__).resolve().parent / "frob" / "tools" / "bin" / "frobc")
     os.environ.setdefault("FROB_PYTHON", sys.executable)
     try:

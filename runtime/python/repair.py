@@ -1,6 +1,6 @@
 """usage: repair.py auditwheel's arguments
 
-Runs auditwheel, but assumes only the libraries of glibc and of gcc on users' computers. The
+Runs auditwheel, but assumes that users' computers have only the libraries of glibc and gcc. The
 standard policies also assume some desktop libraries, which small systems do not have.
 """
 

@@ -1,6 +1,6 @@
 /* frob-tcc -- the C compiler that frobc uses if no other is installed.
  *
- * It is a driver for libtcc that accepts the options which frobc passes to gcc. It does not need
+ * It is a driver for libtcc that accepts the options that frobc passes to gcc. It does not need
  * the files of a C development environment: it uses Frob's own headers (share/frobc/tcc/include)
  * and, instead of the development files of the C library, the libraries that its own process has
  * loaded.
@@ -8,7 +8,8 @@
  *     frob-tcc [-c | -shared] [-I FOLDER] [-D NAME[=VALUE]] -o RESULT FILE... [-lm]
  *
  * libtcc neither contracts nor reorders floating-point operations, and computes with the SSE
- * registers, so frob-tcc ignores the options about these, and those about optimization. */
+ * registers, so frob-tcc ignores the options that control this. It also ignores optimization
+ * options. */
 #define _GNU_SOURCE
 #include <libtcc.h>
 
@@ -24,8 +25,8 @@
 
 enum { LONGEST_PATH = 4096 };
 
-/* The code that a linker takes from crt1.o. glibc before 2.34 expects functions for initialization
- * and termination here, but accepts null pointers. */
+/* The startup code, which a linker usually takes from crt1.o. glibc before 2.34 expects functions
+ * for initialization and termination here, but accepts null pointers. */
 static const char start[] =
     "int main(int, char **, char **);\n"
     "int __libc_start_main(int (*)(int, char **, char **), int, char **, void (*)(void),\n"
@@ -41,8 +42,8 @@ static const char start[] =
     "        \"andq $-16, %rsp\\n\"\n"
     "        \"call frob_tcc_start\\n\");\n";
 
-/* On other processors, code that tcc 0.9.27 compiles is wrong: on 64-bit ARM, it passes structs
- * wrongly, and shared objects contain addresses that nothing adjusts when they are loaded. */
+/* tcc 0.9.27 generates wrong code for other processors: on 64-bit ARM, it passes structs
+ * incorrectly, and shared objects contain addresses that are not relocated when they are loaded. */
 #ifdef __x86_64__
 static const bool is_supported = true;
 #else
@@ -66,7 +67,7 @@ static void fail(const char *format, ...)
     exit(1);
 }
 
-/* Sets a path below the folder of the installation, which is PREFIX if this program is
+/* Sets `path` to the path of `below` in the installation folder, which is PREFIX if this program is
  * PREFIX/lib/frobc/frob-tcc. During a build, this program is BUILD/default/runtime/tcc/frob-tcc,
  * and the installation is in BUILD/install/default. */
 static void installed(char path[static LONGEST_PATH], const char *below)
@@ -80,12 +81,12 @@ static void installed(char path[static LONGEST_PATH], const char *below)
     for (int up = 0; up < 3; up++) {
         char *slash = strrchr(self, '/');
         if (slash == NULL)
-            fail("is not installed in a folder lib/frobc");
+            fail("is not installed in a folder lib/frobc: reinstall frobc");
         *slash = '\0';
     }
     for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
         if (snprintf(path, LONGEST_PATH, "%s%s/%s", self, places[k], below) >= LONGEST_PATH)
-            fail("the path of its folder is too long");
+            fail("the path of its installation folder is too long");
         if (access(path, R_OK) == 0)
             return;
     }
@@ -101,7 +102,7 @@ static int add_loaded(struct dl_phdr_info *info, size_t size, void *compiler)
     return 0;
 }
 
-/* Links with the C library and its mathematical functions, which this process uses as well. */
+/* Links with the C library and the math library that this process has loaded. */
 static bool link_system(TCCState *compiler)
 {
     char own[LONGEST_PATH];
@@ -109,7 +110,7 @@ static bool link_system(TCCState *compiler)
     return tcc_add_file(compiler, own) == 0 && dl_iterate_phdr(add_loaded, compiler) == 0;
 }
 
-/* Adds a program header which says that the shared object does not need an executable stack. libtcc
+/* Adds a program header that says that the shared object does not need an executable stack. libtcc
  * does not write this header, and glibc 2.41 and later do not load objects without it. Moves the
  * table of program headers to the end of the file, where there is room for one more. */
 static bool mark_stack(const char *path)
@@ -216,7 +217,7 @@ int main(int argc, char **argv)
         fail("usage: frob-tcc [-c | -shared] [-I FOLDER] [-D NAME[=VALUE]] -o RESULT FILE...");
     installed(own, "share/frobc/tcc/include");
     tcc_add_sysinclude_path(compiler, own);
-    /* This comes first, because it calls main, which may be in an archive. */
+    /* The startup code comes first, because it calls main, which may be in an archive. */
     if (type == TCC_OUTPUT_EXE && tcc_compile_string(compiler, start) < 0)
         return 1;
     for (int k = 1; k < argc; k++) {

@@ -1,8 +1,8 @@
 /* clones.h -- loops that are also compiled for newer processors.
  *
- * If the build defines FROB_VISION_CLONES (x86-64, with a C library that can choose between
- * functions when a program is loaded), a function marked with FROB_CLONES is compiled twice: for
- * every processor, and for processors with AVX2. Both return the same results, because neither
+ * If the build defines FROB_VISION_CLONES (x86-64, with a C library that supports indirect
+ * functions), a function marked with FROB_CLONES is compiled twice: for all processors, and for
+ * those with AVX2. The loader chooses one of the two. Both return the same results, because neither
  * reorders or fuses floating-point operations. */
 #ifndef FROB_VISION_CLONES_H
 #define FROB_VISION_CLONES_H

@@ -6,8 +6,8 @@
 
 static const double turn = 6.283185307179586;
 
-/* The number of steps along one side of the colour hexagon. With 127 steps, sums of three products
- * with bytes fit in 16 bits. */
+/* The number of steps along one side of the colour hexagon. With 127 steps, a sum of three products
+ * of a component and a byte fits in 16 bits. */
 enum { STEPS = 127 };
 
 /* Clamps x to low … high; returns low if x is NaN. */
@@ -16,8 +16,8 @@ static double within(double low, double high, double x)
     return !(x > low) ? low : x > high ? high : x;
 }
 
-/* Reduces an angle to one turn, from 0 inclusive. Returns 0 if it is NaN or too large to reduce
- * precisely. */
+/* Reduces an angle to the range from 0 to one turn. Returns 0 if the angle is NaN or too large to
+ * reduce precisely. */
 static double within_turn(double angle)
 {
     double turns, rest;
@@ -41,8 +41,8 @@ static void pure_colour(double hue, int32_t colour[3])
         colour[i] = around[(number + 6 - 2 * i) % 6];
 }
 
-/* Computes factors whose scalar product with a colour is positive within half a turn after this
- * hue, and 0 at the hue and opposite it. */
+/* Computes factors whose scalar product with a colour is positive if the colour's hue is within
+ * half a turn after this hue, and 0 if it is this hue or the opposite one. */
 static void side_of(double hue, int16_t factors[3])
 {
     int32_t d[3];
@@ -53,14 +53,14 @@ static void side_of(double hue, int16_t factors[3])
     factors[2] = (int16_t)(d[1] - d[0]);
 }
 
-/* Finds the least and the greatest n in 0 … all with low <= n / all <= high; returns false if there
- * is none. */
+/* Finds the smallest and the largest n from 0 to `all` with low <= n / all <= high. Returns false
+ * if there is none. */
 static bool steps_of(double low, double high, int32_t all, int16_t *least, int16_t *most)
 {
     if (!(low <= high && low <= 1 && high >= 0))
         return false;
-    /* The tolerance accounts for rounding: 0.4 of 255 is 102, although the double nearest to 0.4 is
-     * above 0.4. */
+    /* The tolerance accounts for rounding: 0.4 * 255 is 102, but the double nearest to 0.4 is above
+     * 0.4. */
     *most = (int16_t)(within(0, 1, high) * all + 1e-9);
     *least = (int16_t)(all - (int16_t)((1 - within(0, 1, low)) * all + 1e-9));
     return *least <= *most;
@@ -84,8 +84,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
         return colours;
     side_of(range->hueFrom, colours.from);
     side_of(range->hueTo, colours.to);
-    /* If both ends were the same half-line, the opposite hue would also match, so this ends one
-     * step later. */
+    /* If both ends were the same half-line, the opposite hue would also match, so this moves the
+     * end by one step. */
     if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
         side_of(range->hueTo + turn / (6 * STEPS), colours.to);
     for (int32_t i = 0; i < 3; i++)

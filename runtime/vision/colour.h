@@ -7,8 +7,9 @@
 /* A colour range, prepared for matching many pixels.
  *
  * The hue test needs no division. A hue is a half-line from the grey axis of the colour cube. The
- * side of it on which (r, g, b) lies is the sign of the triple product of the grey axis, the pure
- * colour of that hue and (r, g, b), which is from * (r, g, b). */
+ * sign of the triple product of the grey axis, the pure colour of that hue and (r, g, b) tells on
+ * which side of the half-line (r, g, b) lies. This triple product equals the scalar product from *
+ * (r, g, b). */
 struct frob_colours {
     /* The first test is "at or after the first hue", the second "at or before the last hue". */
     int16_t from[3], to[3];

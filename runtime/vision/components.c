@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Maximum number of components that have a run in the row above or started in this row. A component
- * that started in this row touches no run above, so all these runs are separated by at least a
+ * that started in this row touches no run above, so all these runs are separated by at least one
  * column. */
 enum { MOST = FROB_IMAGE_SIDE / 2 + 1, KEPT = 8 };
 
@@ -75,7 +75,7 @@ static int32_t begin(struct components *all)
 }
 
 /* Returns the component of a run, and merges into it the components of the runs above that it
- * touches, from *first on. Sets *first to the last one that may touch the next run too. */
+ * touches, from *first on. Sets *first to the last run above that may also touch the next run. */
 static int32_t component_of(struct components *all, const struct row *above, int32_t *first,
                             int32_t start, int32_t end)
 {

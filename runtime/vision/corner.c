@@ -1,4 +1,5 @@
-/* corner.c -- finds the position in a region that is least like a flat surface or a straight edge.
+/* corner.c -- finds the strongest corner in a region: the position that least resembles a uniform
+ * area or a straight edge.
  *
  * It keeps, for each column, sums of products of gradients over 5 rows, and updates them from row
  * to row. */
@@ -37,7 +38,8 @@ static void add_row(const struct frob_image *image, int32_t y, int32_t sign, str
     }
 }
 
-/* The smaller eigenvalue, from sums over 25 pixels of products of doubled gradients. */
+/* Returns the smaller eigenvalue of the structure tensor. The arguments are sums of products of
+ * doubled gradients over 25 pixels. */
 static double score_of(double xx, double xy, double yy)
 {
     const double half = (xx - yy) / 2;
@@ -67,10 +69,10 @@ static void scores_of(const struct sums *sums, int32_t left, int32_t right, doub
     }
 }
 
-/* Refines a corner after Foerstner and Guelch: finds the position closest to all lines through the
- * pixels along their edges, by least squares of the distances weighted with the gradients. Uses the
- * pixels around (x, y), whose neighbours must all be in the image. Returns false if the result is
- * not near (x, y). */
+/* Refines a corner after Foerstner and Guelch: takes the line through each pixel along its edge,
+ * and finds the position closest to all these lines, by least squares of the distances weighted by
+ * the gradients. Uses the pixels around (x, y), whose neighbours must all be in the image. Returns
+ * false if the result is not near (x, y). */
 static bool refine(const struct frob_image *image, int32_t x, int32_t y, struct frob_corner *corner)
 {
     double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;
@@ -132,7 +134,7 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
                 result->score = scores[x];
             }
     }
-    /* Repeats with the corner in the middle, where more of it is visible. */
+    /* Repeats this with the window centred on the corner, to see more of the corner. */
     for (int32_t i = 0; i < 3 && result->score > 0; i++) {
         const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
         if (x < margin || y < margin || x >= image->width - margin || y >= image->height - margin ||

@@ -34,7 +34,8 @@ static bool seen(const struct frob_image *image, const struct frob_segment *s, d
     return true;
 }
 
-/* Interpolates the maximum near the middle of three values above 0. */
+/* Interpolates the position of the maximum near the middle one of three values; uses their
+ * logarithms if all are above 0. */
 static double top_of(double before, double at, double after)
 {
     double bend, offset;
@@ -49,7 +50,7 @@ static double top_of(double before, double at, double after)
     return offset < -0.5 ? -0.5 : offset > 0.5 ? 0.5 : offset;
 }
 
-/* Finds the maximum of sign * gradient in -half … half around the middle. */
+/* Finds the maximum of sign * gradient among the positions -half … half, where 0 is the middle. */
 static void strongest(const double *gradients, int32_t half, double sign, struct frob_edge *result)
 {
     double best = 0;

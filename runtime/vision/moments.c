@@ -56,8 +56,8 @@ void frob_blob_of(const struct frob_moments *moments, struct frob_blob *result)
     if (moments->count == 0)
         return;
     {
-        /* Moments relative to the corner of the bounding box are exact, and the squares are small
-         * compared with the result of the subtraction. */
+        /* Moments relative to the corner of the bounding box are exact, and so small that
+         * subtracting the squares loses little precision. */
         const int64_t left = moments->left, top = moments->top;
         const double n = (double)moments->count;
         const double x = (double)(moments->x - left * moments->count) / n;

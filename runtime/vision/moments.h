@@ -4,8 +4,8 @@
 
 #include <frob/vision.h>
 
-/* Exact sums of the columns and rows of pixels: 2^24 pixels (2^12 by 2^12), with squares up to
- * 2^24, sum to at most 2^48. */
+/* Exact sums, over all pixels, of the column x, the row y, and their squares and product. An image
+ * has at most 2^24 pixels (2^12 by 2^12) and a square is at most 2^24, so a sum is at most 2^48. */
 struct frob_moments {
     int64_t count, x, y, xx, xy, yy;
     int32_t left, top, right, bottom; /* bounding box, inclusive */

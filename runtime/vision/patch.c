@@ -10,8 +10,8 @@ enum { SIDE = FROB_PATCH_SIDE, ROOM_SIDE = 160 };
 
 static const double middle = (SIDE - 1) / 2.0;
 
-/* Returns whether the rounded position of each sample is a valid number. The limits are far outside
- * any image. */
+/* Returns whether the position of every sample can be rounded to an int32_t. The limits are far
+ * outside any image. */
 static bool is_place(const struct frob_placement *p)
 {
     return p->x > -1e6 && p->x < 1e6 && p->y > -1e6 && p->y < 1e6 && p->angle > -1e6 &&
@@ -63,7 +63,7 @@ bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
     return true;
 }
 
-/* The same as frob_grey_at, but without its checks if all four pixels are in the buffer. */
+/* The same as frob_grey_at, but skips its checks if all four pixels are in the buffer. */
 static double grey_at(const struct frob_greys *g, double x, double y)
 {
     const double column = x - g->left, row = y - g->top;

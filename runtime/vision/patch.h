@@ -1,11 +1,11 @@
-/* patch.h -- cuts patches out of an image repeatedly. */
+/* patch.h -- cuts several patches out of the same image. */
 #ifndef FROB_VISION_PATCH_H
 #define FROB_VISION_PATCH_H
 
 #include <frob/vision.h>
 
-/* The brightness of a part of an image around a position. If the image is grey, it is in the image
- * itself. If the image is in colour, it is converted once and stored in a buffer. */
+/* The brightness of an image around a position. For a grey image, `pixels` points into the image
+ * itself. A colour image is converted once, into the buffer `room`. */
 struct frob_greys {
     const struct frob_image *image;
     int32_t left, top, width, height; /* the part that is available as bytes */

@@ -43,8 +43,8 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
     result->y = c->centre_y + c->focal_y * to.b;
 }
 
-/* Newton's method, starting at the position itself. Beyond the largest radius that the model can
- * produce, the model folds over and has no inverse. */
+/* Inverts the model by Newton's method, starting at the distorted position. Beyond the largest
+ * radius that the model can produce, the model folds over and has no inverse. */
 void frob_undistort(const struct frob_camera *c, const struct frob_vec2 *point,
                     struct frob_vec2 *result)
 {

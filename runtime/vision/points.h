@@ -4,8 +4,8 @@
 
 #include <frob/vision.h>
 
-/* The same as frob_undistort_point (frob/vision.h), but takes only the camera, whose pose is not
- * used. */
+/* The same as frob_undistort_point (frob/vision.h), but takes a camera instead of an image, and
+ * ignores the camera's pose. */
 void frob_undistort(const struct frob_camera *camera, const struct frob_vec2 *point,
                     struct frob_vec2 *result);
 

@@ -2,7 +2,8 @@
  *
  * Least squares by the inverse compositional method (Baker and Matthews, "Lucas-Kanade 20 Years
  * On", 2004): a small step moves the patch instead of the image, so its gradients and the matrix of
- * the equations are computed only once. The placement is then moved by the inverse of the step.
+ * the normal equations are computed only once. The placement is then moved by the inverse of the
+ * step.
  *
  * The gradients are projected onto the orthogonal complement of the changes that brightness and
  * contrast can cause, so the match does not depend on the light. */
@@ -14,14 +15,14 @@
 
 enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
-/* A patch at one level, and the data computed from it once. */
+/* A patch at one resolution level, and the data that is computed from it only once. */
 struct model {
-    int32_t side, cell; /* samples per side, each of which is the mean of cell by cell samples */
+    int32_t side, cell; /* values per side; each is the mean of cell by cell samples */
     int32_t freedom;
     double values[FROB_PATCH_SIZE]; /* minus their mean */
     double power;                   /* the sum of their squares */
     /* Derivatives of the values with respect to x, y, angle and the logarithm of the scale; and the
-     * lower Cholesky factor of the matrix of the equations. */
+     * lower Cholesky factor of the matrix of the normal equations. */
     double steps[FREEDOMS][FROB_PATCH_SIZE];
     double factors[FREEDOMS][FREEDOMS];
 };
@@ -60,7 +61,7 @@ static double product(const double *a, const double *b, int32_t count)
     return sum;
 }
 
-/* Returns the slope of the values at one of them, per sample of the patch. */
+/* Returns the derivative at one of the values, along a row or a column, per sample of the patch. */
 static double slope(const double *values, int32_t stride, int32_t at, int32_t side, int32_t cell)
 {
     const int32_t before = at > 0 ? -stride : 0, after = at < side - 1 ? stride : 0;
@@ -95,8 +96,8 @@ static void find_steps(struct model *t)
     }
 }
 
-/* Performs the Cholesky factorization. Sets the factor of a direction that is nearly a combination
- * of the others to 0. */
+/* Performs the Cholesky factorization. If a direction is nearly a linear combination of the earlier
+ * ones, sets its factor to 0. */
 static void factorize(struct model *t)
 {
     for (int32_t k = 0; k < t->freedom; k++)
@@ -112,7 +113,7 @@ static void factorize(struct model *t)
         }
 }
 
-/* Returns false if the patch has no contrast. */
+/* Prepares a patch for one level. Returns false if the patch has no contrast. */
 static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_t level,
                     int32_t freedom)
 {
@@ -120,8 +121,8 @@ static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_
     t->side = SIDE / t->cell;
     t->freedom = freedom;
     t->power = reduce(patch, t->cell, t->values);
-    /* This also rejects NaN. A standard deviation of 0.01 is not contrast, and values around 1e6
-     * are not brightness. */
+    /* This also rejects NaN. A standard deviation of 0.01 is too little contrast, and values around
+     * 1e6 cannot be brightness. */
     if (!(t->power > 0.1 && t->power < 1e15))
         return false;
     find_steps(t);
@@ -183,7 +184,7 @@ static double unlikeness(double power, double other, double both)
     return rest > 0 ? rest : 0;
 }
 
-/* Finds the best match of all visited placements, at one level. */
+/* Searches at one level, and keeps the best match among the placements that it visits. */
 static void search_level(const struct frob_greys *greys, const struct model *t, int32_t iterations,
                          struct frob_match *best)
 {

@@ -17,7 +17,7 @@ static void count(const struct frob_image *image, const struct frob_view *view, 
     }
 }
 
-/* Returns the k-th smallest brightness, from 0. */
+/* Returns the k-th smallest brightness; k starts at 0. */
 static double grey_with(const int32_t counts[256], int64_t k)
 {
     int32_t value = 0;
@@ -77,8 +77,8 @@ static bool is_known(uint32_t bits)
     return bits > 0 && bits < UINT32_C(0x7f800000);
 }
 
-/* Returns the k-th smallest depth, from 0, by radix selection: each pass over the pixels determines
- * eight more bits. */
+/* Returns the k-th smallest depth (k starts at 0) by radix selection: each pass over the pixels
+ * determines eight more bits. */
 static double depth_with(const struct frob_image *image, const struct frob_view *view, int64_t k)
 {
     uint32_t found = 0;

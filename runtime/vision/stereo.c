@@ -7,7 +7,7 @@
 enum {
     CUT = 31,
     LIKE = 10 /* percent */,
-    TEXTURE = 10 /* per pixel of the window, in units of 1/16 */
+    TEXTURE = 10 /* minimum mean gradient, in units of 1/16 */
 };
 
 static int32_t limited(int32_t least, int32_t x, int32_t most)
@@ -135,8 +135,8 @@ static void add_to(const uint16_t *FROB_APART from, int32_t count, uint16_t *FRO
         to[i] = (uint16_t)(to[i] + from[i]);
 }
 
-/* Adds up the `window` neighbours from each position on, from sums of 1, 2, 4, 8 and
- * 16 neighbours. */
+/* For each position, adds up the `window` values that start there, using sums of 1, 2, 4, 8 and 16
+ * neighbours. */
 static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, uint16_t *sums)
 {
     enum { WIDE = FROB_IMAGE_SIDE + 32 };
@@ -163,7 +163,7 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
     }
 }
 
-/* ---- The best */
+/* ---- The best disparity */
 
 FROB_CLONES
 static void take_better(const uint16_t *FROB_APART sums, uint16_t disparity, int32_t count,
@@ -188,9 +188,9 @@ static void find_rivals(const uint16_t *FROB_APART sums, uint16_t disparity, int
     }
 }
 
-/* Interpolates the position of the minimum of three sums, whose middle one is the least, in 1/16.
- * It fits two lines of opposite slope, because sums of absolute differences have a sharp minimum,
- * not a rounded one. */
+/* Interpolates the position of the minimum, in units of 1/16, from three sums of which the middle
+ * one is the smallest. Fits two lines of opposite slope, because sums of absolute
+ * differences have a sharp minimum, not a rounded one. */
 static int32_t beside(int32_t before, int32_t at, int32_t after)
 {
     const int32_t slope = before > after ? before - at : after - at;

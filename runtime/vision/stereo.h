@@ -8,15 +8,15 @@
  *
  * The arrays contain one number for each column and disparity; all columns of a disparity are
  * consecutive, so that each loop runs along a row. Like Konolige's Small Vision System and OpenCV,
- * it does not match brightness, which differs between the two cameras, but the gradient along the
- * row, clipped at 31 in both directions. */
+ * the matcher does not compare brightness, which differs between the two cameras, but the gradient
+ * along the row, clipped to -31 … 31. */
 struct frob_stereo_rows {
     const struct frob_image *left, *right;
     struct frob_view view;
     int32_t width, disparities, around; /* a window's side is 2 around + 1 */
-    int32_t wide;                       /* columns that windows reach: width + 2 around */
+    int32_t wide;                       /* columns covered by windows: width + 2 around */
     uint16_t *columns;                  /* disparities x wide: sums over a window's height */
-    uint16_t *squares; /* disparities x wide: sums over windows; `width` are used */
+    uint16_t *squares; /* disparities x wide: sums over windows; uses `width` of each row */
     int32_t texture[FROB_IMAGE_SIDE + 32]; /* sums of the left image's gradients */
 };
 

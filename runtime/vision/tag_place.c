@@ -4,8 +4,8 @@
  * in Zhang, "A flexible new technique for camera calibration", 2000). From far away, a square that
  * is tilted in one direction looks nearly the same as one that is tilted in the opposite direction
  * (Schweighofer and Pinz, "Robust pose estimation from a planar target", 2006). Therefore both
- * poses are refined by least squares, and the one with the smaller distances to the observed
- * corners is chosen. */
+ * poses are refined by least squares, and the pose whose corners are closer to the observed ones is
+ * chosen. */
 #include "points.h"
 
 #include <frob/lens.h>
@@ -51,7 +51,7 @@ static struct vector scaled(double k, struct vector a)
     return b;
 }
 
-/* Makes both axes orthogonal and of length 1, by changing both equally. */
+/* Makes the two axes orthonormal, by changing both equally. */
 static void straighten(struct pose *p)
 {
     const double off = dot(p->right, p->down) / 2;

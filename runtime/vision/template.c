@@ -108,8 +108,8 @@ static int32_t parts_of(const double *patch, const struct frob_placement *like, 
     return count;
 }
 
-/* For each cell of a row as the middle of the template: the sums of the brightness, of its squares,
- * and of its products with the template. */
+/* Sums for each cell of a row, with the template centred on that cell: of the brightness, of its
+ * squares, and of its products with the template. */
 struct row_sums {
     int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
 };
@@ -167,8 +167,8 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
         for (int32_t i = 0; i < across; i++) {
             const double other = sums.squares[i] - sums.sum[i] * (double)sums.sum[i] / count;
             const double both = sums.products[i];
-            /* Compares the square of the correlation. A contrast of one brightness step does not
-             * count. */
+            /* Compares squared correlations. Ignores positions whose contrast is at most one
+             * brightness step. */
             if (both > 0 && other > count && both * both > best * power * other) {
                 best = both * both / (power * other);
                 result->place.x = cells.left + (reach + i + 0.5) * size - 0.5;

@@ -2,7 +2,7 @@
 
 #include "clones.h"
 
-/* Returns the least integer not below x, clamped to 0 … most; `most` if x is NaN. */
+/* Rounds x up and clamps it to 0 … most; returns `most` if x is NaN. */
 static int32_t first_from(double x, int32_t most)
 {
     int32_t k;

@@ -5,12 +5,12 @@
 // Runs the program in the simulator, on each of the world's robots, and then the bare physics of
 // that run: the same world in Box2D, its robots moved by the recorded velocities, and the same
 // sonar rays, but no controllers, sensors, noise or recording. It runs the bare physics in two
-// ways: with Box2D's own ray casts, each through the whole world; and in the way the simulator
-// does, which looks up the objects in each cone only once (see ray_fan.h).
+// ways: with Box2D's own ray casts, each through the whole world; and as the simulator does,
+// looking up the objects in each cone only once (see ray_fan.h).
 //
-// The runs take turns, and only the fastest round of each counts. Times are CPU times, which other
-// processes on the machine hardly affect. Prints the simulated seconds per second of each kind of
-// run, and their ratios, one `name: value` a line.
+// The kinds of runs alternate, and only the fastest round of each kind counts. Times are CPU times,
+// which other processes on the machine hardly affect. Prints the simulated seconds per second of
+// each kind of run, and their ratios, one `name: value` per line.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -79,7 +79,7 @@ double run_program(const frob_program &program, const Scene &scene, double durat
     return seconds_since(start);
 }
 
-// The nearest object in a cone, found with Box2D's rays alone.
+// Returns the distance to the nearest object in a cone, using only Box2D's rays.
 double nearest_by_box2d(const Body &body, const Pose &from, int rays) {
     double nearest = p3dx::sonar_farthest;
     for (int i = 0; i < rays; ++i) {
@@ -95,7 +95,7 @@ double nearest_by_simulator(const Body &body, const Pose &from, int rays) {
 }
 
 // Replays `motions`, which contains each robot's velocities, step by step. Adds up all ranges, so
-// that the compiler cannot remove a ray.
+// that the compiler cannot optimize the rays away.
 template <typename Nearest>
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, Nearest nearest,
                    double &sum) {

@@ -7,7 +7,7 @@
 namespace frob::sim {
 namespace {
 
-// The stream of noise for timing, separate from those of the robot's other sensors.
+// Noise stream for timing, separate from the streams of the robot's other sensors.
 constexpr std::uint64_t timing_stream = 1u << 16;
 
 constexpr std::size_t most_waiting = 64; // maximum number of frames in transit; the oldest ones are
@@ -51,7 +51,7 @@ void Camera::shift(double aside) {
     geometry_.z_m += aside * pitch.x * roll.y;
 }
 
-// The lens shows the point (a, b) at the distorted place (a', b'), with a' = a (1 + k1 r^2 + k2
+// The lens shows the point (a, b) at the distorted position (a', b'), with a' = a (1 + k1 r^2 + k2
 // r^4) and b' = b (1 + k1 r^2 + k2 r^4). This solves for (a, b) by fixed-point iteration, as OpenCV
 // does.
 void Camera::make_lens_map() {
@@ -167,8 +167,8 @@ Moment Camera::moment_of(int y) const {
     return between(*exposure_->moments[next - 1], *exposure_->moments[next], share);
 }
 
-// Draws one row of the raster. Rows are drawn in order. If the shutter is a rolling one, each group
-// of four rows shows the world at its own time.
+// Draws one row of the raster. Rows are drawn in order. With a rolling shutter, each group of four
+// rows shows the world at its own time.
 void Camera::draw_row(int y, float *to) {
     constexpr int few = 4;
     const auto look = [&](const Moment &moment) {

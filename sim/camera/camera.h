@@ -37,9 +37,9 @@ class Camera {
     // Returns the frame that `newest` returned last; nullptr before the first.
     const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
 
-    // Ground truth for the pixels of that frame, which must exist. It has no blur and no noise.
-    // If the lens distorts, each pixel gets the truth of the nearest pixel in the undistorted
-    // picture.
+    // Ground truth, without blur and noise, for the pixels of the frame that `last` returns, which
+    // must exist. If the lens distorts, each pixel gets the truth of the nearest pixel in the
+    // undistorted picture.
     Truth truth();
 
   private:
@@ -75,7 +75,7 @@ class Camera {
     std::optional<Raster> raster_;
     int margin_x_ = 0, margin_y_ = 0; // extra pixels of the raster around the picture, for
                                       // distortion
-    std::vector<Vec> lens_map_;       // place of each pixel in the raster, for distortion
+    std::vector<Vec> lens_map_;       // position of each pixel in the raster, for distortion
     std::vector<float> straight_;     // light of the whole raster, for distortion
     std::vector<float> light_;        // light of one row: red, green, blue of each pixel
     Film film_;

@@ -8,17 +8,17 @@
 namespace frob::sim {
 namespace {
 
-// noise stream of frame 0, to which the frame's number is added
+// noise stream of frame 0; frame n uses this number plus n
 constexpr std::uint64_t frame_stream = std::uint64_t{1} << 32;
-// maximum exposure; if it were larger, everything would still be white
+// maximum exposure, at which everything is white already
 constexpr double longest = 3e3;
-constexpr double strongest = 1e6; // maximum noise; if it were larger, pixels would still be black
-                                  // or white with equal probability
+constexpr double strongest = 1e6; // maximum noise, at which pixels are already black or white with
+                                  // equal probability
 
-// Nearly normal random numbers from 0 to 252, in an array so long that its reuse is not
-// noticeable. Each is the sum of four 6-bit numbers. The noise of a picture's row is the sum of
-// two sections of this array that begin at random places: mean 252, standard deviation 52.249,
-// out to nearly five deviations.
+// Nearly normally distributed random numbers from 0 to 252, in an array that is so long that
+// reusing it is not noticeable. Each is the sum of four 6-bit numbers. The noise in a row of a
+// picture is the sum of two sections of this array that begin at random positions. It has a mean of
+// 252 and a standard deviation of 52.249, and extends to nearly five standard deviations.
 class Grains {
   public:
     static constexpr float mean = 252.0f, deviation = 52.249f;
@@ -73,7 +73,8 @@ FROB_WIDE void make_pixels(const float *light, const float *gains, float share,
     }
 }
 
-// Each pixel's weight in the mean over the pixels up to `radius` away from pixel `i` of `count`.
+// Weight of each pixel in the mean over the pixels within `radius` of pixel `i`, in a line of
+// `count` pixels.
 double share_of(int i, int count, int radius) {
     const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
     return 1.0 / (last - first + 1);
@@ -101,8 +102,8 @@ void Film::start(std::uint32_t number) {
     exposed_ = 0;
 }
 
-// Blurs along the rows first, then along the columns. Adds up sums in a fixed order, for many
-// pixels side by side, and divides last.
+// Blurs along the rows first, then along the columns. Computes the sums in a fixed order, for many
+// pixels at once, and divides at the end.
 void Film::expose(const float *light) {
     const int y = exposed_++, rows = 2 * radius_ + 1;
     if (radius_ == 0) {
@@ -117,7 +118,7 @@ void Film::expose(const float *light) {
     const int last = y + 1 == height_ ? y : y - radius_;
     for (int middle = y - radius_; middle <= last; ++middle) {
         if (middle < 0) continue;
-        const auto row = [&](int k) { // row number k of the rows blurred into row `middle`
+        const auto row = [&](int k) { // the k-th row that is blurred into row `middle`
             const int other = middle - radius_ + k;
             return other < 0 || other > y ? dark_.data()
                                           : &spread_[static_cast<std::size_t>(other % rows) * row_];

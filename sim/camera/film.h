@@ -16,7 +16,8 @@ class Film {
     // Begins a new picture.
     void start(std::uint32_t number);
 
-    // Adds its next row, from the top: red, green and blue of each pixel, 1 for white.
+    // Adds the next row of the picture, from the top: red, green and blue of each pixel, where 1 is
+    // white.
     void expose(const float *light);
 
     // The pixels, after the last row has been exposed: three bytes per pixel, or one if the
@@ -34,8 +35,8 @@ class Film {
     std::uint32_t number_ = 0;
     int exposed_ = 0;
 
-    std::vector<float> gains_;  // gain of each value of a row, depending on how many pixels share
-                                // its light
+    std::vector<float> gains_;  // gain of each value in a row, which depends on the number of
+                                // pixels averaged for it
     std::vector<float> padded_; // a row of light, padded with darkness at both ends
     std::vector<float> dark_;
     std::vector<float> spread_; // ring buffer of the last rows, each blurred along the row

@@ -11,7 +11,7 @@ namespace {
 constexpr double nearest = 0.01;    // m: near clipping plane
 constexpr float farthest = 1000.0f; // m: maximum depth at which textures are accurate
 constexpr double brightest = 1e3;   // maximum light, where 1 is white
-constexpr float below = 0.9999f;    // a factor for 1 / depth that exceeds its rounding error
+constexpr float below = 0.9999f;    // reduces 1 / depth by more than its rounding error
 
 // A value that changes linearly along a row.
 struct Even {
@@ -209,7 +209,7 @@ void Raster::ball(Point middle, double radius, Tint tint) {
     if (find_bounds(ball)) balls_.push_back(ball);
 }
 
-// The column where the outline crosses row y. Moves on to the next edge as the rows go down.
+// Returns the column at which the outline crosses row y. Advances `edge` to the edge at that row.
 double Raster::crossing(std::size_t &edge, std::size_t end, int y) const {
     while (edges_[edge].bottom < y && edge + 1 < end) ++edge;
     return edges_[edge].start + (y - edges_[edge].top) * edges_[edge].slope;

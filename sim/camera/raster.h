@@ -36,10 +36,10 @@ struct Chart {
 
 // Appearance of a flat surface.
 struct Finish {
-    Tint tint; // the colour, including the surface's light
+    Tint tint; // the colour, multiplied by the light on the surface
     Texture texture = Texture::plain;
-    const Print *print = nullptr; // a picture that replaces tint and texture, with a chart from 0
-                                  // to 1
+    const Print *print = nullptr; // a picture that replaces tint and texture; its texture
+                                  // coordinates are 0 to 1
     double light = 1.0;           // light on the picture
     double width = 1.0;           // width of the picture in metres
 };
@@ -67,7 +67,7 @@ class Raster {
     // it. The lamps must outlive the drawing. The default is 1 and no lamps.
     void light(double even, const std::vector<Shine> &lamps) { even_ = even, lamps_ = &lamps; }
 
-    // Sets the thing to which the surfaces drawn from now on belong.
+    // Sets the owner of the surfaces that are drawn from now on.
     void of(Thing thing) { thing_ = thing; }
 
     // Sets the colour of pixels that no surface covers.
@@ -90,7 +90,7 @@ class Raster {
     // The thing shown at this column of the last computed row.
     Thing thing(int x) const;
 
-    // Its depth along the camera's axis, in metres; infinity for the sky.
+    // The depth at this column along the camera's axis, in metres; infinity for the sky.
     double depth(int x) const {
         return 1.0 / static_cast<double>(inverses_[static_cast<std::size_t>(x)]);
     }
@@ -110,9 +110,9 @@ class Raster {
 
     struct Surface {
         int first, last; // rows
-        // The current edge on the left of the outline and the end of the left edges, then the same
-        // for the right; the current edges change as the rows go down. Without edges the surface
-        // covers whole rows.
+        // Indices of edges: the current left edge of the outline and the end of the left edges,
+        // then the same for the right edges. The current edges change from row to row. A surface
+        // without edges covers whole rows.
         std::size_t left, left_end, right, right_end;
         bool lies_below;
         Planar inverse, u, v;    // 1 / depth, and the texture coordinates divided by the depth
@@ -131,7 +131,7 @@ class Raster {
     };
 
     // Projects the part of a polygon in front of the camera to pixels, into outline_; outline_ is
-    // empty if no part is.
+    // empty if there is no such part.
     void find_outline(const std::vector<Point> &corners);
     void add(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
              bool lies_below, Surface surface);
@@ -141,7 +141,7 @@ class Raster {
     void paint(const Surface &surface, int y, int from, int count, float *to);
     void paint(const Ball &ball, int y, int from, int count, float *to);
 
-    // The factor that converts the light with which a place was painted to the light that it has.
+    // The ratio of the light at a point, including lamps, to the light with which it was painted.
     float relight(Point place, Point normal) const;
     void relight(std::int32_t number, int y, int from, int count, float *to) const;
 

@@ -19,12 +19,12 @@ struct Moment {
     std::vector<Vec> balls;
 };
 
-// Interpolates between two moments; `share` 0 is a, and 1 is b.
+// Interpolates between two moments. Returns a if `share` is 0, and b if it is 1.
 Moment between(const Moment &a, const Moment &b, double share);
 
 class Scenery {
   public:
-    // Both must outlive the scenery.
+    // The scene and the chassis must outlive the scenery.
     Scenery(const Scene &scene, const Chassis &chassis);
 
     // Draws the view of robot number `robot`, which does not see itself.

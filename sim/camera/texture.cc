@@ -19,7 +19,7 @@ class Grains {
 
     struct Level {
         int side;
-        float scale; // value of one step of a byte
+        float scale; // noise per unit of a byte
         std::vector<std::uint32_t> cells;
     };
 
@@ -37,8 +37,8 @@ class Grains {
         int n = 256;
         std::vector<double> means(static_cast<std::size_t>(n * n));
         for (double &mean : means) mean = noise.uniform() - 0.5;
-        // A mean over n x n cells has a standard deviation of 0.29 / n; the range of a byte covers
-        // four times that.
+        // A mean over n x n cells has a standard deviation of 0.29 / n; a byte covers four standard
+        // deviations in both directions.
         double step = 1.0 / 250.0;
         for (Level &level : levels_) {
             level.side = n;
@@ -133,7 +133,7 @@ FROB_WIDE void mix_cells(const std::int32_t *cells, const float *right, const fl
                          float scale, float *__restrict to, int count) {
     for (int i = 0; i < count; ++i) {
         const auto word = static_cast<std::uint32_t>(cells[i]);
-        const auto byte = [&](int up) { // the byte that is `up` bits below the highest
+        const auto byte = [&](int up) { // the byte that is `up` bits below the top one
             return static_cast<float>(static_cast<std::int32_t>(word << up) >> 24);
         };
         const float below = byte(24) + right[i] * (byte(16) - byte(24));

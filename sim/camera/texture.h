@@ -10,15 +10,15 @@
 
 namespace frob::sim {
 
-// A run of pixels along a row, projected onto a surface. It consists of the coordinates u along it
-// and v across it, in metres, and the number of pixels per metre of the surface.
+// A run of pixels along a row, projected onto a surface: the coordinates u along the surface and v
+// across it, in metres, and the number of pixels per metre of the surface.
 struct Run {
     int count;
     const float *u, *v, *per_metre;
 };
 
-// Computes the brightness of a textured surface relative to its tint, which is around 1. Averages
-// details that are finer than a pixel. All computations use single-precision IEEE arithmetic, in
+// Computes the brightness of a textured surface relative to its tint, as a factor around 1.
+// Averages details finer than a pixel. All computations use single-precision IEEE arithmetic, in
 // the same order on every machine.
 class Patterns {
   public:

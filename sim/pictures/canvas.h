@@ -46,7 +46,7 @@ class Canvas {
     virtual void text(Vec at, const std::string &text, const TextStyle &style) = 0;
 
     // Draws an image with its upper left corner at `corner`. Rows start at the top, with three
-    // bytes a pixel.
+    // bytes per pixel.
     virtual void image(Vec corner, Vec size, int width, int height,
                        const std::vector<unsigned char> &rgb) = 0;
 

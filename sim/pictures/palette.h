@@ -1,4 +1,4 @@
-// The picture's colours.
+// The colours in the picture of a run.
 #pragma once
 
 #include "canvas.h"

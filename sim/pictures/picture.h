@@ -7,8 +7,8 @@
 
 namespace frob::sim {
 
-// Draws the picture. The file name must end in .svg or .png. Throws std::runtime_error if it does
-// not, or if the file cannot be written.
+// Draws the picture. Throws std::runtime_error if the file name does not end in .svg or .png, or if
+// the file cannot be written.
 void draw_picture(const Simulation &simulation, const std::string &file);
 
 } // namespace frob::sim

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double label_size = 11.0;
 
-// Estimates the width of a text, because a canvas cannot determine it before drawing. The estimate
-// is accurate to a few per cent for DejaVu Sans.
+// Estimates the width of a string, because a canvas cannot measure text before drawing it. The
+// estimate is accurate to within a few per cent for DejaVu Sans.
 double text_width(const std::string &text, double size) {
     double widths = 0.0;
     for (const char c : text) {
@@ -28,8 +28,8 @@ double text_width(const std::string &text, double size) {
     return widths * size;
 }
 
-// Removes points, because many samples share a column of pixels. Keeps the first, lowest, highest
-// and last point of each column, so that no peak is lost.
+// Thins out the points, because many samples fall into the same column of pixels. Keeps the first,
+// lowest, highest and last point of each column, so that no peak is lost.
 std::vector<std::vector<Vec>> thinned(const std::vector<Vec> &points) {
     std::vector<std::vector<Vec>> pieces(1);
     for (std::size_t i = 0; i < points.size();) {

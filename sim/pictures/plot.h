@@ -13,7 +13,7 @@ struct Series {
     std::string name;
     Colour colour;
     Style style;
-    std::vector<Vec> points; // (time in s, value); a value that is not finite leaves a gap
+    std::vector<Vec> points; // (time in s, value); a non-finite value leaves a gap
 };
 
 struct Plot {
@@ -24,14 +24,15 @@ struct Plot {
     bool time_axis = false; // whether to label the time axis below the plot
 };
 
-// Draws the plot into the rectangle. Labels go to the left of it and below it.
+// Draws the plot into the rectangle. The labels of the axes go to its left and below it, and the
+// title and legend above it.
 void draw_plot(Canvas &canvas, const Plot &plot, Vec corner, Vec size);
 
-// The distance between ticks with which approximately `count` ticks fit into the range: 1, 2 or
-// 5 times a power of ten.
+// The distance between ticks that divides the range into approximately `count` parts: 1, 2 or 5
+// times a power of ten.
 double tick_step(double range, int count);
 
-// Formats the number at a tick, with as many decimals as the step needs.
+// Formats the number at a tick with as many decimal places as the step needs.
 std::string tick_label(double value, double step);
 
 } // namespace frob::sim

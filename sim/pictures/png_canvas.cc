@@ -10,14 +10,14 @@
 namespace frob::sim {
 namespace {
 
-constexpr double scale = 2.0; // pixels of the file for each pixel of the canvas
+constexpr double scale = 2.0; // pixels in the file per pixel of the canvas, in each direction
 
 void set_colour(cairo_t *cairo, Colour c) {
     cairo_set_source_rgba(cairo, c.red / 255.0, c.green / 255.0, c.blue / 255.0, c.opacity);
 }
 
-// Cairo's pixels are 32-bit numbers with red in the highest of the three used bytes and blue in the
-// lowest.
+// Cairo stores each pixel as a 32-bit number: the highest byte is unused, and the others are red,
+// green and blue.
 cairo_surface_t *surface_of(int width, int height, const std::vector<unsigned char> &rgb) {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     unsigned char *bytes = cairo_image_surface_get_data(surface);

@@ -1,4 +1,5 @@
-// The picture as PNG, drawn with cairo. Each pixel of the canvas is two by two pixels of the file.
+// A canvas that draws a PNG file with cairo. Each pixel of the canvas becomes 2 by 2 pixels in the
+// file.
 #pragma once
 
 #include "canvas.h"

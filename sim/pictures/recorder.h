@@ -1,4 +1,4 @@
-// Records the data of each of the controller's instants, for the picture.
+// Records the robot's data at each instant of the controller, for the picture.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double margin = 0.25;                    // m, margin around everything
 constexpr std::int64_t ray_lasts_ns = 400'000'000; // one round of all transducers takes 320 ms
-constexpr std::size_t path_pieces = 64;            // number of pieces of the path, each with a
-                                                   // colour of its own
+constexpr std::size_t path_pieces = 64;            // number of pieces of the path, each in a
+                                                   // different colour
 
 void include(Extent &extent, Vec p, double around) {
     extent.low = {std::min(extent.low.x, p.x - around), std::min(extent.low.y, p.y - around)};
@@ -26,7 +26,7 @@ Colour blend(Colour a, Colour b, double share) {
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
-// Draws in the coordinates of the world, in metres.
+// Draws in world coordinates, in metres.
 class View {
   public:
     View(Canvas &canvas, const Extent &extent, Vec corner, Vec size)
@@ -83,8 +83,8 @@ void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corne
                 {11.0, palette::faint_ink, Anchor::end, false});
 }
 
-// The colour of a floor with this reflectance. A floor that reflects all light has its own
-// colour.
+// The colour of a floor with this reflectance. A floor that reflects all light is drawn in
+// `palette::floor`.
 Colour shade(double reflectance) {
     return blend(palette::black_floor, palette::floor, reflectance);
 }
@@ -113,8 +113,7 @@ Colour colour_of(Tint tint) {
     return {level(tint.red), level(tint.green), level(tint.blue)};
 }
 
-// Draws the balls at their current places, with dashed outlines at their initial places and
-// dashed lines along their paths.
+// Draws the balls at their current places, with dashed lines along their paths.
 void draw_balls(View &view, const Simulation &simulation) {
     const std::vector<Vec> now = simulation.world().ball_places();
     for (std::size_t i = 0; i < now.size(); ++i) {
@@ -143,7 +142,7 @@ void draw_posters(View &view, const Scene &scene) {
     }
 }
 
-// Draws a lamp as a disc with rays, as on maps. The size of this symbol has no meaning.
+// Draws each lamp as a disc with rays, as on maps. This symbol is not to scale.
 void draw_lamps(View &view, const Scene &scene) {
     for (const Lamp &lamp : scene.lamps) {
         const Vec at = view.place(lamp.position);
@@ -201,7 +200,7 @@ void draw_path(View &view, const std::vector<Sample> &samples) {
     }
 }
 
-// Marks the path with a dot every few seconds, and the time next to it.
+// Marks the path with a dot every few seconds, and writes the time next to each dot.
 void draw_times(View &view, const std::vector<Sample> &samples) {
     const double step = tick_step(static_cast<double>(samples.back().time_ns) * 1e-9, 6);
     double next = step;

@@ -6,15 +6,15 @@
 
 namespace frob::sim {
 
-// The part of the world to show: the whole world and the whole path.
+// The area to draw: the bounding box of the world and of the robots' paths, with a margin.
 struct Extent {
     Vec low, high;
 };
 
 Extent extent(const Simulation &simulation);
 
-// Draws the extent into the rectangle, which must have the same aspect ratio. Labels in metres go
-// to the left of it and below it.
+// Draws the extent into the rectangle, which must have the same aspect ratio. The coordinates, in
+// metres, go to its left and below it.
 void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &extent, Vec corner,
                 Vec size);
 

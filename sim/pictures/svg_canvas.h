@@ -1,4 +1,4 @@
-// The picture as SVG.
+// A canvas that draws an SVG file.
 #pragma once
 
 #include "canvas.h"

@@ -53,10 +53,11 @@ class PlanReader {
         mistakes_.add(node.source(), message);
     }
 
-    // Checks that a value contains no tab or newline, which separate cells and lines.
+    // Checks that a value is not empty and contains no tab or line break, which would split its
+    // cell or line.
     bool is_plain(const toml::node &node, const std::string &value) {
         const bool plain = !value.empty() && value.find_first_of("\t\n\r") == std::string::npos;
-        if (!plain) mistake(node, "this string is empty, or contains a tab or a line break");
+        if (!plain) mistake(node, "this string must not be empty or contain a tab or a line break");
         return plain;
     }
 
@@ -93,7 +94,7 @@ class PlanReader {
         char digits[40];
         std::snprintf(digits, sizeof digits, "%.9g", *value);
         if (*value > most)
-            reader_.mistake_at(key, "`" + std::string(key) + "` is at most " +
+            reader_.mistake_at(key, "`" + std::string(key) + "` must be at most " +
                                         std::to_string(static_cast<int>(most)));
         else
             line({key, digits});
@@ -127,8 +128,9 @@ class PlanReader {
         if (!is_sampled_ && how != "grid")
             reader_.mistake_at("sampling", "`sampling` must be \"grid\", \"random\" or \"latin\"");
         else if (is_sampled_ && reader_.any("points") == nullptr)
-            reader_.mistake_at("sampling", "`sampling = \"" + how +
-                                               "\"` needs a key `points`, the number of points");
+            reader_.mistake_at("sampling",
+                               "`sampling = \"" + how +
+                                   "\"` needs the number of points: add the key `points`");
         else if (!is_sampled_ && reader_.any("points") != nullptr)
             reader_.mistake_at("points",
                                "`points` is only for `sampling = \"random\"` or `\"latin\"`; "
@@ -157,7 +159,7 @@ class PlanReader {
             std::vector<std::string> cells = {"values", place(node), name};
             for (const toml::node &item : *list)
                 if (const auto value = setting(item)) cells.push_back(*value);
-            if (list->empty()) mistake(node, "this list is empty");
+            if (list->empty()) mistake(node, "this list is empty: add a value");
             line(cells);
             return;
         }
@@ -184,7 +186,7 @@ class PlanReader {
             }
         }
         if (has_steps && (steps < 2 || steps > most_points_of_plan))
-            mistake(node, "a range needs at least 2 steps, one for each end");
+            mistake(node, "the number of steps must be from 2 (the two ends) to 10,000,000");
         else if (!has_steps && !is_sampled_)
             mistake(node, std::string("the number of steps is missing: ") + range_form);
         else if (has_steps && is_sampled_)

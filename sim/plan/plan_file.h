@@ -1,14 +1,13 @@
-// Plan files, which specify the runs of a sweep. The simulator reads them because it contains the
-// reader for world files, which reports mistakes with file, line and column, and suggests the
-// intended key.
+// Plan files, which specify the runs of a sweep. The simulator reads them, because its reader for
+// world files can already report mistakes with file, line and column, and suggest the intended key.
 #pragma once
 
 #include <string>
 
 namespace frob::sim {
 
-// Converts the plan to text: one line for each item, with tabs between its cells. If only the
-// compiler can find mistakes in an item, its second cell is its place in the file:
+// Converts the plan to text: one line for each item, with tabs between its cells. An item in which
+// only the compiler can find mistakes has its place in the file as the second cell:
 //     program PLACE FILE
 //     trial PLACE LABEL
 //     seeds FIRST LAST            lasts SECONDS            rate HZ

@@ -12,7 +12,7 @@ class NearestHit : public b2RayCastCallback {
     float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override {
         if (fixture->GetBody() == ignored_) return -1.0f;
         nearest = share;
-        return share; // continues only for nearer objects
+        return share; // from now on, Box2D reports only nearer objects
     }
 
     std::optional<float> nearest;
@@ -21,8 +21,7 @@ class NearestHit : public b2RayCastCallback {
     const b2Body *ignored_;
 };
 
-// Finds out whether a nearby fixture overlaps this body, which has a single
-// fixture.
+// Checks whether a nearby fixture overlaps this body, which itself has only one fixture.
 class Overlap : public b2QueryCallback {
   public:
     explicit Overlap(const b2Body &body) : body_(body) {}

@@ -10,8 +10,8 @@
 
 namespace frob::sim {
 
-// The fixed step of the physics. It is short enough that a robot at full speed moves only 6 mm a
-// step, and it divides the time between two pings of a sonar.
+// The fixed time step of the physics. It is so short that a robot at full speed moves only 6 mm per
+// step, and the time between two pings of a sonar is a multiple of it.
 constexpr std::int64_t step_ns = 5'000'000;
 constexpr double step_s = 0.005;
 
@@ -24,7 +24,7 @@ class Body {
     Pose pose() const;
 
     // Casts a ray of length `reach` from `origin` in direction `angle`. Returns the distance to the
-    // first object that it hits, other than the robot itself, or no value.
+    // first object that it hits, other than the robot itself, or no value if it hits nothing.
     std::optional<double> ray(Vec origin, double angle, double reach) const;
 
     // Returns whether the robot overlaps any other object.

@@ -13,11 +13,11 @@
 
 namespace frob::sim {
 
-// The firmware's limits on commands, used if the world file does not set them.
+// The firmware's limits on commands, unless the world file sets them.
 struct DriveLimits {
     double speed;             // m/s
     double turn;              // rad/s
-    double acceleration;      // m/s^2, to speed up and to brake
+    double acceleration;      // m/s^2, when speeding up and braking
     double turn_acceleration; // rad/s^2
 };
 
@@ -25,7 +25,7 @@ struct DriveLimits {
 struct RangeFinders {
     std::vector<Pose> seats;        // their positions and directions
     double half_angle;              // half the opening angle of each cone
-    std::size_t left, right;        // the two transducers that point most to the sides
+    std::size_t left, right;        // the transducers that face most nearly to the left and right
     std::vector<std::size_t> front; // the transducers that point ahead
     const char *noun;               // the transducers' name in the picture, such as "sonar"
 };
@@ -44,11 +44,11 @@ struct Chassis {
     double battery;           // V, the initial voltage, unless the world file sets it
     DriveLimits limits;
     frob_wire wire;  // range and resolution of commands; a step of 0 means no rounding
-    Vec left, right; // reference points for the distances to the sides
+    Vec left, right; // points from which the distances to the left and right are measured
     RangeFinders range_finders;
     double height = 0.24;        // m, height of the body, for cameras
     Vec camera = {0.12, 0.0};    // position of a camera, unless the world file sets it
-    double camera_height = 0.27; // m, its height, unless the world file sets it
+    double camera_height = 0.27; // m, height of a camera, unless the world file sets it
 };
 
 // The outline of a body in the robot's frame. It is a polygon even for a round body.

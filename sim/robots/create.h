@@ -15,8 +15,8 @@ class Create : public Robot {
 
     void read(std::int64_t time_ns, void *input) override;
 
-    // A wheel drop stops the robot for good, as in the modes Safe and Full. Cliffs do not: the
-    // controller must react to them, as in mode Full.
+    // A wheel drop stops the robot for good, because the robot has fallen into a hole. A cliff does
+    // not stop it: the controller must react to cliffs, as in mode Full.
     void command(std::int64_t time_ns, const void *output) override;
 
     const std::vector<Echo> &echoes() const override { return light_.echoes(); }

@@ -9,9 +9,9 @@ namespace frob::sim {
 namespace {
 
 constexpr double tyre_grip = 60.0;   // N, the largest sideways force before the wheels skid
-constexpr double slip_lasts_s = 0.1; // duration of a wheel's slip before a new one is drawn
+constexpr double slip_lasts_s = 0.1; // time after which each wheel's slip is drawn again
 constexpr double stall_after_s = 0.2;
-constexpr double standing = 0.02; // m/s; a wheel that is slower than this counts as stationary
+constexpr double standing = 0.02; // m/s; a slower wheel counts as stationary
 
 double approach(double from, double to, double most) {
     return from + std::clamp(to - from, -most, most);
@@ -58,7 +58,8 @@ void DifferentialDrive::ramp() {
     right_.setpoint = v + omega * b / 2;
 }
 
-// Each wheel loses a fraction of its travel, uniform between 0 and twice the mean.
+// Each wheel loses a random fraction of its travel, uniformly distributed between 0 and twice the
+// mean.
 void DifferentialDrive::draw_slip() {
     slip_age_s_ += step_s;
     if (slip_drawn_ && slip_age_s_ < slip_lasts_s) return;
@@ -80,8 +81,9 @@ double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted
     return force;
 }
 
-// Let v* and omega* be the speeds that the wheels set on the floor, m and I mass and inertia, and h
-// the step. The forces that bring the body to these speeds within the step are
+// Let v* and omega* be the body's target speeds, which follow from the wheels' setpoints and slip,
+// m and I its mass and moment of inertia, and h the time step. The forces that bring the body to
+// these speeds within the step are
 //   F_right + F_left = m (v* - v) / h,
 //   F_right - F_left = 2 I (omega* - omega) / (b h),
 // and -m v_across / h sideways, where the wheels do not roll. Directions are those at the middle of

@@ -39,7 +39,7 @@ class DifferentialDrive {
     struct Wheel {
         double setpoint = 0.0;   // m/s, the firmware's current target
         double measured = 0.0;   // m/s
-        double lost = 0.0;       // the fraction of its travel that is lost to slip
+        double lost = 0.0;       // the fraction of the wheel's travel that is lost to slip
         double strained_s = 0.0; // s, the time at full force without movement
     };
 

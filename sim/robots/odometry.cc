@@ -6,7 +6,7 @@
 
 namespace frob::sim {
 
-// Rounds a wheel's travel in a step to its encoder's counts; returns the resulting speed.
+// Rounds a wheel's travel in a step to whole encoder counts, and returns the resulting speed.
 double Odometry::counted(double &way, double speed) const {
     if (chassis_.count == 0.0) return speed;
     way += step_s * speed;

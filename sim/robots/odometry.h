@@ -13,7 +13,7 @@ class Odometry {
     Odometry(const Chassis &chassis, const OdometrySettings &settings, Noise noise)
         : chassis_(chassis), settings_(settings), noise_(noise) {}
 
-    // Counts one physics step at these wheel speeds, in m/s.
+    // Adds the movement in one physics step at these wheel speeds, in m/s.
     void advance(double left_speed, double right_speed);
 
     // The robot's estimated pose relative to its start; heading in (-pi, pi].
@@ -26,7 +26,7 @@ class Odometry {
     OdometrySettings settings_;
     Noise noise_;
     Pose pose_;
-    Vec ahead_{1.0, 0.0};                     // unit vector of its heading
+    Vec ahead_{1.0, 0.0};                     // unit vector in the direction of the heading
     double left_way_ = 0.0, right_way_ = 0.0; // the distance that each wheel has
                                               // travelled since its last count
 };

@@ -27,8 +27,8 @@ std::vector<Vec> spots_of(const frob_body &table) {
     return spots;
 }
 
-// The resolution of the speed commands, if the table contains it: either of the forward speed
-// and the turn rate, or of each wheel's speed.
+// The resolution of the speed commands, if the table specifies one: either for the forward speed
+// and the turn rate, or for each wheel's speed.
 frob_wire wire_of(const frob_body &table) {
     if (table.wheel_step_m_s > 0.0)
         return {true,

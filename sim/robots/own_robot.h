@@ -10,7 +10,7 @@
 
 namespace frob::sim {
 
-// Such a table, converted to the descriptions that the simulator uses.
+// A body's table, converted to the structs that the simulator uses.
 struct OwnBody {
     explicit OwnBody(const frob_body &table);
 
@@ -39,7 +39,7 @@ class OwnRobot : public Robot {
     Photocells photocells_;
 };
 
-// The kind of robot with this body. The body must outlive the robots of this kind.
+// Returns the kind of robot that has this body. The body must outlive all robots of this kind.
 RobotKind own_robot_kind(const OwnBody &body);
 
 } // namespace frob::sim

@@ -12,8 +12,8 @@ namespace frob::sim::p3dx {
 constexpr double mass = 9.0;                   // kg
 constexpr double body_length = 0.511;          // m, bumpers included
 constexpr double body_width = 0.425;           // m
-constexpr double body_center = -0.0445;        // m; the body extends further backwards than
-                                               // forwards
+constexpr double body_center = -0.0445;        // m; the body extends farther to the rear than to
+                                               // the front
 constexpr double corner_cut = 0.115;           // m cut off at each corner of the outline
 constexpr double wheel_radius = 0.09;          // m
 constexpr double wheel_separation = 2.0 / 5.6; // m, effective distance: 2 / DiffConvFactor
@@ -49,15 +49,15 @@ constexpr std::array<Pose, 16> sonars = {{
     {{-0.157, 0.136}, radians(90)},
 }};
 
-// at right angles to the body, in the front array
+// the transducers of the front array that point straight to the left and right
 constexpr std::size_t left_sonar = 0, right_sonar = 7;
 constexpr std::array<std::size_t, 2> front_sonars = {3, 4};
 
 constexpr double sonar_half_angle = radians(12.0); // half the opening angle of the cone
-constexpr double sonar_nearest = 0.1;              // m; objects that are nearer read as this
-constexpr double sonar_farthest = 5.0;             // m; objects that are farther return no echo
+constexpr double sonar_nearest = 0.1;              // m; the reading for any nearer object
+constexpr double sonar_farthest = 5.0;             // m; farther objects return no echo
 
-// The same dimensions in the form that the rest of the simulator uses.
+// The same dimensions in the structs that the rest of the simulator uses.
 const Chassis &chassis();
 const SonarRing &ring();
 

@@ -68,7 +68,7 @@ class Robot {
 
     double battery_voltage(std::int64_t time_ns) const;
 
-    // Fills in the fields that all input structs have under the same name.
+    // Fills in the fields that have the same names in the input structs of all kinds of robots.
     template <typename Input>
     void read_motion(Input &input) const {
         const Pose &believed = odometry_.pose();
@@ -89,18 +89,18 @@ class Robot {
 // A kind of robot that can be simulated.
 struct RobotKind {
     const char *name;                    // name in hosts and world files, such as "pioneer"
-    std::size_t input_size, output_size; // size of its C structs
+    std::size_t input_size, output_size; // sizes of its C structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
-    // Whether it has a lidar and an inertial measurement unit if the world file does not describe
-    // any.
+    // Whether the robot has a default lidar and inertial measurement unit if the world file does
+    // not describe any.
     bool equipped = false;
 };
 
 // The first kind is the default for worlds that do not name a robot.
 const std::vector<RobotKind> &robot_kinds();
 
-// Returns nullptr if there is no kind of this name.
+// Returns nullptr if there is no kind with this name.
 const RobotKind *robot_kind(const std::string &name);
 
 } // namespace frob::sim

@@ -6,7 +6,7 @@ namespace frob::sim {
 
 Ros::Ros(const Scene &scene, std::uint64_t seed) : Robot(turtlebot4::chassis(), scene, seed) {}
 
-// The node of a robot base computes the speeds of the base from those of the wheels.
+// Computes the speeds of the base from the wheel speeds, as a real base's ROS node does.
 void Ros::read(std::int64_t time_ns, void *into) {
     frob_ros_input input{};
     const Pose &believed = odometry_.pose();

@@ -1,4 +1,4 @@
-// The simulated robot of programs for ROS 2: a TurtleBot 4.
+// The simulated robot for ROS 2 programs: a TurtleBot 4.
 #pragma once
 
 #include <frob/ros.h>
@@ -14,7 +14,7 @@ class Ros : public Robot {
     void read(std::int64_t time_ns, void *input) override;
     void command(std::int64_t time_ns, const void *output) override;
 
-    // It has no transducers.
+    // Always empty: the robot has no transducers.
     const std::vector<Echo> &echoes() const override { return echoes_; }
     void forget_echoes() override {}
 

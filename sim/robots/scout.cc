@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t bumpers = super_scout::bumper_count;
 static_assert(sizeof(frob_scout_input::bumpers) == bumpers * sizeof(bool));
 
-// The bumper that a contact presses. Each covers a sixth of the circumference; the first is centred
-// on the front, and the others follow counter-clockwise.
+// The bumper that a contact presses. Each bumper covers a sixth of the circumference; the first is
+// centred on the front, and the others follow counter-clockwise.
 std::size_t bumper_at(const Vec &at) {
     const double sixths = std::atan2(at.y, at.x) / (2 * pi / bumpers);
     return static_cast<std::size_t>(std::lround(sixths) + static_cast<long>(bumpers)) % bumpers;

@@ -45,7 +45,8 @@ const Chassis &chassis() {
     return chassis;
 }
 
-// The transducers fire one after the other around the robot, from the front to both sides.
+// The transducers fire one at a time, alternately on the left and right, from the front to the
+// rear.
 const SonarRing &ring() {
     static const SonarRing ring = {
         40'000'000, {{{0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8}, 0}},

@@ -14,7 +14,7 @@ namespace frob::sim {
 class FloorSensors {
   public:
     // Each sensor looks at a spot of width `spot` below its place in the robot's frame, and updates
-    // every `refresh_ns`, a multiple of the physics' step.
+    // every `refresh_ns`, a multiple of the physics step.
     FloorSensors(std::vector<Vec> places, double spot, std::int64_t refresh_ns,
                  const FloorSettings &settings, Noise noise)
         : places_(std::move(places)), spot_(spot), refresh_ns_(refresh_ns), settings_(settings),

@@ -9,7 +9,8 @@ namespace frob::sim {
 namespace {
 
 constexpr double gravity = 9.80665; // m/s^2
-constexpr double closest = 0.05;    // m: the field of a magnet is constant within this distance
+constexpr double closest = 0.05;    // m; nearer to a magnet than this, its field falls linearly to
+                                    // zero
 constexpr std::size_t most_waiting = 10000; // measurements that have not arrived yet
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
@@ -45,15 +46,16 @@ double Imu::compass(const Pose &pose) {
                       settings_.compass_noise * noise_.normal());
 }
 
-// Both rates are means over the time since the last measurement, so their sums are exact.
+// The rate and the acceleration are means over the time since the last measurement, so integrating
+// them adds no error.
 //   gyroscope = (1 + scale error) * rate + bias + noise * n
-//   accelerometer = acceleration, and gravity upwards, + bias + noise * n
+//   accelerometer = acceleration + (0, 0, gravity) + bias + noise * n
 // The bias of the gyroscope walks: bias += drift * sqrt(seconds) * n.
 frob_imu Imu::measure(double seconds, const Body &body) {
     const Pose pose = body.pose();
     const Vec velocity = velocity_of(body);
     const double turned = wrap_angle(pose.heading - heading_);
-    const Vec u = direction(heading_ + 0.5 * turned); // at the middle of the time
+    const Vec u = direction(heading_ + 0.5 * turned); // at the middle of the interval
     const Vec change = 1.0 / seconds * (velocity - velocity_);
     const double rate[3] = {0.0, 0.0, turned / seconds};
     const double acceleration[3] = {dot(u, change), cross(u, change), gravity};

@@ -38,7 +38,8 @@ bool Lidar::is_masked(double bearing) const {
     });
 }
 
-// seen = true distance + noise * n, n normal. A ray that is lost or blocked measures nothing.
+// seen = true distance + noise * n, n normal. The value of a lost or blocked ray is NaN, and that
+// of a ray that hits nothing is infinity.
 std::vector<double> Lidar::measure(const Body &body) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     constexpr double nothing = std::numeric_limits<double>::infinity();

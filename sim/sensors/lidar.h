@@ -37,7 +37,7 @@ class Lidar {
 
     LidarSettings settings_;
     Noise noise_;
-    double first_, step_;      // bearing of ray 0 and distance between rays, in rad
+    double first_, step_;      // bearing of ray 0 and angle between rays, in rad
     std::vector<bool> masked_; // for each ray: whether a part of the robot blocks it
     std::uint32_t next_ = 0;   // number of the next scan
     std::int64_t due_ns_ = 0;

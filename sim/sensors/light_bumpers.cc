@@ -21,7 +21,7 @@ void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
             distance ? gain * create2::light_constant / std::max(*distance * *distance, 1e-6) : 0.0;
         signals_[i] = static_cast<std::int32_t>(
             std::lround(std::clamp(signal, 0.0, double{create2::largest_signal})));
-        // Programs ignore signals fainter than this.
+        // Programs ignore weaker signals.
         if (signals_[i] >= create2::faintest_light && time_ns % keep_ns == 0)
             echoes_.push_back({time_ns, i, *distance, from});
     }

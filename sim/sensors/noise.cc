@@ -10,7 +10,7 @@ Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
 }
 
 std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot) {
-    // The numbers of sensors' streams are smaller than this.
+    // Larger than the number of any sensor's stream.
     constexpr std::uint64_t streams_of_robots = 1u << 20;
     return robot == 0 ? seed : Noise(seed, streams_of_robots + robot).next();
 }

@@ -6,14 +6,15 @@
 namespace frob::sim {
 namespace {
 
-constexpr double right_above = 0.01; // m; objects do not fit between
+constexpr double right_above = 0.01; // m; at a smaller horizontal distance, no object fits in
+                                     // between
 
 } // namespace
 
 // E = I cos(a) / d^2, where d is the distance to the lamp and a is the angle between the cell's
-// direction and the direction of the lamp. The lamp hangs h above the cell. If r is the horizontal
-// vector to the lamp, d^2 = r^2 + h^2 and cos(a) = (u . r) / d. Walls, boxes and robots in between
-// block the light completely, as if they were as high as the lamp.
+// direction u and the direction to the lamp. The lamp hangs h above the cell. If r is the
+// horizontal vector to the lamp, d^2 = r^2 + h^2 and cos(a) = (u . r) / d. Walls, boxes and robots
+// in between block the light completely, as if they were as high as the lamp.
 double Photocells::from_lamp(const Lamp &lamp, const Pose &cell, const Body &body) const {
     const Vec way = lamp.position - cell.position;
     const double facing = dot(direction(cell.heading), way);

@@ -13,7 +13,7 @@ namespace frob::sim {
 class Photocells {
   public:
     // Each photocell has a fixed position and direction in the robot's frame, and updates every
-    // `refresh_ns`, a multiple of the physics' step.
+    // `refresh_ns`, a multiple of the physics step.
     Photocells(std::vector<Pose> seats, std::int64_t refresh_ns, const Scene &scene, Noise noise)
         : seats_(std::move(seats)), refresh_ns_(refresh_ns), lamps_(scene.lamps),
           ambient_(scene.ambient), noise_(noise), seen_(seats_.size()) {}

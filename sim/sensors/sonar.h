@@ -28,10 +28,10 @@ class Sonar {
     // one.
     std::optional<double> take(std::size_t transducer);
 
-    // Moves the echoes of all transducers to the events of a robot's input.
+    // Turns the echoes that `take` returns for all transducers into events of a robot's input.
     template <typename Event, std::size_t count>
     void take_all(Event (&events)[count]) {
-        constexpr std::uint8_t occurs = 1; // data Event a = NoEvent | Event a
+        constexpr std::uint8_t occurs = 1; // the tag of `Event` in data Event a = NoEvent | Event a
         for (std::size_t i = 0; i < count; ++i)
             if (const std::optional<double> distance = take(i)) {
                 events[i].tag = occurs;

@@ -14,11 +14,10 @@ struct SonarArray {
 };
 
 struct SonarRing {
-    std::int64_t ping_ns;           // time from one transducer of an array to the
-                                    // next
+    std::int64_t ping_ns;           // time from one ping of an array to the next
     std::vector<SonarArray> arrays; // arrays that fire in parallel
-    double nearest;                 // m; objects that are nearer read as this
-    double farthest;                // m; objects that are farther return no echo
+    double nearest;                 // m; the reading for any nearer object
+    double farthest;                // m; farther objects return no echo
     double resolution;              // m; 0: continuous
 };
 

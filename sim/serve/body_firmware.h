@@ -10,7 +10,7 @@
 
 namespace frob::serve {
 
-// `Wire` is a robot's end of its line; `Input` is the body's input struct.
+// `Wire` is the robot's end of its serial line, and `Input` is the input struct of the body.
 template <class Wire, class Input>
 class BodyFirmware : public Firmware {
   public:
@@ -50,7 +50,7 @@ class BodyFirmware : public Firmware {
         pass_on();
     }
 
-    // Passes the robot's current command to the body, and its bytes to the client.
+    // Passes the robot's current command to the body, and the robot's bytes to the client.
     void pass_on() {
         const auto output = wire_.output();
         frob_sim_command(sim_, now_ns_, &output);

@@ -148,7 +148,7 @@ std::string CameraPort::encode(const frob_image &image) {
     return part;
 }
 
-// A frame is drawn and compressed only if a client is watching.
+// Draws and compresses a frame only if a client is watching.
 void CameraPort::advance(std::int64_t time_ns) {
     accept_all();
     for (Client &client : clients_) client.receive(*this);

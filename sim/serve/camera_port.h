@@ -13,14 +13,15 @@ namespace frob::serve {
 
 class CameraPort {
   public:
-    // Opens all cameras of the world, before its physics runs. Port 0: any free port. Throws
-    // WrongUse if the world has no cameras or this build cannot encode JPEG, and std::system_error.
+    // Opens all cameras of the world. Must be called before the physics runs. Port 0 means any free
+    // port. Throws WrongUse if the world has no cameras or this build cannot encode JPEG, and
+    // std::system_error if it cannot listen on the port.
     CameraPort(frob_sim *sim, int port);
     ~CameraPort();
     CameraPort(const CameraPort &) = delete;
     CameraPort &operator=(const CameraPort &) = delete;
 
-    // The addresses of the cameras, as programs need them.
+    // The URLs of the cameras.
     std::vector<std::string> addresses() const;
 
     // Accepts new clients, and sends each one the frames that have arrived by now. Never blocks.
@@ -30,7 +31,7 @@ class CameraPort {
     struct Client {
         int socket = -1;
         std::string asked;   // the part of its request received so far
-        int camera = -1;     // index of the camera that it receives; -1 if it is not known yet
+        int camera = -1;     // index of the camera that it watches; -1 if not known yet
         bool leaves = false; // whether to close the connection when everything has been sent
         std::string waiting; // data still to be sent
         void receive(const CameraPort &port);

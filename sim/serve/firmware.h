@@ -17,7 +17,7 @@ class Firmware {
   public:
     virtual ~Firmware() = default;
 
-    // Runs the robot up to this time, which must not be earlier than that of the previous call.
+    // Runs the robot up to this time, which must not be earlier than in the previous call.
     virtual void advance(std::int64_t time_ns) = 0;
 
     // Receives a byte. The caller must have called `advance` with the time of its arrival.
@@ -29,7 +29,7 @@ class Firmware {
     // The time at which to call `advance` next.
     virtual std::int64_t next_ns() const = 0;
 
-    // The line's current rate, bits per second.
+    // The line's current rate, in bits per second.
     virtual std::uint32_t rate() const = 0;
 
     // Removes and returns the bytes to send.

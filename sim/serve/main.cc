@@ -67,7 +67,7 @@ struct SimulationCloser {
 };
 using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 
-// Returns null after an error, which it has already reported.
+// Returns null after reporting an error.
 Simulation open_simulation(const Options &options, const OwnRobot &own) {
     char message[8192];
     frob_sim_settings settings{};
@@ -98,7 +98,7 @@ void unlink_own(const Options &options, const Server &server) {
         unlink(options.link.c_str());
 }
 
-// Connects a new line and prints its name. Returns false if it cannot print.
+// Connects a new line and prints the name of its device. Returns false if printing fails.
 bool plug(Server &server, const Options &options, const Log &tell) {
     server.plug(make_connection(options, tell));
     const std::string device = server.connection()->device();
@@ -158,7 +158,7 @@ void run_in_ros(frob_sim *sim, CameraPort *cameras, const Options &options,
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
         if (end_ns > 0 && time_ns >= end_ns) break;
-        if (!robot.advance(time_ns)) throw WrongUse("the process of the ROS 2 node has ended");
+        if (!robot.advance(time_ns)) throw WrongUse("the ROS 2 node has ended");
         if (cameras != nullptr) cameras->advance(time_ns);
         robot.wait(time_ns);
     }

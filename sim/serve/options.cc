@@ -15,20 +15,20 @@ const char usage[] =
     "\n"
     "  --robot ROBOT      pioneer, scout or create\n"
     "  --model SUBCLASS   model of the pioneer: p3dx-sh, p3dx or p2dx\n"
-    "  --own FILE.so      the compiled C files of your own robot, with that name\n"
+    "  --own FILE.so      your own robot, compiled from its C files; --robot is its name\n"
     "  --world FILE       the world of the robot\n"
     "  --seed N           the seed for all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
-    "  --camera PORT      the world's cameras as MJPEG over HTTP, on 127.0.0.1; 0: any free port\n"
+    "  --camera PORT      serve the cameras as MJPEG over HTTP on 127.0.0.1; 0: any free port\n"
     "  --for SECONDS      how long to run (until interrupted)\n"
-    "  --rate BITS        initial rate of the line, bits per second (the robot's usual rate)\n"
+    "  --rate BITS        initial bit rate of the line (the robot's usual rate)\n"
     "  --unpaced          transmit bytes without delay\n"
     "  --log FILE         log each command to this file, with its time on the monotonic clock\n"
     "  --link PATH        maintain a symbolic link to the device\n"
     "  --target METRES    the wall distance that the robot should keep\n"
-    "  --node FILE        the node of the robot `ros`, instead of a serial line\n"
-    "  --stamped          cmd_vel of this robot is of the type TwistStamped\n"
-    "  --ros-args ARG...  arguments for ROS 2; they take the rest of the line\n"
+    "  --node FILE        for the robot `ros`: executable of its node, instead of a serial line\n"
+    "  --stamped          for the robot `ros`: cmd_vel has the type TwistStamped\n"
+    "  --ros-args ARG...  pass all the following arguments to ROS 2\n"
     "\n"
     "SIGUSR1 unplugs the cable; SIGUSR2 plugs it in again, as another device.\n";
 
@@ -80,7 +80,7 @@ void set(Options &o, const std::string &option, const std::string &value) {
     else if (option == "--target")
         o.wall_distance_m = number(option, value, 0.001, 100.0);
     else
-        throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
+        throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists all options");
 }
 
 } // namespace
@@ -105,15 +105,15 @@ Options read_options(int argc, char **argv) {
     if (o.world.empty()) throw WrongUse("--world is missing; see `frob-serve --help`");
     if (!o.node.empty()) {
         if (o.tcp_port >= 0 || !o.link.empty() || o.rate != 0)
-            throw WrongUse("a robot in ROS 2 has no serial line: remove --tcp and --link");
+            throw WrongUse("a robot in ROS 2 has no serial line: remove --tcp, --link and --rate");
         return o;
     }
     // The board of a user-defined robot determines the rate.
     if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)
-        throw WrongUse("no simulated `" + o.robot +
-                       "` has a serial line; use pioneer, scout or create");
+        throw WrongUse("there is no simulated `" + o.robot +
+                       "` with a serial line; use pioneer, scout or create");
     if (o.rate == 0) o.rate = usual;
     return o;
 }

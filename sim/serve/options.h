@@ -14,7 +14,7 @@ struct Options {
     std::string world;
     std::uint64_t seed = 1;
     int tcp_port = -1;       // negative: use a pseudo-terminal instead
-    int camera_port = -1;    // serves the world's cameras; negative: none
+    int camera_port = -1;    // port that serves the world's cameras; negative: none
     double duration_s = 0.0; // 0: until interrupted
     std::uint32_t rate = 0;  // the line's initial rate; 0: the robot's usual rate
     bool paced = true;       // whether bytes take as long as on a real line

@@ -62,7 +62,7 @@ void OwnFirmware::look(std::int64_t time_ns) {
     pass_on(answer);
 }
 
-// Passes the robot's current command to the body, and its bytes to the client.
+// Passes the robot's current command to the body, and the robot's bytes to the client.
 void OwnFirmware::pass_on(const frob_answer &answer) {
     std::fill(output_.begin(), output_.end(), 0);
     board_.drive(memory_.data(), output_.data());

@@ -19,8 +19,8 @@ struct OwnRobot {
     const frob_board *board = nullptr;
 };
 
-// Loads the descriptions of the robot from a shared object compiled from the user's C files, which
-// stays loaded. Throws WrongUse if a part is missing.
+// Loads the descriptions of the robot from a shared object, which was compiled from the user's C
+// files. The object stays loaded. Throws WrongUse if a part is missing.
 OwnRobot load_own_robot(const std::string &object, const std::string &robot);
 
 class OwnFirmware : public Firmware {
@@ -34,7 +34,7 @@ class OwnFirmware : public Firmware {
     std::uint32_t rate() const override { return rate_; }
 
   private:
-    static constexpr std::int64_t period_ns = 5'000'000; // period of reading the body
+    static constexpr std::int64_t period_ns = 5'000'000; // how often the body is read
 
     void look(std::int64_t time_ns);
     void pass_on(const frob_answer &answer);
@@ -43,7 +43,7 @@ class OwnFirmware : public Firmware {
     frob_sim *sim_;
     std::uint32_t rate_;
     std::int64_t now_ns_ = 0, next_ns_ = period_ns;
-    // Buffers of 64-bit words, so that they are aligned for any struct of the board.
+    // The buffers consist of 64-bit words, so that they are aligned for any struct of the board.
     std::vector<std::uint64_t> memory_, input_, output_;
 };
 

@@ -6,7 +6,7 @@
 namespace frob::serve {
 namespace {
 
-constexpr std::int64_t bits_per_byte = 10; // including start and stop bit
+constexpr std::int64_t bits_per_byte = 10; // including the start and stop bits
 
 } // namespace
 

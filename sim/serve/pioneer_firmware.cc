@@ -19,7 +19,7 @@ constexpr std::int64_t servo_period_ns = 20 * ms;
 constexpr std::int64_t watchdog_ns = 2000 * ms;
 constexpr std::int64_t handshake_patience_ns = 10'000 * ms;
 constexpr std::int64_t sonar_turn_ns = 320 * ms; // time in which each transducer fires once
-constexpr std::size_t backlog = 200;             // maximum number of bytes to send; if there are
+constexpr std::size_t backlog = 200;             // maximum number of unsent bytes; if there are
                                                  // more, a SIP is skipped
 
 constexpr double no_echo_m = 5.0;
@@ -27,7 +27,7 @@ constexpr double counts_per_turn = 4096.0;
 constexpr double difference = 0.0056; // omega = difference (v_right - v_left) / 2, v in mm/s
 constexpr double vel2_divisor = 20.0;
 constexpr int top_speed = 2200, top_turn = 500; // mm/s, deg/s
-constexpr double ticks_per_m = 132'000.0;       // FLASH parameter TicksMM of a P3-DX, 132
+constexpr double ticks_per_m = 132'000.0;       // the FLASH parameter TicksMM of a P3-DX is 132
 
 constexpr PioneerModel models[] = {
     {"p3dx-sh", 1.0, 1.0},
@@ -114,8 +114,8 @@ const PioneerModel *PioneerFirmware::find_model(const std::string &subclass) {
     return nullptr;
 }
 
-// Reads the sensors. While the robot moves, it also reads them between SIPs. Stores all echoes, so
-// that none is lost between two SIPs.
+// Reads the sensors. This happens before each SIP and at each motor update, so each echo is stored
+// until the next SIP.
 void PioneerFirmware::look() {
     frob_pioneer_input now{};
     frob_sim_read(sim_, &now);
@@ -129,7 +129,7 @@ double PioneerFirmware::heading() const {
     return std::remainder(sensed_.odometry.heading - origin_heading_, 2.0 * pi);
 }
 
-// Reads the sensors. A transducer that has not received an echo in its turn reads the farthest
+// Reads the sensors. A transducer that has not received an echo in its turn reads its maximum
 // range.
 void PioneerFirmware::listen() {
     look();
@@ -199,7 +199,7 @@ void PioneerFirmware::receive(std::uint8_t byte) {
     drive();
 }
 
-// Expects SYNC0, SYNC1, SYNC2 in this order and echoes each one. A SYNC0 starts over.
+// Expects SYNC0, SYNC1, SYNC2 in this order and echoes each one. A SYNC0 restarts the handshake.
 void PioneerFirmware::handshake(const P2osCommand &command) {
     if (command.number == 0) expected_sync_ = 0;
     if (command.number != expected_sync_ || command.argument) return;
@@ -349,7 +349,8 @@ void PioneerFirmware::send_io() {
 
 // The complete packet, following the ARCOS manual's "Configuration packet" and AriaCoda's reader.
 // Clients take their limits from it, so a truncated packet would keep the robot from moving. Speeds
-// are in mm/s and deg/s, with their accelerations; values that this robot lacks are 0.
+// are in mm/s and deg/s, and accelerations in mm/s^2 and deg/s^2. The fields of parts that this
+// robot does not have are 0.
 void PioneerFirmware::send_config() {
     constexpr int speed_up = 300, turn_up = 100;                     // defaults in FLASH
     constexpr int turn_gains[] = {40, 20, 0}, gains[] = {40, 30, 0}; // KP, KV, KI

@@ -1,7 +1,7 @@
 // The firmware of a Pioneer (P2OS to ARCOS) on the simulated robot: the handshake, the motion
 // commands, the server information packets (SIPs), and the watchdog. The watchdog stops the robot
-// when no packet has arrived for two seconds; the robot resumes its old speeds when the next packet
-// arrives.
+// when no packet has arrived for two seconds; the robot resumes its previous speeds when the next
+// packet arrives.
 #pragma once
 
 #include <array>
@@ -53,9 +53,9 @@ class PioneerFirmware : public Firmware {
     void send_encoders();
     void send_io();
     bool has_room() const;
-    double heading() const; // counters since SETO, which resets the odometry
+    double heading() const; // in rad, relative to the heading at the last SETO
 
-    // A packet that the client can request: never sent, sent once, or sent with each SIP.
+    // Whether a packet that the client can request is never sent, sent once, or sent with each SIP.
     enum class Asked { no, once, stream };
     static Asked asked(int n) { return n <= 0 ? Asked::no : n == 1 ? Asked::once : Asked::stream; }
 
@@ -76,7 +76,7 @@ class PioneerFirmware : public Firmware {
 
     bool motors_ = false, sonar_on_ = true;
     PioneerMotion motion_;
-    double left_m_ = 0.0, right_m_ = 0.0; // distances of the wheels according to their encoders
+    double left_m_ = 0.0, right_m_ = 0.0; // distances that the wheels have travelled
     Asked encoders_ = Asked::no, io_ = Asked::no;
     int digital_out_ = 0;
     double origin_x_ = 0.0, origin_y_ = 0.0, origin_heading_ = 0.0;

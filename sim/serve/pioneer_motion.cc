@@ -8,8 +8,8 @@
 namespace frob::serve {
 namespace {
 
-// Limits for MOVE and HEAD. These commands brake slowly enough for the body, whose own limits are
-// slightly higher, and do not exceed these speeds unless the client sets others.
+// Limits for MOVE and HEAD. These commands brake gently enough for the body, whose own limits are
+// slightly higher. The speed limits apply unless the client sets others.
 constexpr double braking = 0.2, turn_braking = 1.0; // m/s^2, rad/s^2
 constexpr double move_speed = 0.3, head_turn = 1.0;
 constexpr double there = 0.002, faces = 0.004; // m, rad

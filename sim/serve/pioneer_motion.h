@@ -15,7 +15,7 @@ struct PioneerState {
 
 class PioneerMotion {
   public:
-    // The limits that apply until a client sets its own.
+    // The arguments are the limits that apply until a client sets its own.
     PioneerMotion(double top_speed, double top_turn);
 
     void set_speed(double speed);            // VEL
@@ -24,7 +24,7 @@ class PioneerMotion {
     void face(double heading);               // HEAD: turn to this heading according to odometry
     void face_by(double angle, double from); // DHEAD: turn by an angle from the heading; DCHEAD:
                                              // from the heading setpoint
-    void stop();                             // STOP: stop with the set decelerations
+    void stop();                             // STOP: brake with the client's decelerations
     void halt();                             // E_STOP, motors off: stop immediately
 
     // SETV, SETRV, SETA, SETRA. A positive acceleration is for speeding up, a negative one for
@@ -54,7 +54,7 @@ class PioneerMotion {
     };
 
     Axis forward_, turn_;
-    std::optional<double> left_; // the rest of a distance to go
+    std::optional<double> left_; // remaining distance of a MOVE
     std::optional<double> heading_;
 };
 

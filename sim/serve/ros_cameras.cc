@@ -13,14 +13,15 @@
 namespace frob::serve {
 namespace {
 
-// Pages of this memory that no image reaches are never allocated.
+// The kernel allocates only those pages of this memory that images use.
 constexpr std::size_t memory_size = std::size_t{ROS_IMAGE_SLOTS} * ROS_IMAGE_MOST;
 
 } // namespace
 
 RosCameras::RosCameras(frob_sim *sim) : sim_(sim) {
     for (std::size_t i = 0; const char *name = frob_sim_camera_name(sim, i); ++i) {
-        if (i == ROS_CAMERAS_MOST) throw WrongUse("the world describes more than four cameras");
+        if (i == ROS_CAMERAS_MOST)
+            throw WrongUse("the world has more than four cameras: remove some");
         Camera &camera = cameras_.emplace_back();
         camera.name = name;
         camera.topic = camera.name == "camera" ? "image_raw" : camera.name + "/image_raw";

@@ -28,7 +28,7 @@ constexpr std::int64_t clock_ns = 10'000'000;     // period of /clock
 constexpr std::int64_t odometry_ns = 20'000'000;  // period of odom
 constexpr std::int64_t states_ns = 50'000'000;    // period of the bumpers and the battery
 constexpr std::int64_t patience_ns = 500'000'000; // The robot stops after this time without a
-                                                  // velocity, as most robots do.
+                                                  // velocity command, as most robots do.
 constexpr int start_ms = 20000;
 
 std::int64_t real_time_ns() {
@@ -62,8 +62,8 @@ RosRobot::~RosRobot() {
     waitpid(process_, nullptr, 0);
 }
 
-// The first lidar publishes on `scan`, as on most robots. The others publish on their own
-// names.
+// The lidar named `lidar` publishes on the topic `scan`, as on most robots. The other sensors
+// publish on topics with their own names.
 void RosRobot::open_sensors() {
     for (std::size_t i = 0; const char *name = frob_sim_lidar_name(sim_, i); ++i) {
         Sensor &sensor = sensors_.emplace_back(Sensor{
@@ -73,7 +73,8 @@ void RosRobot::open_sensors() {
     for (std::size_t i = 0; const char *name = frob_sim_imu_name(sim_, i); ++i)
         sensors_.push_back({frob_sim_open_imu(sim_, name), false, name});
     if (sensors_.size() > ROS_SENSORS_MOST)
-        throw WrongUse("the world describes more than eight lidars and inertial measurement units");
+        throw WrongUse(
+            "the world has more than eight lidars and inertial measurement units: remove some");
 }
 
 void RosRobot::start(const std::string &node, bool stamped,
@@ -108,7 +109,7 @@ void RosRobot::start(const std::string &node, bool stamped,
         ros_refused refused;
     } first{};
     pollfd wait{socket_, POLLIN, 0};
-    if (poll(&wait, 1, start_ms) == 0) throw WrongUse("the ROS 2 node has not started within 20 s");
+    if (poll(&wait, 1, start_ms) == 0) throw WrongUse("the ROS 2 node did not start within 20 s");
     const ssize_t got = recv(socket_, &first, sizeof first, 0);
     if (got == static_cast<ssize_t>(sizeof first.refused) && first.head.kind == ROS_REFUSED)
         throw WrongUse(first.refused.reason);

@@ -1,5 +1,5 @@
-// A simulated robot in ROS 2. It publishes its sensor values on topics, and drives with the
-// velocities of cmd_vel.
+// A simulated robot in ROS 2. It publishes its sensor values on topics, and drives at the
+// velocities that it receives on cmd_vel.
 //
 // The node is a separate process (runtime/hosts/ros_robot), because the simulator does not depend
 // on ROS. A socket connects them; its messages are those of runtime/hosts/ros/messages.h.
@@ -27,9 +27,9 @@ class RosRobot {
   public:
     using Log = std::function<void(std::int64_t time_ns, const std::string &text)>;
 
-    // Opens the world's lidars, inertial measurement units and cameras, starts the node, and waits until it
-    // has joined the ROS 2 system. `node`: the executable. `stamped`: cmd_vel is a TwistStamped.
-    // Throws WrongUse.
+    // Opens the world's lidars, inertial measurement units and cameras, starts the node, and waits
+    // until it has joined the ROS 2 system. `node`: the executable. `stamped`: whether cmd_vel is a
+    // TwistStamped. Throws WrongUse if any of this fails.
     RosRobot(frob_sim *sim, const std::string &node, bool stamped,
              const std::vector<std::string> &arguments);
     ~RosRobot();
@@ -39,7 +39,8 @@ class RosRobot {
     // Lines that describe the node and its topics.
     std::vector<std::string> description() const;
 
-    // Runs the robot up to this time, which must not go back. Returns false if the node has ended.
+    // Runs the robot up to this time, which must not be earlier than in the previous call. Returns
+    // false if the node has ended.
     bool advance(std::int64_t time_ns);
 
     // Waits until a velocity arrives, an event is due, or a signal interrupts the wait.
@@ -50,7 +51,7 @@ class RosRobot {
 
   private:
     struct Sensor {
-        int number; // number of the world's lidar or unit
+        int number; // number of the lidar or inertial measurement unit
         bool is_lidar;
         std::string topic;
         double ahead = 0.0, left = 0.0; // m, its position on the robot
@@ -75,12 +76,12 @@ class RosRobot {
     int socket_ = -1;
     pid_t process_ = 0;
     ros_started started_{};
-    std::unique_ptr<ros_scan> scan_; // room for a message
-    std::int64_t epoch_ns_;          // the time of this machine at the start
+    std::unique_ptr<ros_scan> scan_; // buffer for a message
+    std::int64_t epoch_ns_;          // this machine's time at the start
     std::int64_t next_ns_ = 0;
     std::int64_t heard_ns_ = 0; // time at which the last velocity arrived
     double speed_ = 0.0, turn_ = 0.0;
-    bool told_ = false; // whether a velocity that is not a number was reported
+    bool told_ = false; // whether the warning about a non-finite velocity was printed
     Log log_;
 };
 

@@ -3,7 +3,7 @@
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
 
-// Declared here because <sys/ioctl.h> would include the conflicting termios.
+// Declared here because <sys/ioctl.h> would declare a conflicting struct termios.
 extern "C" int ioctl(int descriptor, unsigned long request, ...) noexcept;
 
 std::uint32_t frob::serve::terminal_rate(int descriptor) {

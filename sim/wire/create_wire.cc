@@ -13,8 +13,8 @@ constexpr double separation_mm = 235.0;
 constexpr int most_mm_s = 500;
 constexpr std::int64_t frame_period_ns = 15000000;
 constexpr std::int64_t refresh_ns = 15000000, understood_ns = 1000000;
-constexpr std::size_t most_frame = 172; // number of bytes: the maximum that can be sent in 15 ms
-                                        // at 115200 baud
+constexpr std::size_t most_frame = 172; // maximum number of bytes that can be sent in 15 ms at
+                                        // 115200 baud
 constexpr std::uint8_t header = 19;
 
 // Number of data bytes in each single packet, from packet 7 on.
@@ -37,7 +37,7 @@ constexpr std::array<Group, 11> groups = {{{0, 7, 26},
                                            {106, 46, 51},
                                            {107, 54, 58}}};
 
-// The robot's output while it restarts: the lines, each with its time after opcode 7.
+// A text that the robot sends while it restarts, and its time after opcode 7.
 struct Said {
     std::int64_t after_ns;
     const char *text;
@@ -57,8 +57,8 @@ unsigned two_complement(int value) { return static_cast<unsigned>(value) & 0xFFF
 
 } // namespace
 
-// Number of bytes of the current command, including its data, as far as is known from the bytes
-// received.
+// The length of the current command, including its data, as far as it is known from the bytes
+// received so far.
 std::size_t CreateWire::needed() const {
     const std::size_t have = command_.size();
     switch (command_[0]) {

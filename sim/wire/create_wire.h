@@ -83,7 +83,7 @@ class CreateWire {
     std::vector<std::uint8_t> asked_; // requested packets that have not been sent
     std::int64_t answer_ns_ = 0;      // time at which the answer with these packets is due
     std::int64_t reset_ns_ = 0;       // time of the last restart
-    std::size_t to_boot_ = 0;         // steps of the restart that are still to come
+    std::size_t to_boot_ = 0;         // number of remaining steps of the restart
 };
 
 } // namespace frob::sim

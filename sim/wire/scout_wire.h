@@ -38,14 +38,14 @@ class ScoutWire {
     // Called for each command with its name and numbers, and when the watchdog acts.
     std::function<void(const std::string &)> log;
 
-    // Wheel speeds, 0.1 inch/s.
+    // Wheel speeds, in 0.1 inch/s.
     int left() const { return left_; }
     int right() const { return right_; }
     // The wheel speeds as a command for the body.
     frob_scout_output output() const;
 
   private:
-    // The pose that the robot reports: 0.1 inch, 0.1 degree.
+    // The pose that the robot reports, in units of 0.1 inch and 0.1 degree.
     struct Place {
         double x, y, heading;
     };
@@ -67,7 +67,7 @@ class ScoutWire {
     int left_ = 0, right_ = 0;
     int speed_left_ = 100, speed_right_ = 100; // speeds for PR, set by SP
     bool moving_ = false;                      // whether PR is moving the wheels to the goals below
-    double left_way_ = 0, right_way_ = 0;      // total distances that the wheels have travelled,
+    double left_way_ = 0, right_way_ = 0;      // total distances that the wheels have travelled, in
                                                // 0.1 inch
     double left_goal_ = 0, right_goal_ = 0;
     // The body's odometry when the client defined the pose, and the pose that it defined.
@@ -75,7 +75,7 @@ class ScoutWire {
     Place defined_{0, 0, 0};
     bool waits_ = false; // whether the answer to WS is pending
     std::int64_t waits_until_ns_ = 0;
-    std::array<bool, 16> on_{}; // which sonars are on, in the order of CONF_SN
+    std::array<bool, 16> on_{}; // which sonars are on, numbered as in CONF_SN
     std::array<std::uint8_t, 16> sonar_in_{};
     std::array<std::int64_t, 16> echo_ns_{};
     std::int64_t round_ns_ = 0; // duration of a round of the transducers that are on

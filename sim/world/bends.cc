@@ -16,7 +16,7 @@ struct Corner {
     Vec in() const { return (1.0 / length(here - before)) * (here - before); }
     Vec out() const { return (1.0 / length(after - here)) * (after - here); }
     double turn() const { return std::atan2(cross(in(), out()), dot(in(), out())); }
-    // The distance from the corner to the two ends of an arc that touches both sides.
+    // The distance from the corner to the two ends of an arc that is tangent to both sides.
     double reach(double radius) const { return radius * std::tan(std::abs(turn()) / 2); }
 };
 
@@ -49,8 +49,7 @@ void add_bend(const Corner &corner, double radius, std::vector<Vec> &to) {
 std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool closed, double radius) {
     const std::vector<Corner> corners = corners_of(points, closed);
     const std::size_t n = corners.size();
-    // The length that the corner at the other end of a segment needs. A free end does not
-    // need any.
+    // The length that the arc of a corner needs on each of its two segments. A free end needs none.
     const auto needed = [&](std::size_t i) { return corners[i % n].reach(radius); };
     for (std::size_t i = 0; i < n; ++i) {
         const Corner &corner = corners[i];

@@ -55,7 +55,7 @@ double Floor::reflectance(Vec place, double spot) const {
             place.y < layer.low.y - half || place.y > layer.high.y + half)
             continue;
         const double off = distance_to_polyline(layer.points, layer.closed, place);
-        // For stripes both edges count, because a stripe may be narrower than the spot.
+        // For a stripe, both edges count, because the stripe may be narrower than the spot.
         const double covered =
             layer.outlined ? share_below(0.0, is_inside(layer.points, place) ? -off : off, spot)
                            : share_below(layer.width / 2, off, spot) -

@@ -17,7 +17,7 @@ class Floor {
 
     // The fraction of light that a spot of width `spot` around a place reflects; 0 for a hole. If
     // the spot is on an edge, the result is between the reflectances of the two sides: the spot is
-    // treated as a square that is aligned with the edge, and each side is weighted by its part of
+    // treated as a square that is aligned with the edge, and each side is weighted by its share of
     // the square.
     double reflectance(Vec place, double spot) const;
 
@@ -25,7 +25,8 @@ class Floor {
     // An area or a stripe on the floor, with its bounding box.
     struct Layer {
         std::vector<Vec> points;
-        bool outlined; // an area with this outline or, otherwise, a stripe along the points
+        bool outlined; // whether `points` outline an area; if not, they are the centre line of a
+                       // stripe
         bool closed;   // for stripes
         double width;  // for stripes
         double reflectance;

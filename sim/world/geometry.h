@@ -39,8 +39,8 @@ struct Pose {
     double heading = 0.0;
 };
 
-// Converts a point given in the coordinates of `frame` to the coordinates in which `frame` itself
-// is given.
+// Converts a point from the coordinates of `frame` to the coordinates in which `frame` itself is
+// given.
 inline Vec from_frame(const Pose &frame, Vec point) {
     const Vec u = direction(frame.heading);
     return frame.position + Vec{u.x * point.x - u.y * point.y, u.y * point.x + u.x * point.y};
@@ -50,7 +50,7 @@ inline Pose from_frame(const Pose &frame, const Pose &pose) {
     return {from_frame(frame, pose.position), frame.heading + pose.heading};
 }
 
-// The same angle in (-pi, pi].
+// The equivalent angle in (-pi, pi].
 inline double wrap_angle(double angle) {
     if (-pi < angle && angle <= pi) return angle;
     const double wrapped = std::remainder(angle, 2.0 * pi);

@@ -1,4 +1,4 @@
-// The appearance of things to a camera.
+// The appearance of objects in camera images.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ enum class Texture { plain, plaster, bricks, stripes, checks };
 struct Look {
     Tint tint;
     Texture texture = Texture::plain;
-    double height = 0.0; // m, from the floor
+    double height = 0.0; // m, from the floor to the top
 };
 
 // Parses a colour name or "#rrggbb"; returns no value if it is neither.

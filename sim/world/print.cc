@@ -28,7 +28,7 @@ bool is_white(std::uint64_t code, int x, int y) {
     return (code >> (35 - 6 * (y - 2) - (x - 2)) & 1) != 0;
 }
 
-// Reads a number of a netpbm file's header, skipping whitespace and comments.
+// Reads a number from the header of a netpbm file, skipping whitespace and comments.
 int next_number(const std::string &text, std::size_t &at) {
     for (; at < text.size(); ++at) {
         if (text[at] == '#')
@@ -82,7 +82,7 @@ Print Print::of_file(const std::string &path) {
     const int most = next_number(text, at);
     if (width < 1 || height < 1 || width > most_pixels || height > most_pixels || most != 255)
         throw std::runtime_error(
-            "a picture must have sides of 1 to 4096 pixels and values up to 255");
+            "a picture must be 1 to 4096 pixels wide and high, and have a maximum value of 255");
     const std::size_t bytes = colours ? 3 : 1;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     ++at; // the whitespace that ends the header
@@ -103,8 +103,8 @@ Print Print::tag(int id) {
     return {10 * cell, 10 * cell, pixels};
 }
 
-// Interpolates between four pixels of a mipmap level, which is the first one whose pixels are not
-// much finer than those of the camera.
+// Interpolates between four pixels of the first mipmap level whose pixels are not much finer than
+// the camera's.
 void Print::colours(int count, const float *x, const float *y, const float *per_width, float light,
                     float *to) const {
     std::size_t number = 0;

@@ -17,17 +17,18 @@ class Print {
     // Rows start at the top, with three bytes per pixel.
     Print(int width, int height, const std::vector<std::uint8_t> &pixels);
 
-    // Throws std::runtime_error, whose message describes the error in the file.
+    // Reads a picture. Throws std::runtime_error with a message that describes the problem.
     static Print of_file(const std::string &path);
 
-    // Tag `id` of the family 36h11 with its white margin: ten cells wide, of which the black
-    // frame takes eight. The simulator contains the first `tags` of the family.
+    // Tag `id` of the family 36h11. With its white margin, it is ten cells wide; its black frame is
+    // eight cells wide. The simulator contains the first `tags` of the family.
     static Print tag(int id);
     static constexpr int tags = 30;
 
-    // The colours of `count` places under a light: x and y run from 0 at the left and the top to 1
-    // at the right and the bottom. `per_width` is the number of pixels across the picture's width
-    // at that place. Writes three numbers for each place, computed in single precision.
+    // The colours at `count` places under a light: x runs from 0 at the left to 1 at the right, and
+    // y from 0 at the top to 1 at the bottom. `per_width` is the number of camera pixels that the
+    // picture's width would cover at the scale of each place. Writes three numbers for each place,
+    // computed in single precision.
     void colours(int count, const float *x, const float *y, const float *per_width, float light,
                  float *to) const;
 

@@ -14,9 +14,9 @@ class Rolling {
     Vec place() const;
 
   private:
-    std::vector<Vec> corners_; // the path there and back; the last corner is joined to the first
+    std::vector<Vec> corners_; // the whole round trip; the last corner is joined to the first
     double speed_;
-    std::size_t behind_ = 0; // the last corner that it has passed
+    std::size_t behind_ = 0; // the last corner that the ball has passed
     double gone_ = 0.0;      // m, the distance travelled since then
 };
 

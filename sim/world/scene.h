@@ -39,17 +39,17 @@ struct Circle {
 // A rectangular box that the robot can push over the floor.
 struct Box {
     Pose pose;             // pose of its centre
-    Vec size;              // size along its own x and y axes
+    Vec size;              // size along the box's x and y axes
     double mass = 2.0;     // kg
     double friction = 0.5; // friction coefficient between box and floor
     Look look = {{0.70, 0.53, 0.30}, Texture::plaster, 0.3};
     std::string place; // place in the file, as in Start
 };
 
-// A ball on the floor. It rolls along a path, or rests until it is pushed.
+// A ball on the floor. It rolls along a path, or lies still until it is pushed.
 struct Ball {
-    std::vector<Vec> way; // the path, which is a single point if the ball rests; at the end, the
-                          // ball rolls back
+    std::vector<Vec> way; // the path, which is a single point if the ball lies still; at the end of
+                          // an open path, the ball rolls back
     bool closed = false;  // whether the path leads from its end back to its start
     double speed = 0.0;   // m/s
     double radius = 0.1;
@@ -68,8 +68,8 @@ struct Cone {
 
 // A picture that hangs in the room, on a wall or freely, and is visible from one side.
 struct Poster {
-    Pose pose;           // position of its centre, and the direction it faces
-    double middle = 0.5; // m, height of its centre above the floor
+    Pose pose;           // position of the picture's centre, and the direction in which it faces
+    double middle = 0.5; // m, height of the centre above the floor
     Vec size;            // width and height
     Print print;
 };
@@ -78,7 +78,7 @@ struct SkyLook {
     Tint tint = {0.80, 0.85, 0.92};
 };
 
-// A camera, which each robot of the world has.
+// A camera that each robot in the world carries.
 struct CameraSettings {
     std::string name = "camera";             // the name that programs use
     int width = 320, height = 240;           // pixels
@@ -87,9 +87,8 @@ struct CameraSettings {
     double rate = 30.0;                      // Hz
     double latency = 0.0;                    // s, from a frame's exposure to its arrival at the
                                              // program
-    double rolling = 0.0;      // s, from the exposure of a frame's first row to that of its last
-                               // row
-    double jitter = 0.0;       // s: maximum deviation of a frame's time
+    double rolling = 0.0;      // s, between the exposures of a frame's first and last row
+    double jitter = 0.0;       // s, maximum deviation from a frame's regular time
     double dropout = 0.0;      // fraction of frames that are lost
     double noise = 0.0;        // standard deviation of a pixel's value, on the scale from 0 to 255
     double exposure = 1.0;     // brightness
@@ -108,7 +107,7 @@ struct CameraSettings {
     std::optional<std::size_t> partner;
 };
 
-// A lidar, which each robot of the world has.
+// A lidar that each robot in the world carries.
 struct LidarSettings {
     std::string name = "lidar"; // the name that programs use
     int rays = 360;             // rays in a scan
@@ -121,17 +120,18 @@ struct LidarSettings {
     double dropout = 0.0;                  // probability that a ray is lost
     double ahead = 0.0, left = 0.0;        // m, its position on the robot
     double yaw = 0.0;                      // rad, its rotation to the left
-    // Bearings relative to the robot's heading between which its own parts block the rays: from the
-    // first to the second, counter-clockwise.
+    // Sectors in which parts of the robot block the rays: from the first bearing to the second,
+    // counter-clockwise, relative to the robot's heading.
     std::vector<Vec> masks; // rad
 };
 
-// An inertial measurement unit, which each robot of the world has.
+// An inertial measurement unit that each robot in the world carries.
 struct ImuSettings {
     std::string name = "imu"; // the name that programs use
     double rate = 100.0;      // measurements per second
     double latency = 0.0;     // s, from a measurement to its arrival at the program
-    // The gyroscope. A bias is constant during a run; this is its standard deviation over all runs.
+    // The gyroscope. The bias is drawn at the start of each run; `gyro_bias` is its standard
+    // deviation over all runs.
     double gyro_noise = 0.0; // rad/s, standard deviation
     double gyro_bias = 0.0;  // rad/s
     double gyro_drift = 0.0; // rad/s per square root of a second; the bias performs a random walk
@@ -151,7 +151,7 @@ struct Magnet {
     double strength = 0.0; // its field at 1 m, relative to the Earth's horizontal field
 };
 
-// The start of a robot.
+// The pose in which a robot starts.
 struct Start {
     Pose pose;
     std::string place; // place in the file, FILE:LINE:COLUMN, for messages
@@ -161,15 +161,15 @@ struct DriveSettings {
     // If there is no value, the robot's default applies (see chassis.h).
     std::optional<double> max_speed;         // m/s
     std::optional<double> max_turn;          // rad/s
-    std::optional<double> acceleration;      // m/s^2, to speed up and to brake
+    std::optional<double> acceleration;      // m/s^2, when speeding up and braking
     std::optional<double> turn_acceleration; // rad/s^2
     double slip = 0.0;                       // mean fraction of a wheel's travel that is lost
-    bool behind_wire = false; // whether commands come from a firmware, already rounded to steps;
-                              // not a setting of the file
+    bool behind_wire = false; // whether commands come from a firmware, which has already rounded
+                              // them; not a setting in the world file
 };
 
 struct OdometrySettings {
-    double distance_error = 0.0; // relative error: 0.01 counts 1 % too much
+    double distance_error = 0.0; // relative error: 0.01 means a reading that is 1 % too large
     double turn_error = 0.0;     // relative
     double veer = 0.0;           // rad/m, the turn that the odometry adds while driving straight
     double heading_noise = 0.0;  // rad per square root of a metre
@@ -178,7 +178,7 @@ struct OdometrySettings {
 struct SonarSettings {
     double noise = 0.0;   // m, standard deviation
     double dropout = 0.0; // probability that an echo is lost
-    int rays = 13;        // spacing across the cone: 2 degrees, which is 17 cm at 5 m
+    int rays = 13;        // rays across the cone, 2 degrees apart, which is 17 cm at 5 m
 };
 
 struct BatterySettings {
@@ -202,7 +202,7 @@ struct MeasureSettings {
     What what = What::wall;
     Side side = Side::left; // for walls
     double distance = 0.5;  // m, the distance to keep from a wall or ball
-    double settle = 10.0;   // s, the time at the start that is not measured
+    double settle = 10.0;   // s, the time at the start that is excluded from the measurement
 };
 
 // A hole in the floor, which a robot with cliff sensors detects as a cliff.
@@ -230,7 +230,7 @@ struct Patch {
 };
 
 struct FloorSettings {
-    double reflectance = 1.0;       // fraction of light that it reflects
+    double reflectance = 1.0;       // fraction of light that the floor reflects
     double noise = 0.0;             // relative standard deviation of a floor sensor's reading
     Tint tint = {0.66, 0.62, 0.56}; // for cameras
     Texture texture = Texture::plaster;
@@ -240,15 +240,15 @@ struct FloorSettings {
 struct Lamp {
     Vec position;
     double height = 0.3;     // m, height above the photocells or, for cameras, above the floor
-    double intensity = 60.0; // cd; the default is that of a bulb of 750 lm
+    double intensity = 60.0; // cd; the default is that of a 750 lm bulb
 };
 
 // The ambient light of the room.
 struct AmbientSettings {
     double light = 0.0; // lx from all directions, in addition to the lamps
     double noise = 0.0; // relative standard deviation of a photocell's reading
-    // The light in lx, from all sources, under which a white surface appears as full white to
-    // cameras. Without a value, cameras see everything in even light.
+    // The illuminance in lx, from all sources, at which a white surface appears fully white to
+    // cameras. Without a value, cameras see everything evenly lit.
     std::optional<double> white;
 };
 

@@ -8,24 +8,24 @@
 
 namespace frob::sim {
 
-// The place on the tape that is nearest to a point.
+// The place on a tape that is nearest to a given point.
 struct OnTape {
     std::size_t tape; // index of the tape in the scene
-    double distance;  // distance from the middle line of the tape
+    double distance;  // distance from the centre line of the tape
     double along;     // distance along the tape from its first point
 };
 
-// The scene must have tape.
+// The scene must contain a tape.
 OnTape nearest_on_tape(const Scene &scene, Vec point);
 
 // Measurements of a run.
 class TapeDistance {
   public:
-    // The scene must outlive this object and have tape.
+    // The scene must contain a tape, and must outlive this object.
     TapeDistance(const Scene &scene, const MeasureSettings &settings);
 
     // Takes the robot's pose at an instant of the controller. Returns the distance from the middle
-    // of its axle to the middle line of the nearest tape.
+    // of its axle to the centre line of the nearest tape.
     double observe(std::int64_t time_ns, const Pose &robot);
 
     // Distances since the robot settled; NaN if it has not settled.

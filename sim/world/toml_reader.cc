@@ -8,7 +8,8 @@ namespace {
 
 constexpr double smallest = 0.01; // m
 
-// The Levenshtein distance: the number of insertions, deletions and replacements of a letter.
+// The Levenshtein distance: the minimum number of insertions, deletions and replacements of
+// letters.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

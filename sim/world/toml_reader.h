@@ -36,7 +36,7 @@ class Mistakes {
     std::vector<Mistake> found_;
 };
 
-// Maximum number of points in a world. If there are more points, the simulation is slower than real
+// Maximum number of points in a world. With more points, a simulation would be slower than real
 // time.
 constexpr std::size_t most_points = 20'000;
 
@@ -45,7 +45,7 @@ constexpr std::size_t most_points = 20'000;
 enum class Range { any, not_negative, positive, size, share, part, error, turn };
 
 // Reads the keys of a table. `finish` then reports all unknown keys and all missing required keys.
-// It does not report a missing key if an unknown key is probably a misspelling of that key. After a
+// It does not report a missing key if an unknown key is probably a misspelling of it. After a
 // mistake, the reader returns a default value and continues.
 class TomlReader {
   public:
@@ -59,8 +59,8 @@ class TomlReader {
     std::string string(std::string_view key);
     std::string needed_string(std::string_view key);
     Vec needed_point(std::string_view key, Range range);
-    // Neighbouring points must be different. If `closed` is true, the last and the first point must
-    // also be different.
+    // Neighbouring points must be at least a centimetre apart. If `closed` is true, this also
+    // applies to the last and the first point.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);
 
     // Returns the value for a key, whatever its type, or nullptr if there is none.

@@ -9,7 +9,7 @@
 
 namespace frob::sim {
 
-// Distance from a point to the nearest wall, polygon or circle. It is 0 inside an object, and
+// Distance from a point to the nearest wall, polygon, circle or cone. It is 0 inside an object, and
 // infinite if there are no objects. Boxes do not count, because they can be pushed away.
 double clearance(const Scene &scene, Vec point);
 
@@ -21,7 +21,7 @@ class WallDistance {
         : scene_(scene), chassis_(chassis), settings_(settings) {}
 
     // Takes the robot's pose at an instant of the controller. Returns the distance from the
-    // measured side of the robot.
+    // measured side of the robot to the nearest wall or other solid.
     double observe(std::int64_t time_ns, const Pose &robot);
 
     // Errors since the robot settled; NaN if it has not settled.

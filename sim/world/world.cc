@@ -7,9 +7,9 @@
 #include "triangulate.h"
 
 // In each step, Box2D reads the clock dozens of times for a profile that the simulator does not
-// use. On systems where reading the clock is slow, this takes a third of a run. These definitions
-// replace those of the library, because they are linked before it. They do not read the clock, and
-// Box2D's results do not depend on it.
+// use. On systems where reading the clock is slow, this takes a third of a run. The following
+// definitions, which do not read the clock, replace the library's, because they are linked first.
+// Box2D's results do not depend on the clock.
 b2Timer::b2Timer() {}
 void b2Timer::Reset() {}
 float b2Timer::GetMilliseconds() const { return 0.0f; }
@@ -21,7 +21,7 @@ namespace {
 constexpr int velocity_iterations = 8;
 constexpr int position_iterations = 3;
 
-constexpr float body_friction = 0.3f; // between the sides of solids
+constexpr float body_friction = 0.3f; // friction coefficient between the sides of solids
 constexpr float gravity = 9.81f;
 
 b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
@@ -66,8 +66,8 @@ void add_wall(b2Body &body, const Wall &wall, std::size_t name) {
     }
 }
 
-// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so this file omits
-// triangles that are too narrow for Box2D.
+// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so triangles that
+// are too narrow for Box2D are omitted.
 bool is_solid(const Triangle &t) {
     const double longest =
         std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
@@ -156,7 +156,7 @@ const std::string &World::name_of(const b2Fixture &fixture) const {
 }
 
 // Friction of a box on the floor: the maximum force is mu m g, and the maximum torque is that of a
-// disc of the same area, 2/3 r mu m g with r = sqrt(a b / pi).
+// disc of the same area: 2/3 r mu m g with r = sqrt(a b / pi), where a and b are the box's sides.
 b2Body &World::add_box(const Box &box) {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
@@ -175,7 +175,8 @@ b2Body &World::add_box(const Box &box) {
     rub.maxForce = static_cast<float>(box.friction * box.mass) * gravity;
     rub.maxTorque =
         rub.maxForce * 2.0f / 3.0f * static_cast<float>(std::sqrt(box.size.x * box.size.y / pi));
-    rub.collideConnected = true; // with the walls, which belong to the same body as the floor
+    rub.collideConnected = true; // so that the box collides with the walls, which belong to the
+                                 // same body as the floor
     physics_.CreateJoint(&rub);
     return *body;
 }
@@ -194,7 +195,7 @@ b2Body &World::add_ball(const Ball &ball) {
     return *body;
 }
 
-// Moves each ball to the place where its path leads at the end of this step.
+// Moves each rolling ball to the place that it reaches on its path at the end of this step.
 void World::roll_balls() {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         if (balls_[i]->GetType() != b2_kinematicBody) continue;

@@ -30,7 +30,7 @@ class World {
 
     b2World &physics() { return physics_; }
 
-    // The poses of the scene's boxes and the places of its balls, in the scene's order.
+    // The poses of the boxes and the places of the balls, in the scene's order.
     std::vector<Pose> box_poses() const;
     std::vector<Vec> ball_places() const;
 

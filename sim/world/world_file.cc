@@ -19,12 +19,13 @@ namespace {
 
 constexpr int most_robots = 10'000;
 
-// Limits on a world. Larger worlds run slower than real time or need a gigabyte of memory.
-constexpr std::size_t most_bytes = 4 << 20; // size of the file
+// Limits on the size of a world. Larger worlds run slower than real time or need a gigabyte of
+// memory.
+constexpr std::size_t most_bytes = 4 << 20; // maximum size of the file
 constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
 
-// Reads one robot, or a block of `count` robots in rows of `columns`, `spacing` apart: the first
-// row runs from (x, y) along x, and the following rows are offset along y.
+// Reads the start of one robot, or of `count` robots, `spacing` apart, in rows of `columns` robots:
+// the first row runs from (x, y) along x, and the following rows are offset along y.
 void read_start(TomlReader reader, std::vector<Start> &starts) {
     Pose pose;
     pose.position.x = reader.needed_number("x", Range::any);
@@ -66,7 +67,7 @@ Texture read_texture(TomlReader &reader, Texture otherwise) {
     return otherwise;
 }
 
-// Reads the appearance for cameras.
+// Reads how an object looks to cameras.
 Look read_look(TomlReader &reader, Look look) {
     look.tint = read_tint(reader, "colour", look.tint);
     look.texture = read_texture(reader, look.texture);
@@ -172,7 +173,8 @@ Poster read_poster(TomlReader reader, const std::string &folder) {
     return poster;
 }
 
-// `size` is the width of the black frame, which takes eight of the ten cells.
+// `size` is the width of the black frame, which is eight cells wide; the whole tag is ten cells
+// wide.
 Poster read_tag(TomlReader reader) {
     Poster tag;
     read_place(reader, tag);
@@ -267,7 +269,7 @@ std::string shown(double x) {
 }
 
 // Limits the number of boxes. Overlapping boxes are pushed apart, pair by pair. A few of them form
-// a heap, but hundreds in one place are a mistake in the program that wrote the file.
+// a heap, but hundreds in one place suggest a mistake in the program that wrote the file.
 void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes) {
     if (boxes.size() > most_boxes)
         return reader.mistake("a world can have at most " + std::to_string(most_boxes) +
@@ -579,7 +581,7 @@ Scene read_world_file(const std::string &path) {
     std::ifstream file(path, std::ios::binary);
     std::string text;
     try {
-        // Opening a folder succeeds, and only reading it fails.
+        // Opening a folder succeeds; only reading it fails.
         file.exceptions(std::ios::badbit | std::ios::failbit);
         file.peek();
         file.exceptions(std::ios::badbit);

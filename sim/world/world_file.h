@@ -8,17 +8,18 @@
 
 namespace frob::sim {
 
-// An unusable world file. `what()` has one line for each mistake, `FILE:LINE:COLUMN: message`, in
-// the order of the file.
+// Thrown for an unusable world file. `what()` has one line for each mistake, `FILE:LINE:COLUMN:
+// message`, in file order.
 class WorldFileError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// Reads the file. Throws WorldFileError with all mistakes found.
+// Reads a world file. Throws a WorldFileError that lists all mistakes found.
 Scene read_world_file(const std::string &path);
 
-// Does the same for a text. `path` is the name for messages.
+// Parses the text of a world file and throws like read_world_file. Messages name the file `path`,
+// and relative paths of pictures are relative to the folder of `path`.
 Scene parse_world(const std::string &text, const std::string &path);
 
 } // namespace frob::sim

@@ -32,8 +32,8 @@ let components graph =
         | component -> List.sort Int.compare component)
         :: !found
   in
-  (* [edges]: the remaining edges of a vertex. [path]: the path to it from the root of the search,
-     as vertices with their remaining edges. *)
+  (* [edges]: the edges of [v] that the search has not followed yet. [path]: the vertices that lead
+     from the root of the search to [v], each with its unfollowed edges. *)
   let rec search v edges path =
     match edges with
     | w :: edges when number.(w) = unvisited ->
@@ -80,8 +80,8 @@ let shortest_cycle graph component =
   let seen_from = Array.make n (-1) in
   let parent = Array.make n (-1) in
   let looked_at = ref 0 in
-  (* Breadth-first search from [root]. It stops at the depth at which it can no longer find a path
-     shorter than [bound]. *)
+  (* Breadth-first search for a shortest cycle through [root] that has fewer than [bound]
+     vertices. *)
   let through root bound =
     let queue = Queue.create () in
     let rec path_to v path = if v = root then root :: path else path_to parent.(v) (v :: path) in

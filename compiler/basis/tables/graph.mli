@@ -17,5 +17,5 @@ val is_cyclic : t -> int list -> bool
 
 val shortest_cycle : t -> int list -> int list
 (** A shortest cycle within a cyclic component, in the direction of the edges, starting at its
-    smallest vertex. If the component is so large that examining all its cycles would take seconds,
-    returns the shortest cycle found within a limit. *)
+    smallest vertex. If the component is so large that a full search would take seconds, the search
+    stops early, and the result may not be the shortest cycle. *)

@@ -3,7 +3,7 @@ let map ~stage make all =
   let before k =
     match made.(k) with
     | Some one -> one
-    | None -> Diagnostic.bug ~stage "number %d is requested before it is generated" k
+    | None -> Diagnostic.bug ~stage "element %d is requested before it is computed" k
   in
   let one k element =
     let one = make ~before k element in

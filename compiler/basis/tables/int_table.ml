@@ -1,6 +1,6 @@
-(* Open addressing with linear probing: a key is at its own slot or at the next free slot after it.
-   At most half of the slots are occupied. Values are stored as [Some], so that a lookup does not
-   allocate. *)
+(* Open addressing with linear probing: a key is stored in its own slot or, if that is taken, in the
+   next free one. At most half of the slots are occupied. Values are stored as [Some], so that a
+   lookup does not allocate. *)
 type 'a t = {
   mutable keys : int array;
   mutable values : 'a option array;  (** [None] in free slots *)
@@ -20,7 +20,7 @@ let create n = { keys = [||]; values = [||]; length = 0; bits = bits_for n fewes
    Art of Computer Programming 3, section 6.4). *)
 let own_place t key = (key * 0x278DDE6E5FD29F05) lsr (Sys.int_size - t.bits)
 
-(* The slot that contains the key, or the slot where to insert the key. *)
+(* The slot that contains the key, or the free slot in which to insert it. *)
 let rec place t key i =
   match t.values.(i) with
   | Some _ when t.keys.(i) <> key -> place t key ((i + 1) land (Array.length t.keys - 1))
@@ -57,7 +57,7 @@ let take_out t i =
 let remove t key =
   if mem t key then (
     let next i = (i + 1) land (Array.length t.keys - 1) in
-    (* The removed key may have displaced keys after it, so they are inserted again. *)
+    (* The removed key may have displaced the keys that follow it, so reinsert them. *)
     let rec put_again i =
       match t.values.(i) with
       | None -> ()

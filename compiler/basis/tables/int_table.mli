@@ -2,12 +2,12 @@
 
     Passes look up signals a hundred times for each line of a program. Compared with [Hashtbl] from
     the standard library, hashing and comparing keys costs almost nothing here, and an empty table
-    takes almost no memory. The interface is that of [Hashtbl]. *)
+    takes almost no memory. The interface is a subset of the interface of [Hashtbl]. *)
 
 type 'a t
 
 val create : int -> 'a t
-(** An empty table. The argument is a hint about the number of keys. *)
+(** An empty table. The argument is the expected number of keys; it only affects performance. *)
 
 val replace : 'a t -> int -> 'a -> unit
 (** Binds the key to the value, replacing any previous binding. *)
@@ -29,5 +29,5 @@ val reset : 'a t -> unit
 val copy : 'a t -> 'a t
 
 val fold : (int -> 'a -> 'b -> 'b) -> 'a t -> 'b -> 'b
-(** The order depends on the keys and on the table's history, so use it only where the order does
-    not affect the result. *)
+(** The order of the calls depends on the keys and on the table's history, so use this function only
+    where the order does not affect the result. *)

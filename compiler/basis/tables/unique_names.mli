@@ -8,7 +8,8 @@ val create : unit -> t
 val clear : t -> unit
 
 val find : t -> id:int -> string -> string
-(** Shows the variable with this id and name. *)
+(** The name under which to show the variable that has this id and this name in the program. *)
 
 val find_opt : t -> int -> string option
-(** The name of a variable that {!find} has shown. *)
+(** The name that {!find} returned for the variable with this id; [None] if {!find} was not called
+    for it. *)

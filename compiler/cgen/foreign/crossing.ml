@@ -30,9 +30,9 @@ let rec value names direction ~depth (ty : M.ty) ~to_ ~from =
       let at array = Array_type.element array (Name index) in
       let body = value names direction ~depth:(depth + 1) element ~to_:(at to_) ~from:(at from) in
       [ plain (For { index; count; body }) ]
-  | Bool | Int | Nanoseconds | Foreign _ -> bug "a value without numbers"
+  | Bool | Int | Nanoseconds | Foreign _ -> bug "expected a type that contains Floats"
 
-(* Both structs have the same members. *)
+(* Copies member by member, because both structs have the same members. *)
 and sum names direction ~depth k ~to_ ~from =
   let v = Expression.vocabulary names in
   let sums = v.program.sums in
@@ -52,7 +52,7 @@ let rec without_arrays steps (ty : M.ty) =
   | Interface.Element _ :: steps, Array (_, element) -> without_arrays steps element
   | Interface.Member _ :: steps, ty -> without_arrays steps ty
   | [], ty -> ty
-  | Element _ :: _, _ -> bug "an element of a value that is not an array"
+  | Element _ :: _, _ -> bug "expected an array type for an element"
 
 let elements names direction ty steps ~c ~own =
   let ty = without_arrays steps ty and depth = Interface.dimensions steps in

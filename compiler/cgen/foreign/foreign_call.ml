@@ -21,7 +21,7 @@ let fill names (i : Interface.t) name values =
 let size : M.ty -> int = function
   | Array (size, _) -> size
   | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ ->
-      bug "elements of a value that is not an array"
+      bug "expected an array type"
 
 (* An element of a plain C array. *)
 let bare name : Ir.expr list -> Ir.expr = function
@@ -48,7 +48,7 @@ let argument names k (passing : Foreign_interface.passing) values =
   | Struct i, values ->
       let name = own () in
       (fill names i name values, [ address name ])
-  | (Value _ | Address _ | Elements _), _ -> bug "an argument with unexpected leaves"
+  | (Value _ | Address _ | Elements _), _ -> bug "unexpected leaves for an argument"
 
 (* {1 Results} *)
 
@@ -58,9 +58,14 @@ type results =
   | Bare of string  (** a single array, stored in a variable that is a plain C array *)
   | Inside of Ir.expr * Interface.t  (** a pointer to a struct *)
 
-type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if the function returns it *) }
+type output = {
+  ty : M.ty;
+  leaf : int;
+  pointer : string;  (** [""] if the function returns the output *)
+}
 
-(* Converts a result for the program: to an expression, or to statements that copy it. *)
+(* Converts a result for the program. Returns an expression, or a function that generates statements
+   that copy the result. *)
 let result names results { ty; leaf; _ } =
   let copy steps c = `Copy (fun target -> Crossing.elements names From_c ty steps ~c ~own:target) in
   let in_one_piece (e : Ir.expr) =
@@ -82,7 +87,7 @@ let leaf_number (foreign : F.foreign) name =
   let rec find k = function
     | (s : F.signal) :: _ when String.equal s.name name -> k
     | _ :: others -> find (k + 1) others
-    | [] -> bug "an output that is not a result"
+    | [] -> bug "the output is not a result of the foreign function"
   in
   find 0 foreign.results
 
@@ -102,7 +107,7 @@ let give output value =
     (if String.equal output.pointer "" then Ir.Return value
      else Assign (Unary (Dereference, Name output.pointer), value))
 
-(* Declares a variable for each output. It receives the C function's result before the output is
+(* Declares a variable for each output, which holds the C function's result until the output is
    assigned. *)
 let through_variables v names ~initial outputs results call =
   let own output =
@@ -141,7 +146,7 @@ let body v names outputs results ~call ~present =
 
 (* {1 The call} *)
 
-(* The conditions under which all arguments exist. *)
+(* For each argument that may be a null pointer, the condition that it is not. *)
 let present names parameters =
   List.filter_map
     (fun (p : M.variable) ->
@@ -151,7 +156,8 @@ let present names parameters =
       | Foreign _ | Bool | Int | Float | Sum _ | Nanoseconds | Array _ -> None)
     parameters
 
-(* The call with its result, and the declaration of the result's variable. *)
+(* The statements that call the function, and the place of its result. If the result is returned
+   directly, the place is the call itself. *)
 let call_function v names (node : M.node) symbol arguments (passing : Foreign_interface.passing) =
   let variable ty =
     let name = Name.fresh (Expression.scope names) "result" in
@@ -171,14 +177,14 @@ let call_function v names (node : M.node) symbol arguments (passing : Foreign_in
   | Elements _, [ (_, ty) ] ->
       let pointer name = Ir.Member (Name name, "at") in
       into (variable (V.ty v ty)) pointer (fun name -> Whole (Name name))
-  | Elements _, _ -> bug "an array of several leaves"
+  | Elements _, _ -> bug "expected an array with a single leaf"
 
 let step (v : Program_names.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let node = v.program.nodes.(k) in
   let foreign =
     match node.foreign with
     | Some foreign -> foreign
-    | None -> bug "a foreign call of a function that is not foreign"
+    | None -> bug "expected a node that calls a foreign function"
   in
   let names = Expression.names v ~node:k in
   let given = Expression.parameters names node.step.parameters in

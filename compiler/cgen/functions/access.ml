@@ -1,5 +1,5 @@
 let plain desc : Ir.statement = { desc; comment = "" }
-let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "a place without an access path"
+let no_path () = Basis.Diagnostic.bug ~stage:"Cgen.Access" "invalid access path"
 
 (* A place in the input or output struct, given an index for each array that contains it. *)
 let path from steps indices =

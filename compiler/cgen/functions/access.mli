@@ -1,8 +1,8 @@
 (** Accesses places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that the steps lead to from a pointer to the struct, given an index for each array
-    that contains it. *)
+(** The place that a path leads to from a pointer to the struct, given an index for each array on
+    the path. *)
 
 val for_each :
   Expression.names ->

@@ -1,4 +1,5 @@
-(** The context in which the statements of a function are generated, and the calls of nodes. *)
+(** The context for generating the statements of a function, with functions for declarations and for
+    calls of nodes. *)
 
 open Basis
 module M = Step.Ir
@@ -28,7 +29,7 @@ val declared : t -> (M.variable * string) list -> Ir.statement list
     type share a declaration. *)
 
 val uninitialized : t -> M.variable list -> Ir.statement list
-(** The same for the variables' own names, with the last declaration first. *)
+(** Like {!declared}, but with the variables' own names, and with the last declaration first. *)
 
 val in_seconds : Program_names.t -> Ir.expr -> Ir.expr
 (** Converts 64-bit nanoseconds to seconds. *)
@@ -40,7 +41,7 @@ val step_call :
     default. *)
 
 val own_state : t -> M.field option -> Ir.expr list
-(** The address of a state, or an empty text if there is no state. *)
+(** The address of a state, as a list with one element; empty if there is no state. *)
 
 val for_step : t -> int -> M.expr list -> Ir.expr list
 (** The arguments for a node's step. *)

@@ -10,7 +10,7 @@ type names = {
   in_place : (Ir.expr list -> Ir.expr) Int_table.t;
   indices : string Int_table.t; (* names of loop indices, by nesting depth *)
   limits : M.expr Int_table.t; (* see {!Limits} *)
-  limits_dt : bool; (* at each use *)
+  limits_dt : bool; (* whether to limit dt at each use *)
   reaches : M.field list; (* see {!Step.Short_times} *)
   reached : string Int_table.t; (* names of Boolean variables, by field *)
   mutable reaches_state : bool;
@@ -52,7 +52,8 @@ let read_as n (variable : M.variable) e = Int_table.replace n.variables variable
 let variable n (variable : M.variable) =
   match Int_table.find_opt n.variables variable.id with
   | Some (Name name) -> name
-  | Some _ -> Diagnostic.bug ~stage:"Cgen.Expression" "a variable without a name"
+  | Some _ ->
+      Diagnostic.bug ~stage:"Cgen.Expression" "a variable that is read as an expression has no name"
   | None ->
       let name = Name.fresh n.scope variable.name in
       Int_table.replace n.variables variable.id (Ir.Name name);
@@ -63,7 +64,7 @@ let field n (field : M.field) =
   | Some (first :: inside) ->
       n.reaches_state <- true;
       List.fold_left (fun e member -> Ir.Member (e, member)) (Arrow (Name "self", first)) inside
-  | Some [] | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+  | Some [] | None -> Diagnostic.bug ~stage:"Cgen.Expression" "the field is not part of the state"
 
 let state n (kept : M.field) : Ir.expr =
   match kept.content with
@@ -102,8 +103,8 @@ let limit (operator : Flow.Ir.operator) : M.expr -> (M.expr * float * M.expr) op
       | _, _ -> None)
   | _ -> None
 
-(* A minimum of a maximum that can be computed by one function: the function's name and
-   arguments. *)
+(* If one function can compute this minimum of a maximum, or maximum of a minimum: the name and the
+   arguments of that function. *)
 let clamp n (e : M.expr) =
   match Limits.limited e with
   | Some ((Variable v as x), y) when Int_table.mem n.limits v.id ->
@@ -127,7 +128,7 @@ let clamp n (e : M.expr) =
 let unlimited n (variable : M.variable) value =
   Option.value (Int_table.find_opt n.limits variable.id) ~default:value
 
-let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values of unexpected types"
+let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "unexpected operands"
 
 (* Splits a comparison of an integer with a literal into the integer, the literal, and the
    comparison as a function of the integer's value. *)
@@ -187,7 +188,7 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   (* gcc 12 folds expressions like [0.0 - fabs(x)] to the wrong zero, unless the operands are
      parameters of a function. *)
   let has_zero = match (a, b) with M.Float 0., _ | _, M.Float 0. -> true | _, _ -> false in
-  (* Comparisons ignore the sign of a zero. *)
+  (* Comparisons ignore the sign of zero, so a negative zero can be written as 0. *)
   let compared e x = match literal e with Some 0. -> V.float n.v 0. | _ -> x in
   let x, y =
     match operator with Equal | Less | Less_equal -> (compared a x, compared b y) | _ -> (x, y)
@@ -233,7 +234,7 @@ let address : Ir.expr -> Ir.expr = function
 let param n k : Ir.expr =
   match n.v.params with
   | Some params -> Arrow (Name "params", Param_struct.member params k)
-  | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a parameter of a program without any"
+  | None -> Diagnostic.bug ~stage:"Cgen.Expression" "the program has no parameters"
 
 let is_whole_period period = period >= 1. && period < 0x1p63
 
@@ -247,7 +248,7 @@ let bound n : M.expr -> int64 option = function
 let nanoseconds ns : Ir.expr =
   if ns <= 0x7FFFFFFFL then Integer (Int64.to_int32 ns) else Cast (Uint32, Long ns)
 
-(* The value of an expression that is an operand at this place, or of a statement. *)
+(* Translates an operand of the operation at this place, or the value of the statement there. *)
 let rec operand n ~at (e : M.expr) =
   match e with Float x -> V.literal n.v ~at x | e -> of_step n e
 

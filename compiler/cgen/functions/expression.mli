@@ -41,8 +41,8 @@ val bounded : names -> Step.Ir.field -> Step.Ir.expr -> Ir.statement_desc option
     time, the statement declares a variable that later comparisons with the bound read. *)
 
 val unlimited : names -> Step.Ir.variable -> Step.Ir.expr -> Step.Ir.expr
-(** The initial value in the declaration of a variable. For a variable of {!Limits}, this is the
-    number without the maximum. *)
+(** The initial value in the declaration of a variable. For a variable that {!Limits} found, this is
+    [x] instead of [max 0 x]. *)
 
 val parameters : names -> Step.Ir.variable list -> (Ir.ty * string) list
 (** The parameters of a node's function: arrays are passed by address. *)

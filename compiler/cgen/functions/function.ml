@@ -18,7 +18,7 @@ let is_loop (s : Ir.statement) = match s.desc with Ir.For _ -> true | _ -> false
 let place c : M.place -> Ir.expr = function
   | Local variable -> Name (Expression.variable c.names variable)
   | Own field -> Expression.field c.names field
-  | Result _ -> Diagnostic.bug ~stage:"Cgen.Function" "a result that is read"
+  | Result _ -> Diagnostic.bug ~stage:"Cgen.Function" "a result cannot be read"
 
 let rec statement c rest (s : M.statement) : Ir.statement list =
   (* [rest]: the preceding statements, in reverse order. *)
@@ -150,7 +150,8 @@ let variables_read (v : Program_names.t) (node : M.node) body =
 
 let self v k = (Ir.Pointer (Struct (V.state_struct v k)), "self")
 
-(* The pointer to the program's parameters, if they exist and are read. *)
+(* The parameter that points to the program's parameters, if there are any and the function reads
+   them. *)
 let params (v : Program_names.t) is_read =
   match v.params with
   | Some params when is_read ->
@@ -168,7 +169,7 @@ let place_of (node : M.node) =
     (C_string.comment (Filename.basename node.file))
     (Span.line node.span.start)
 
-let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
+let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a reset function has no results"
 
 let reset (v : Program_names.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in

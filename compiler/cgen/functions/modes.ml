@@ -29,7 +29,7 @@ let enter c (entry : M.entry) span =
   | [] -> []
   | first :: others -> { Ir.desc = first; comment } :: List.map plain others
 
-(* For a mode entered in this instant, dt is 0. *)
+(* Sets dt to 0 for a mode that is entered in this instant. *)
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
   (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
@@ -147,7 +147,7 @@ let one_case c (run : M.run) ~direct ~again ~dropped k (case : M.case) =
 let variable ty name value = plain (Ir.Variable { ty; name; value })
 let set name value = plain (Ir.Assign (Name name, Boolean value))
 
-(* The time since the machine last ran is used as its dt. *)
+(* Uses the time since the machine last ran as its dt. *)
 let wake c (clock : M.clock) =
   let since = Expression.field c.names clock.since in
   let seconds = in_seconds c.v (Name "dt_ns") in
@@ -169,7 +169,7 @@ let choose c cases =
   match (running_mode c, cases) with
   | None, [ (_, body) ] -> body
   | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
-  | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
+  | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "several modes, but no number of the running mode"
 
 let run c (run : M.run) =
   let flag is_needed name = if is_needed then Name.fresh (Expression.scope c.names) name else "" in

@@ -3,8 +3,8 @@ open Context
 
 let is_machine (node : M.node) = match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true
 
-(* The nodes whose state contains the number of a running mode, by index. A node contains only nodes
-   with a smaller index. *)
+(* For each node, whether its state contains the number of a running mode. One pass is enough,
+   because a node contains only nodes with smaller indices. *)
 let nodes_with_machines (program : M.program) =
   let has = Array.make (Array.length program.nodes) false in
   let rec contains (field : M.field) =
@@ -28,7 +28,7 @@ let require condition = plain (Ir.Assign (valid, Binary (And, valid, condition))
 type t = {
   v : Program_names.t;
   has : bool array;
-  names : string array;  (** names of the nodes' functions, by node *)
+  names : string array;  (** name of the checking function of each node; [""] if it has none *)
 }
 
 (* The condition that the number of the running mode is one of the constants. *)
@@ -42,7 +42,7 @@ let in_range (v : Program_names.t) k running =
     [ require (Binary (And, Binary (Less_equal, Name modes.(0).constant, running), at_most)) ]
   else [ require at_most ]
 
-(* The checks of the state of node [k], which is in the struct to which [self] points. *)
+(* The checks of the state of node [k], which is part of the struct that [self] points to. *)
 let rec checks t k =
   let node = t.v.program.nodes.(k) in
   let names = Expression.names t.v ~node:k in
@@ -73,8 +73,7 @@ let rec checks t k =
   let own = match running with Some running -> in_range t.v k running | None -> [] in
   own @ List.concat_map field node.state
 
-(* The first check does not use an earlier value of [valid], and a single check does not need a
-   variable. *)
+(* The first check initializes [valid]. A single check is returned directly, without a variable. *)
 let body checks =
   let start value = plain (Ir.Variable { ty = Bool; name = "valid"; value }) in
   let return value = [ plain (Ir.Return value) ] in

@@ -12,14 +12,14 @@ let robot_of ?own (program : Step.Ir.program) shape =
 let robot_struct (shape : F.shape) =
   match shape with
   | Product { product_name; _ } -> "frob_" ^ Name.snake product_name
-  | Leaf _ | Repeated _ -> bug "a robot's type that is not a record"
+  | Leaf _ | Repeated _ -> bug "the type of a robot must be a record"
 
 let same own = { own; host = own; robot = None }
 let host_input = "host_input"
 let host_output = "host_output"
 let own_part = Interface.Member "own"
 
-(* The console belongs to the program, in both structs. *)
+(* In both structs, the console has the program's own type. *)
 let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   match (robot_of ?own:own_robot program program.input, Robot.apart program.input) with
   | None, _ -> same own
@@ -32,7 +32,7 @@ let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
       let leaves = List.mapi leaf own.leaves in
       { own; host = { own with struct_name = host_input; leaves }; robot }
 
-(* Everything except the command belongs to the program, in both structs. *)
+(* In both structs, everything except the command has the program's own type. *)
 let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
@@ -100,12 +100,12 @@ let rec assignments (program : Step.Ir.program) sums (ty : F.ty) ~to_ ~from ~cas
   | Sum k ->
       let member (name, ty) =
         match (ty : Ir.ty) with
-        | Struct _ -> bug "an array inside a robot's sum"
+        | Struct _ -> bug "a sum in a robot's type cannot contain an array"
         | ty -> scalar ty (to_ ^ "." ^ name) (from ^ "." ^ name)
       in
       List.map member (("tag", Ir.Uint8) :: Sum_type.members program.sums sums.(k))
   | Array (_, element) -> assignments program sums element ~to_ ~from ~cast
-  | Foreign _ -> bug "a robot's value of a foreign type"
+  | Foreign _ -> bug "a robot's type cannot contain a foreign type"
 
 let copy out steps assignments =
   let sizes = sizes steps in

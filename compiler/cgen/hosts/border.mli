@@ -11,7 +11,7 @@ type side = {
   own : Interface.t;  (** the program's struct *)
   host : Interface.t;
   robot : Robot.t option;
-      (** the robot to which the host's struct belongs, if that is not the program's struct *)
+      (** the robot that the host's struct belongs to; [None] if it is the program's struct *)
 }
 (** The structs of the input, or of the output. *)
 
@@ -22,7 +22,8 @@ val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
 val is_own : side -> Interface.step list -> bool
 (** Whether this path leads to a part of the host's struct that belongs to the program rather than
-    the robot: the result or the probes. Such a part has the program's own type in both structs. *)
+    the robot: the console, the result or the probes. Such a part has the program's own type in both
+    structs. *)
 
 val includes : side list -> string
 (** The lines that include the robots' headers. *)

@@ -8,9 +8,9 @@ type context = {
   struct_name : string;  (** the struct to which offsets refer *)
   prefix : string;  (** prefix of the tables' names *)
   mutable count : int;
-  mutable console : string list;  (** names of the console's values, for the table *)
+  mutable console : string list;  (** names of the console's values, for the table of controls *)
   enumerations : Node_table.enumeration list ref;
-      (** the constructors of values whose constructors have no fields *)
+      (** the types whose constructors have no fields *)
 }
 
 (* A leaf's access path and its Float representation. *)
@@ -49,7 +49,7 @@ let value c ~kind ~offset ~is_event ~count constructors =
 
 let take locations =
   match !locations with
-  | [] -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "fewer places than leaves"
+  | [] -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "fewer locations than leaves"
   | location :: rest ->
       locations := rest;
       location
@@ -58,7 +58,8 @@ let take locations =
 let line_of ({ file; start; _ } : Basis.Span.t) =
   sprintf "%s:%d" (Filename.basename file) (Basis.Span.line start)
 
-let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
+let foreign () =
+  Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the table for hosts cannot describe a foreign type"
 let is_image = Flow.Shape.is_image
 
 (* The location of a leaf that is a single member. *)
@@ -73,7 +74,7 @@ let rec value_at number path (ty : F.ty) =
 let element_of i = function
   | Array location -> location i
   | Scalar _ | Sum _ ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an element of a value that is not an array"
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "expected an array for an element"
 
 let note_enumeration c constructors ~module_ type_ =
   c.enumerations := { Node_table.constructors; module_; type_ } :: !(c.enumerations)
@@ -125,7 +126,7 @@ and leaf c (ty : F.ty) location =
   | Foreign f, Scalar { path; _ } when is_image f -> scalar "FROB_IMAGE" path
   | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a leaf and its place do not match"
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the location does not match the type of the leaf"
 
 and sum c k ~tag ~base ~first ~number =
   let sum = c.sums.(k) in
@@ -167,7 +168,7 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
     | Element _ :: rest, Array (_, element) ->
         Array (fun i -> locate number (sprintf "%s[%d]" path i) rest element)
     | Element _ :: _, (Bool | Int | Float | Sum _ | Foreign _) ->
-        Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array leaf that is not an array"
+        Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "expected an array type for an element"
   in
   let leaf steps = locate (number program side steps) "" steps in
   List.rev (List.rev_map2 leaf side.host.leaves (Flow.Shape.leaves whole))
@@ -243,7 +244,8 @@ let outputs ~enumerations out (program : Step.Ir.program) (side : Border.side) =
       match (snd (Interface.apart program.output), List.rev own) with
       | Some ended, last :: _ ->
           "&" ^ fst (table_of out program ~prefix:"result" side [ last ] ended)
-      | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
+      | _, _ ->
+          Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the program can end but has no result"
   in
   let claim_of name = List.find_opt (fun (c : F.claim) -> c.column = name) program.claims in
   let shapes = List.map snd program.probes in
@@ -329,7 +331,7 @@ let params out (program : Step.Ir.program) params =
       sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
         (List.length program.params)
 
-(* The expression in the table for the function that checks the state. *)
+(* The body of the table's function [is_valid]. *)
 let validity (files : Of_step.t) =
   match files.is_valid with
   | None -> "    (void)state;\n    return true;\n"

@@ -2,5 +2,5 @@
     declares. *)
 
 val text : Robot.t -> Step.Ir.program -> string
-(** The program must have the robot's input and output types. It may be any signal function from one
-    to the other. *)
+(** The text of the header. The program can be any signal function from the robot's input type to
+    its output type. *)

@@ -4,7 +4,7 @@ type topic = {
   field : string;  (** the name of the field in the program's input or output *)
   name : string;  (** before remapping: ["cmd_vel"] *)
   type_ : string;  (** the type of its messages: ["geometry_msgs/msg/Twist"] *)
-  is_counted : bool;  (** the field is an event from a [Counted] *)
+  is_counted : bool;  (** whether the type of the field is [Event (Counted m)] *)
   is_command : bool;  (** whether a message of zeros stops what the topic controls *)
 }
 

@@ -1,4 +1,4 @@
-(** The definitions and methods that each definition mentions. *)
+(** The definitions and methods that each definition uses. *)
 
 open Basis
 
@@ -10,8 +10,9 @@ type use = {
   target : target;
   span : Span.t;
   later : bool;
-      (** whether the use is in an argument that is a function that returns a signal function or
-          task, such as the continuation of a switch. Such a function runs later, if at all *)
+      (** whether the use is inside a function that is passed as an argument and returns a signal
+          function or a task, such as the continuation of a switch. Such a function runs later, if
+          at all *)
 }
 
 type t = {
@@ -28,5 +29,5 @@ val cycle :
   use:(int -> int -> Span.t option) ->
   int list ->
   (Ir.definition * Span.t) list
-(** The definitions of a cycle, given by their numbers, each with the place of its [use] of the next
-    one. *)
+(** Given the indices of the definitions in a cycle, returns each definition with the place where it
+    uses the next one, according to [use]. *)

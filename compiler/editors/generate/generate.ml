@@ -2,7 +2,7 @@ open Basis
 
 (* {1 The compiler's tables} *)
 
-(* Words that occur in declarations; all other words occur in expressions. *)
+(* Keywords used in declarations; all others are used in expressions. *)
 let declaring =
   [
     "module";
@@ -40,7 +40,7 @@ let prelude path =
   let text = read path in
   match Syntax.Parse.program (Facts.ignored ()) ~file:path text with
   | Some tree -> tree
-  | None -> failwith "the prelude cannot be read"
+  | None -> failwith "cannot parse the prelude"
 
 let units (tree : Syntax.Ir.program) =
   List.filter_map

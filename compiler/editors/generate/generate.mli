@@ -1,3 +1,4 @@
-(** Generates the highlighting for editors from the compiler's own tables. Its command-line
-    arguments are [textmate], [vim] or [emacs], and the file of the prelude. It prints the result.
+(** Generates syntax highlighting for editors from the compiler's own tables. Command-line
+    arguments: [textmate], [vim] or [emacs], then the path of the prelude. Prints the result to
+    standard output.
 *)

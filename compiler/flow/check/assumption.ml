@@ -9,7 +9,8 @@ type t = {
   narrowed : (int, unit) Hashtbl.t;  (** signals whose ranges have been narrowed *)
   followed : (int, unit) Hashtbl.t;
       (** signals whose definitions were visited in this round. Several definitions may read the
-          same signal, so it is visited again only after further narrowing *)
+          same signal; its definition is visited again only after its range has been narrowed
+          further *)
   mutable changed : bool;
 }
 
@@ -31,8 +32,8 @@ let follow_once t (s : Ir.signal) follow =
 
 let can_be t atom b = (if b then Range.may_be_true else Range.may_be_false) (read t atom)
 
-(* An equivalent atom, as close as possible to its definition. Follows copies, the branch that is
-   certainly taken, and values that are put into a constructor and taken out again, for at most
+(* Traces an atom back to the equivalent atom from which it was computed. Follows copies, branches
+   that are certainly taken, and payloads of values that the node itself constructs, for at most
    [steps] steps. *)
 let origin t atom =
   let steps = ref 1000 in

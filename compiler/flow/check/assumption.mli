@@ -1,7 +1,7 @@
 (** Derives the consequences of conditions that are true in an instant.
 
-    The first transition of a mode that occurs is taken, so a later one matters only if the earlier
-    ones do not occur. This module searches for contradictions in such assumptions: it narrows the
+    A mode takes the first of its transitions that occurs, so a later transition matters only if no
+    earlier one occurs. This module searches for contradictions in such assumptions: it narrows the
     operands of the conditions, and then recomputes the signals that depend on them. For example, if
     [if w then (Just x) else Nothing] is tested for [Just] and the test succeeds, then [w] is true
     and the payload is [x]. *)

@@ -63,7 +63,8 @@ let named_hops hops =
       in
       let hops = rotate_to first hops in
       let joined, last = List.fold_left join ([], { first with via = [] }) hops in
-      (* The loop may end at an unnamed leaf instead of the leaf of [first]. *)
+      (* The last hop may read an unnamed leaf of the same vertex instead of the leaf that [first]
+         defines. *)
       let closing : Fact.hop = List.nth hops (List.length hops - 1) in
       let joined =
         if closing.read.name = "" then { last with read = first.reader; at = closing.at } :: joined

@@ -10,8 +10,8 @@ type outcome =
 
 let most = 1000
 
-(* Maximum number of states. It is larger than [most], because many paths may have the same
-   length. *)
+(* Maximum number of states. It is larger than [most], the maximum length of a chain, because chains
+   may branch. *)
 let most_states = 8 * most
 
 module States = Hashtbl.Make (struct
@@ -23,8 +23,8 @@ end)
 
 exception Far
 
-(* The graph of the states reachable from [roots]: for each numbered state, its transitions with
-   their target states. *)
+(* The graph of the states reachable from [roots]. A state's number is its index; each state has its
+   transitions, with the numbers of their target states. *)
 let explore first modes roots =
   let numbers = States.create 64 in
   let found = ref [] and waiting = Queue.create () in

@@ -15,7 +15,7 @@ type outcome =
           the transitions that may occur in its first instant, physically equal to those of its node
       *)
   | Goes_round of hop list  (** a shortest cycle *)
-  | Goes_far  (** more than {!most} modes run, or there are too many states *)
+  | Goes_far  (** more than {!most} modes may run in one instant, or there are too many states *)
 
 val most : int
 
@@ -24,4 +24,4 @@ val lengths : Graph.t -> int list list -> int array
     that starts at each vertex. *)
 
 val of_machine : First_transitions.t -> int -> Ir.machine -> outcome
-(** Analyzes the machine of this node. *)
+(** Analyzes the machine of the node with this index. *)

@@ -2,7 +2,7 @@ open Basis
 open Ir
 
 (* The number of instances is limited because tools traverse all of them, and the number of state
-   values because computers that drive robots do not have more memory. *)
+   values because the memory of a robot's computer is limited. *)
 let most_instances = 4e6
 let most_values = 134_217_728.
 
@@ -51,7 +51,7 @@ let sizes (p : program) =
     p.nodes;
   sizes
 
-(* Follows the largest part from node to node, down to the innermost one. *)
+(* Starting at node [k], descends into the largest part of each node, for at most [steps] levels. *)
 let rec largest (p : program) measure k steps =
   let size (j, count, _) = count *. measure j in
   let larger best part =

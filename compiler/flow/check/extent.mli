@@ -1,5 +1,5 @@
-(** Counts all instances and values of a program, including nested ones. Instances of a node share
-    its code, so a few lines can create more instances than fit into any memory: [s2 = s1 >>> s1],
+(** Counts all instances and state values of a program, including nested ones. Instances of a node share
+    its code, so a few lines can create more instances than any memory can hold: [s2 = s1 >>> s1],
     [s3 = s2 >>> s2], … *)
 
 open Basis

@@ -1,5 +1,5 @@
-(** The facts that the checks of Flow report, as values without text. [Advice] translates each of
-    them to a diagnostic.
+(** The facts that Flow's checks report, as data without any message text. [Advice] translates each
+    fact into a diagnostic.
 
     [entry] is the place of the program's definition, for {!Own_code}. *)
 
@@ -17,12 +17,12 @@ type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage li
 type loop = {
   hops : hop list;
   named : bool;
-      (** whether the loop starts at the named signal that comes first in the source, and all its
-          signals are named *)
+      (** whether all signals of the loop are named. If so, the loop starts at the one that comes
+          first in the source *)
   sums : Ir.sum array;
   run_by : (string * Span.t) option;
       (** for a loop in another module: the name and place of the instance in the entry's module
-          that leads to it *)
+          that contains the loop, directly or indirectly *)
   entry : Span.t;
 }
 
@@ -38,8 +38,8 @@ type part = { whole : string; part : string; count : float; at : Span.t }
 (** {1 Chains of switches} *)
 
 type step = {
-  mode : int;  (** index into [program.nodes] of the mode that it leaves *)
-  target : int;  (** index of the mode that it enters *)
+  mode : int;  (** index into [program.nodes] of the mode that is left *)
+  target : int;  (** index of the mode that is entered *)
   by : Ir.transition;
   source : (string * Span.t) option;
       (** the signal function whose event causes the transition, with its place *)
@@ -61,6 +61,6 @@ type t =
       program : Ir.program;
       steps : step list;  (** a cycle *)
       limit : int option;
-          (** present if no cycle was proven, but the analysis found no end within this number of
-              steps *)
+          (** present if the analysis proved no cycle, but found no end of the chain within this
+              number of steps *)
     }

@@ -12,10 +12,11 @@ type t = {
       (** for each node, the ranges of its inputs in any instant, joined in the same way; unknown
           for modes *)
   known : (int * instant * Range.t list * Range.t list, Range.t list) Hashtbl.t;
-      (** ranges of outputs, cached by node, static parameters and inputs *)
-  steps : int list Lazy.t;  (** values at which widening of Int ranges stops before infinity *)
+      (** cached ranges of outputs, by node, instant, static parameters and inputs *)
+  steps : int list Lazy.t;  (** widening thresholds: the bounds of Ints are first widened to these
+                                values *)
   mutable budget : int;
-      (** number of node evaluations that are left; once it is 0, everything is assumed to be
+      (** number of node evaluations left; when it reaches 0, everything is assumed to be
           possible *)
   mutable parameters_known : bool;
       (** whether the budget was sufficient to compute all parameters *)
@@ -61,7 +62,7 @@ let anything_of a signals = map (fun (s : Ir.signal) -> Range.anything a.program
 
 (* {1 One node} *)
 
-(* An operation whose two operands are the same number. *)
+(* The result of an operation whose two operands are the same number, if it can be determined. *)
 let on_itself (operator : Ir.operator) (x : Range.t) : Range.t option =
   let regular =
     match x with Floats { nan; _ } -> not nan | Ints _ | Bools _ | Constructors _ -> true
@@ -156,7 +157,7 @@ let parameters a index =
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
 
-(* Whether any call or transition leads to this node. Assumes so for each node without static
+(* Whether any call or transition leads to this node. Always true for a node without static
    parameters. *)
 let is_entered a index = Array.for_all Option.is_some a.parameters.(index)
 
@@ -165,7 +166,7 @@ let arguments a index =
   | Some ranges -> ranges
   | None -> anything_of a a.program.nodes.(index).inputs
 
-(* The inputs of a loop's node in any iteration. *)
+(* The ranges of the inputs of an instance; for a loop, the ranges in any iteration. *)
 let inputs_of a values (i : Ir.instance) =
   match i.loop with
   | None -> map (read a values) i.inputs
@@ -276,7 +277,7 @@ and machine a instant index values (m : Ir.machine) =
 
 let most_steps = 200
 
-(* Programs mostly compare Ints with their own literals, so literals are good bounds. *)
+(* Programs mostly compare Ints with literals, so the literals of a program are good bounds. *)
 let literals (program : Ir.program) =
   let add found : Ir.atom -> int list = function
     | Int n ->
@@ -347,7 +348,8 @@ let with_trials a (i : Ir.instance) ranges =
 
 let pass_inputs a index ranges = a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
-(* Whether each node contains machines. Inputs are computed only for such nodes. *)
+(* For each node, whether it contains a machine, directly or through its instances. Inputs are
+   computed only for such nodes. *)
 let with_machines (program : Ir.program) =
   let found = Array.make (Array.length program.nodes) false in
   Array.iteri
@@ -395,7 +397,7 @@ let at_first_instant a index =
   evaluate a First index ~statics:(parameters a index)
     ~inputs:(anything_of a a.program.nodes.(index).inputs)
 
-(* Is this a mode to which no possible transition leads? *)
+(* Whether this is a mode that no possible transition enters. *)
 let never_runs a index = a.parameters_known && not (is_entered a index)
 
 let of_machine a (m : Ir.machine) =
@@ -459,7 +461,7 @@ let of_program ?(patient = false) (program : Ir.program) =
   in
   pass_parameters a;
   a.parameters_known <- a.budget > 0;
-  (* If the budget was not sufficient, all parameters are unknown. *)
+  (* If the budget was not sufficient, treats all parameters as unknown. *)
   if not a.parameters_known then (
     Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
     Array.fill a.arguments 0 count None);

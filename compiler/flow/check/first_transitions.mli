@@ -14,8 +14,8 @@ val of_program : ?patient:bool -> Ir.program -> t
     literals in the program, and only then to infinity. *)
 
 val of_machine : t -> Ir.machine -> Ir.transition list array
-(** The possible transitions of each mode, both in the order of the machine. They are physically
-    equal to those of the mode's node. *)
+(** For each mode, in the machine's order, its possible transitions, in their original order. They
+    are physically equal to those of the mode's node. *)
 
 (** {1 Chains of transitions}
 
@@ -33,17 +33,18 @@ type state = {
 (** A mode that has just been entered, with the known ranges of its parameters and inputs. *)
 
 val from_running : t -> int -> (Ir.transition * state) list
-(** The possible transitions of this node, which is a mode that may have been running for any time.
+(** The possible transitions of this node, which is a mode that may have been running for any length
+    of time.
 *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** The possible ones among these transitions, which are the start or the controls of this node's
-    machine. *)
+(** Those of the given transitions that are possible. They must belong to the start or the controls
+    of this node's machine. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
 (** The possible transitions of this node, which is a mode that has just been entered in this state.
 *)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
-(** [cannot_be_true a mode] evaluates the first instant of this node once. The resulting function
+(** [cannot_be_true a mode] evaluates the first instant of this node once. The returned function
     tells whether a signal is certainly not True in that instant. *)

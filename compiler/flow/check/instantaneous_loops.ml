@@ -6,7 +6,7 @@ let map = Long_list.map
 
 let targets = map (fun (t : Ir.transition) -> t.target)
 
-(* The signal function whose event causes a transition, searched within the mode. Skips signals that
+(* Searches a mode for the signal function whose event causes a transition. Skips signals that
    satisfy [cannot_be_true]. *)
 let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.node)
     (t : Ir.transition) =
@@ -35,7 +35,7 @@ let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.
   in
   search (Operands.signals [ t.occurs ])
 
-(* The place of the cycle. If the cycle consists of the library's modes, this is the place where the
+(* The place of the cycle. If all its modes belong to the library, this is the place where the
    program uses them. *)
 let place ~entry uses index (program : Ir.program) modes transitions first_mode =
   let span = program.nodes.(first_mode).span in
@@ -93,7 +93,8 @@ let hops_of steps cycle =
   List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
 
 (* Analyzes a version of the program in which small nodes are inlined, because that makes the
-   analysis more precise. Its transitions correspond to those of the program. *)
+   analysis more precise. The result contains the corresponding transitions of the original
+   program. *)
 let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
   let expanded : Ir.program = Lazy.force expanded in
   let by_number (t : Ir.transition) mode =
@@ -101,7 +102,8 @@ let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
       match (ours, theirs) with
       | ours :: _, theirs :: _ when theirs == t -> ours
       | _ :: ours, _ :: theirs -> find ours theirs
-      | [], _ | _, [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a transition is gone"
+      | [], _ | _, [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a transition has no \
+                                                counterpart in the original program"
     in
     let node = List.nth m.Ir.modes mode in
     find program.nodes.(node).transitions expanded.nodes.(node).transitions
@@ -141,7 +143,7 @@ let program facts ~entry (program : Ir.program) =
   else
     let first = First_transitions.of_program program in
     let uses = Own_code.uses program in
-    (* If two functions have captured the same number, it becomes a single parameter. *)
+    (* If two closures have captured the same number, passes it as a single parameter. *)
     let to_look_at = lazy (Duplicate_parameters.program (Inline.to_look_at ~most:200 program)) in
     let expanded =
       (to_look_at, lazy (First_transitions.of_program ~patient:true (Lazy.force to_look_at)))

@@ -5,7 +5,7 @@ let beyond = limit + 1
 
 type t = {
   program : Ir.program;
-  carries : bool array;  (** whether values of each sum can contain marks *)
+  carries : bool array;  (** for each sum, whether its values can contain marks *)
   known : (int * int list, int list * int list list) Hashtbl.t;
       (** cached bounds for a node's outputs and the arguments of its transitions, by the node and
           the bounds for its static parameters and inputs *)
@@ -25,7 +25,7 @@ let is_drawing (program : Ir.program) : Ir.ty -> bool = function
   | Array (_, Sum k) -> slot program program.sums.(k)
   | Bool | Int | Float | Sum _ | Array _ | Foreign _ -> false
 
-(* Whether each sum can contain marks, directly or inside other sums. *)
+(* For each sum, whether its values can contain marks, directly or inside other sums. *)
 let carrying (program : Ir.program) =
   let carries = Array.map (slot program) program.sums in
   let rec ty : Ir.ty -> bool = function
@@ -59,7 +59,7 @@ let rec can_carry t : Ir.ty -> bool = function
 
 let join a b = List.map2 max a b
 
-(* The bounds for a node, computed as a fixpoint that starts with no marks. *)
+(* The bounds for a node, computed as a fixpoint, starting from no marks. *)
 let rec node t index bounds =
   let key = (index, bounds) in
   match Hashtbl.find_opt t.known key with

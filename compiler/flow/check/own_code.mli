@@ -13,6 +13,6 @@ val uses : Ir.program -> uses
 (** The first instance of each node. *)
 
 val use : uses -> entry:Basis.Span.t -> int -> (string * Basis.Span.t) option
-(** For a node (given by its index) that is not in the entry's module: the name and place of the
-    instance in the entry's module that runs it, directly or indirectly. If there is no such
-    instance, the result is the entry itself. *)
+(** For a node (given by its index) outside the entry's module: the name and place of the instance
+    in the entry's module that runs the node, directly or indirectly, or the entry itself if there
+    is no such instance. [None] for a node in the entry's module. *)

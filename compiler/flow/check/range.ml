@@ -140,7 +140,8 @@ let rec compared (operator : Ir.operator) a b holds =
 
 and swapped operator a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
 
-(* Removes the single value of the second range from the first range. *)
+(* If the second range contains a single value, removes that value from the first range, provided
+   that it is one of its bounds. *)
 and without least most other_least other_most =
   if other_least < other_most then Ints { least; most }
   else
@@ -165,7 +166,7 @@ let payload t k leaf =
   | Constructors _ -> None
   | Bools _ | Ints _ | Floats _ -> bug "the payload of a value that is not a sum"
 
-(* The value of a range that contains only one value. Zeros are excluded, because a range does not
+(* The value of a range that contains only one. Float zeros are excluded, because a range does not
    distinguish their signs. *)
 let constant : t -> Ir.atom option = function
   | Bools { true_ = true; false_ = false } -> Some (Bool true)
@@ -193,9 +194,9 @@ let no_numbers least most = (least : float) > most
 let has_zero least most = least <= 0. && most >= 0.
 let has_infinity least most = least = neg_infinity || most = infinity
 
-(* Rounding is monotonic, so the bounds of the result are results of the operation on bounds. The
-   result can be NaN if the ranges allow inf - inf, 0 * inf or inf / inf. (0 / 0 is excluded
-   here.) *)
+(* Rounding is monotonic, so applying the operation to the operands' bounds yields the bounds of the
+   result. The result can be NaN if the ranges allow inf - inf, 0 * inf or inf / inf. It cannot be 0
+   / 0, because ranges of divisors that contain 0 are not handled here. *)
 let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
   let sum (bl, bh) =

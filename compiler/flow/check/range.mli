@@ -1,16 +1,16 @@
-(** Abstract values for static analysis: numbers are ranges; values of data types are sets of
-    possible constructors with the ranges of their payloads; an array is represented by a single
-    value that covers all elements. *)
+(** Abstract values for static analysis. A number is represented by a range, a value of a data type
+    by its possible constructors with the ranges of their payloads, and an array by a single
+    abstract value that covers all elements. *)
 
 type t =
-  | Bools of { true_ : bool; false_ : bool }  (** the values that it may have *)
+  | Bools of { true_ : bool; false_ : bool }  (** whether True and False are possible *)
   | Ints of { least : int; most : int }
   | Floats of { least : float; most : float; nan : bool }
       (** contains no numbers if [least > most]; [nan] tells whether NaN is included; the bounds are
           never NaN *)
   | Constructors of (int * t list option) list
-      (** the possible constructors in ascending order, with the leaves of the payload if anything
-          is known about them *)
+      (** the possible constructors in ascending order, each with the leaves of its payload if
+          anything is known about them *)
 
 val anything : Ir.program -> Ir.ty -> t
 val of_constant : Ir.atom -> t option
@@ -26,8 +26,8 @@ val not_negative : t
 val join : t -> t -> t
 
 val widen : steps:int list -> t -> t -> t
-(** A join in which bounds that change become infinite. Bounds of Ints move to the next value in
-    [steps] instead. *)
+(** A join that widens the bounds that change: bounds of Floats become infinite, and bounds of Ints
+    move to the next value in [steps], if there is one. *)
 
 val meet : t -> t -> t option
 (** The intersection; [None] if it is empty. *)
@@ -45,4 +45,4 @@ val payload : t -> int -> int -> t option
     any value. *)
 
 val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
-(** The result of an operation. The type is the type of the result. *)
+(** The range of the result of an operation. The type is that of the result. *)

@@ -1,7 +1,7 @@
 type t = {
   read : unit -> char option;
   separator : char;
-  mutable peeked : char option option;  (** the next character, if it was read ahead *)
+  mutable peeked : char option option;  (** the next character, if it has already been read *)
   mutable next_line : int;
   mutable length : int;  (** length of the current row, in bytes *)
 }
@@ -52,10 +52,10 @@ let skip_byte_order_mark t =
 (* The row being read. *)
 type building = {
   mutable count : int;  (** number of finished cells *)
-  mutable finished : cell list;  (** finished cells, the last one first *)
+  mutable finished : cell list;  (** finished cells, in reverse order *)
   mutable start : int option;  (** column where the current cell starts *)
   mutable column : int;  (** column of the next character *)
-  mutable blank : bool;  (** whether the current cell contains only whitespace so far *)
+  mutable blank : bool;  (** whether the current cell is all whitespace so far *)
   text : Buffer.t;  (** text of the current cell *)
 }
 

@@ -14,12 +14,12 @@ type problem =
   | Unreadable of string  (** the operating system's reason *)
   | Unclosed_quote
   | Late_quote
-      (** a cell has whitespace before its opening quote; the part of the row that was read ends
-          with this cell *)
+      (** a cell has whitespace before its opening quote; this cell is the last one in the part of
+          the row that was read *)
   | Zero_byte
   | Too_long
-      (** the row has more than {!longest} bytes or a million cells; these limits bound the memory
-          use for any file *)
+      (** the row has more than {!longest} bytes or a million cells; these limits bound memory
+          use *)
 
 val longest : int
 

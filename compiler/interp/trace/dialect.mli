@@ -8,19 +8,20 @@ type t = {
   time_column : string option;
       (** the name of the time column; [None] for the first column, which must be called [time] *)
   columns : (string * string) list;
-      (** pairs of a column's name in the program and its name in the recording *)
+      (** for each renamed column, its name in the program and its name in the recording *)
 }
 
 val ours : t
 
 val names : t -> bool
-(** Does the dialect name columns? If so, additional columns of a recording are ignored. *)
+(** Does the dialect name any columns? If so, unknown columns of the recording are ignored. *)
 
 val arguments : t -> string list
 (** The dialect as command-line options for a host. *)
 
 val header : t -> string list -> (int * string list, string) result
-(** The index of the time column, and the program's names of the columns, with [time] first. The
+(** The index of the time column in the recording, and the program's names for the columns, with
+    [time] first. The
     error names the missing column. *)
 
 val to_front : int -> 'a list -> 'a list
@@ -44,7 +45,7 @@ val column_hint : missing:string -> unknown:string list -> string
 (** The hint for the error that a column is missing, if the recording has unknown columns. *)
 
 val width_hint : t -> width:int -> cells:int -> string
-(** The hint for the error that a row does not have the [width] cells of the header. *)
+(** The hint for a row with [cells] cells where the header has [width] columns. *)
 
 val number_hint : t -> string -> string
 (** The hint for the error that a cell is not a number. *)

@@ -8,10 +8,10 @@ let is_line text = String.starts_with ~prefix:"#" text
 let described (p : param) =
   match p.ty with
   | Bool -> "true or false"
-  | Int -> "a whole number of " ^ p.unit_
-  | _ -> "a number of " ^ p.unit_
+  | Int -> "a whole number in " ^ p.unit_
+  | _ -> "a number in " ^ p.unit_
 
-(* Splits a text into a number and the unit in brackets that follows it. *)
+(* Splits a text such as [4[1/m]] into the number and the unit, which may be missing. *)
 let apart text =
   match String.index_opt text '[' with
   | None -> Some (text, None)
@@ -35,7 +35,7 @@ let value core (p : param) text =
       | Ok value -> Ok [ (p.param, value) ]
       | Error _ -> wrong ())
 
-(* Formats a number with the fewest digits from which the same number is read back. *)
+(* Formats the number with the fewest digits that read back as the same value. *)
 let float real x =
   let first, last = match (real : Basis.Real.t) with Double -> (15, 17) | Single -> (6, 9) in
   let rec go digits =

@@ -1,5 +1,5 @@
-(** Reads the parameter values with which a recording was made from the lines before its header. An
-    example of such a line is [# param kTurn=4[1/m]]. *)
+(** Reads a recording's parameter values, which are in lines before its header, such as [# param
+    kTurn=4[1/m]]. *)
 
 type settings = (Core.Ir.Global.t * Value.t) list
 

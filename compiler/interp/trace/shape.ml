@@ -34,7 +34,7 @@ let of_type (program : Core.Ir.program) ty =
     | Int -> Int
     | Float -> Float program.real
     | Tuple parts -> Tuple (List.map shape parts)
-    | Variable v -> bug "the type variable `%s`" v.name
+    | Variable v -> bug "the type variable `%s` was not replaced" v.name
     | Data _ when ty = Core.Signature.text -> Text
     | Data _ when ty = Core.Signature.drawing -> Drawing
     | Data (tycon, []) when List.mem tycon images -> Image
@@ -56,7 +56,7 @@ let of_type (program : Core.Ir.program) ty =
   in
   shape ty
 
-(* The parts that have separate columns, each with the suffix that is appended to its path. *)
+(* The parts that have columns of their own, each with the suffix to append to the path. *)
 let parts = function
   | Tuple parts -> Some (List.mapi (fun i part -> ("." ^ string_of_int (i + 1), part)) parts)
   | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))
@@ -94,7 +94,7 @@ let cells shape value =
     | ( Some _,
         ( Bool _ | Int _ | Float _ | Text _ | Image _ | Function _ | Signal_function _ | Task _
         | Ending _ ) ) ->
-        bug "a value that is not of its type"
+        bug "a value that does not match its type"
   in
   List.rev (add [] shape value)
 

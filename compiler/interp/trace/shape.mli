@@ -1,4 +1,4 @@
-(** The structure of an input or output, as a trace writes and reads it. *)
+(** The structure of an input or output in a trace. *)
 
 type t =
   | Bool
@@ -11,7 +11,7 @@ type t =
   | Image  (** an image, written as a reference to its file *)
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
-      (** the controls by their labels, each with its initial value *)
+      (** the label, shape and initial value of each control *)
 
 and constructor = {
   name : string;
@@ -26,7 +26,8 @@ val of_type : Core.Ir.program -> Core.Ir.ty -> t
 
 (** {1 Columns}
 
-    A tuple, record or array has the columns of its parts. Any other value is one column. *)
+    A tuple, record, array or console has the columns of its parts. A drawing has no column. Any
+    other value has one. *)
 
 type column = {
   name : string;  (** its path, such as [in.position.x] *)
@@ -44,7 +45,8 @@ val assemble : t -> Value.t list -> Value.t
 (** The inverse of {!cells}: builds a value from its cells. *)
 
 val drawings : t -> Value.t -> Value.thunk list list
-(** The marks of each drawing in the value, bottommost first. Skips drawings inside a single cell.
+(** The marks of each drawing in the value, bottommost first. Skips drawings in values that fill a
+    single cell, such as events.
 *)
 
 val count_drawings : t -> int

@@ -177,7 +177,7 @@ let nanoseconds text =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* Thresholds to recognize times since 1970 in smaller units; the current time is about 1.8e9 s. *)
+(* Recognizes times since 1970 in smaller units by their size: the current time is about 1.8e9 s. *)
 let other_unit seconds =
   let looks_like unit_ factor =
     Printf.sprintf ": this looks like %s, so divide the times by %s" unit_ factor
@@ -201,7 +201,7 @@ let stamp ns =
     (abs ns / 1_000_000_000)
     (abs ns mod 1_000_000_000)
 
-(* The difference of two times, which may exceed the range of [int]. *)
+(* The difference between two times, which may exceed the range of [int]. *)
 let seconds_between before now =
   Int64.to_float (Int64.sub (Int64.of_int now) (Int64.of_int before)) /. 1e9
 

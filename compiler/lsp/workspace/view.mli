@@ -1,12 +1,12 @@
-(** A version of a text that the compiler could analyze, with places translated to and from the
-    current text. *)
+(** A version of a text that the compiler could analyze. Translates places between this version and
+    the current text. *)
 
 open Basis
 
 type t
 
 val of_analysis : Mentions.declared Text_cache.t -> Analysis.t -> t option
-(** [None] if name resolution failed. The cache is that of {!Index.of_analysis}. *)
+(** [None] if name resolution failed. The cache is passed to {!Index.of_analysis}. *)
 
 val analysis : t -> Analysis.t
 val tree : t -> Syntax.Ir.program
@@ -32,10 +32,10 @@ val seen : t -> Text.t -> Shift.t -> seen
 val position : seen -> int -> Span.position option
 
 val place : seen -> Span.t -> (int * int) option
-(** The current place of a word of the version. *)
+(** The place in the current text of a word in the version. *)
 
 val place_at : seen -> int -> Span.t -> (int * int) option
-(** The current place of a word, if it contains this offset of the current text. *)
+(** Like {!place}, but [None] if the word does not contain this offset of the current text. *)
 
 val range : seen -> Span.t -> (int * int) option
-(** The current place of a larger range, whose contents may have changed. *)
+(** Like {!place}, for a range longer than a word, whose contents may have changed. *)

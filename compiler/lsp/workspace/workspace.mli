@@ -12,9 +12,9 @@ type t = {
   mutable snippets : bool;  (** whether the editor supports snippets *)
   trees : Syntax.Ir.program option Text_cache.t;  (** syntax trees, by path *)
   exports : Exports.t option Text_cache.t;  (** exported names, by path *)
-  declared : Mentions.declared Text_cache.t;  (** declarations, by the file name in spans *)
+  declared : Mentions.declared Text_cache.t;  (** declarations, by the file name that spans use *)
   explanations : (string, string option) Hashtbl.t;
-      (** the URIs of pages that explain codes, by code *)
+      (** for each diagnostic code, the URI of the page that explains it *)
 }
 
 val create : ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t
@@ -35,7 +35,7 @@ val look : t -> Document.t -> unit
 (** Checks the text and updates the document. *)
 
 val files : t -> string list
-(** The programs in the workspace folders, and those that are open. *)
+(** The paths of the programs in the workspace folders and of the open programs. *)
 
 (** {1 Places for the editor} *)
 
@@ -54,4 +54,4 @@ val location : t -> Source.t -> Span.t -> Json.t
 (** The location of a span in a program with these sources. *)
 
 val uri_of : t -> string -> string
-(** The URI of a file, given its name in spans. *)
+(** The URI of a file, given the file name that spans use. *)

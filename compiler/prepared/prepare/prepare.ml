@@ -17,7 +17,7 @@ let prepared path =
   let file = shown path and text = read path in
   match Syntax.Parse.program (Facts.ignored ()) ~file text with
   | Some tree -> (file, text, Marshal.to_string tree [])
-  | None -> failwith (path ^ " is not accepted without a message: run frobc check on it")
+  | None -> failwith (path ^ " has syntax errors: run frobc check on it")
 
 let () =
   let paths = List.sort String.compare (List.tl (Array.to_list Sys.argv)) in

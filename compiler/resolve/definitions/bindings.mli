@@ -17,8 +17,8 @@ val items : Syntax.Ir.declaration list -> item list
 (** The bindings in a list of declarations. [doc] may come from the signature. *)
 
 val equations : Syntax.Ir.declaration list -> item list
-(** The equations of a proc. Each of its assertions is an equation, too, whose name cannot occur in
-    source code; see {!Labels}. *)
+(** The equations of a proc. Each of its assertions also becomes an equation, with a name that
+    cannot occur in source code; see {!Labels}. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
 (** The signatures in a list of declarations, one entry for each name. *)
@@ -60,4 +60,4 @@ val guarded :
   guards:(Syntax.Ir.expr option * Syntax.Ir.expr) list ->
   where:Syntax.Ir.declaration list ->
   Ir.right
-(** Guarded alternatives, with the [where] that they share. *)
+(** Resolves guarded alternatives and the [where] that they share. *)

@@ -18,8 +18,8 @@ let is_a_condition (e : Syntax.Ir.expr) =
       List.mem text [ "=="; "/="; "<"; "<="; ">"; ">="; "&&"; "||" ]
   | _ -> false
 
-(* `trial name = Trial { … }` or `test name = f 4 == 2`, without quotes around the label, which parses
-   as the definition of a function `trial` or `test`. *)
+(* Reports `trial name = Trial { … }` and `test name = f 4 == 2`. Without quotes around the label,
+   they parse as definitions of a function `trial` or `test`. *)
 let check_quotes (scope : Scope.t) ~has_signature (d : Syntax.Ir.declaration) =
   let rec is_a_check (e : Syntax.Ir.expr) =
     match e.desc with

@@ -104,7 +104,8 @@ let constructor_name (head : Ir.ty) =
   | Type_variable name | Representation { variable = name; _ } -> name
   | Size n -> string_of_int n
 
-(* A name such as [area@Circle], which cannot clash because source names do not contain [@]. *)
+(* Returns an unused name such as [area@Circle]. Names in source code do not contain [@], so they
+   cannot clash with it. *)
 let rec definition_name taken text =
   if Hashtbl.mem taken text then definition_name taken (text ^ "'")
   else (

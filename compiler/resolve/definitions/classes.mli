@@ -7,13 +7,11 @@ val classes :
   Syntax.Ir.program ->
   Ir.class_ list
 (** The classes, superclasses before subclasses. Reports a class that is its own superclass, and a
-    definition that is not one of the class's methods. *)
-
-val instances :
+    definition whose name is not a method of the class. *) val instances :
   Env.t ->
   expr:Syntax.Ir.expr Bindings.resolver ->
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.instance list
-(** The instances, in source order. Reports a definition that is not one of the class's methods, and
-    a signature. *)
+(** The instances, in source order. Reports a definition whose name is not a method of the class,
+    and a signature. *)

@@ -28,7 +28,7 @@ let deprecated (p : Ir.program) =
     p.groups;
   table
 
-(* Can the module that contains the place use all names of the other module without a qualifier? *)
+(* Can the module that contains [span] use all names of [module_] without a qualifier? *)
 let sees_all_of (p : Ir.program) (span : Span.t) module_ =
   module_ = "Prelude"
   || List.exists

@@ -92,7 +92,8 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Annotated { expr = inner; ty } ->
       Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
 
-(* Is this application meant as something else: a number or value with its unit, or a field? *)
+(* Is this application probably meant as something else: as a number or value with its unit, or as
+   field access? *)
 and habit_of_another_language env whole (head : Syntax.Ir.expr) (argument : Syntax.Ir.expr) :
     Fact.unresolved option =
   match (head.desc, argument.desc) with
@@ -108,15 +109,15 @@ and habit_of_another_language env whole (head : Syntax.Ir.expr) (argument : Synt
 and head_of (e : Syntax.Ir.expr) =
   match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e
 
-(* Is this a statement of another language, such as `while (…) …`? If so, the code after it is also
-   in that language, so it is not resolved. *)
+(* Is this a statement of another language, such as `while (…) …`? If so, its arguments are not
+   resolved, because they are in that language, too. *)
 and is_statement_elsewhere head =
   match (head_of head).desc with
   | Variable { qualifier = None; name; _ } -> List.mem name.text statements_elsewhere
   | _ -> false
 
-(* `f 3 [m/s]`: a unit separated from its number by a space. `m` and `s` must be names of units but
-   not of variables. *)
+(* Is this a unit that a space separates from its number, as in `f 3 [m/s]`? `m` and `s` must be
+   names of units but not of variables. *)
 and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   match head.desc with
   | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
@@ -170,7 +171,7 @@ and binary env span operator (left : Ir.expr) right : Ir.expr_desc =
   in
   Apply { head = partial; argument = right; style }
 
-(* [(- x)] is not a section. [(`f` x)] is a function of the first argument of f. *)
+(* [(- x)] is not a section. [(`f` x)] is a function that takes the first argument of [f]. *)
 and right_section env span operator right : Ir.expr_desc =
   function_of env "left" ~at:operator.span span (fun left ->
       binary env span operator left (expr env right))
@@ -271,7 +272,8 @@ and record env span constructor fields : Ir.expr_desc =
       match Patterns.construction scope found ~at:constructor.span fields with
       | None -> missing
       | Some given ->
-          (* an invalid field is probably a misspelling of the missing one *)
+          (* an invalid field is probably a misspelled missing one, which is then not reported as
+             missing *)
           if List.length given = List.length fields then
             check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })

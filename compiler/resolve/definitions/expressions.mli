@@ -4,4 +4,4 @@
 val expr : Env.t -> Syntax.Ir.expr -> Ir.expr
 
 val command : Env.t -> Syntax.Ir.command -> Ir.expr
-(** [sf -< e]: runs [sf] on [e]. *)
+(** Resolves a command, [sf -< e], which runs [sf] on [e]. *)

@@ -1,6 +1,6 @@
 open Basis
 
-type kind = Equation | Variable of Span.t (* the whole pattern *)
+type kind = Equation | Variable of Span.t (* span of the whole pattern *)
 
 (* A vertex of the dependency graph: a variable, or a destructuring binding. The variables of such a
    binding depend on it. *)
@@ -11,10 +11,10 @@ type found = {
   mutable count : int;
   of_local : int Int_table.t;
   mutable told : int list; (* vertices whose values hosts report, so they count as used *)
-  mutable reads : (int * int) list; (* pairs of a reading vertex and the local variable it reads *)
+  mutable reads : (int * int) list; (* pairs of a vertex and a local variable that it reads *)
   mutable parameters : Span.t list; (* the patterns of the parameters of functions *)
   mutable zeros : (string list * Span.t) list;
-      (* literal zeros in commands, with the usual names for a variable in that place *)
+      (* literal zeros in commands, each with the usual names of variables in its place *)
 }
 
 let names_of_speeds = [ "v"; "vel"; "speed"; "velocity"; "linear"; "forward" ]
@@ -25,7 +25,7 @@ let names_of_turns =
 let is_zero (e : Ir.expr) =
   match e.desc with Number { digits; _ } -> float_of_string_opt digits = Some 0. | _ -> false
 
-(* The literal zeros in `setVelTR v 0`. *)
+(* The literal zeros among the arguments of `setVelTR`, as in `setVelTR v 0`. *)
 let zeros (e : Ir.expr) =
   match Walk.application e with
   | { desc = Global { name = "setVelTR"; _ }; _ }, [ v; omega ] ->
@@ -86,7 +86,7 @@ and binding found (b : Ir.binding) =
 and visitor found reader : Walk.visitor =
   { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
 
-(* The unread variables of one pattern; many of them are reported together. *)
+(* Reports the unread variables of one pattern: four or more together, fewer one by one. *)
 let report_variables report found vertices =
   let variable { name; at; kind; _ } : Fact.variable =
     let is_parameter =
@@ -128,7 +128,8 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   List.iter (fun k -> used.(k) <- true) found.told;
   let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
   (* Visits users before the definitions they use. An unused pattern variable does not mark its
-     pattern as used. Therefore a pattern of which nothing is used is reported only once. *)
+     pattern as used. Therefore a pattern without used variables is reported only once, as a
+     whole. *)
   let component members =
     let first = vertices.(List.hd members) in
     let is_used = is_silent first || List.exists (fun v -> used.(v)) members in
@@ -167,8 +168,8 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   |> List.fold_left by_pattern []
   |> List.iter (report_variables report found)
 
-(* Users may import a module only for its instances. If it is not in the library, they may import it
-   for the instances of the modules that it imports. *)
+(* A module may be imported only for its instances. A module outside the library may also be
+   imported for the instances of the modules that it imports. *)
 let imports report (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in

@@ -4,8 +4,8 @@
 open Basis
 
 val warn : Fact.t Facts.t -> is_mentioned:(Span.t -> bool) -> Ir.program -> unit
-(** Checks the program's own modules. Definitions used only by unused equations are not reported
-    separately. Names that begin with [_] are not reported. The predicate recognizes places that
-    other warnings mention. Pattern variables there are not reported either, because those warnings
-    may explain why the name is unused ([stop] where [Stop] was meant). Do not call it for programs
-    with errors, because an unresolved name may be a use of the definition. *)
+(** Checks the program's own modules. Does not report names that begin with [_], or definitions used
+    only by unused equations. Nor does it report pattern variables in places where [is_mentioned] is
+    true: other warnings mention these places and may explain why the name is unused ([stop] where
+    [Stop] was meant). The program must not have errors, because an unresolved name may be a use of
+    a definition. *)

@@ -51,7 +51,7 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Vi
 
 let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ names =
   let idle_import listed at whole : Ir.idle = { of_module = module_; listed; at; whole } in
-  (* The span of the import, including the end of its last line. *)
+  (* The span of the import, including the line break after it. *)
   let lines (import : Syntax.Ir.import) =
     let next = Span.position ~line:(Span.line import.span.stop + 1) ~column:1 in
     { import.span with stop = next }

@@ -16,4 +16,4 @@ val on_disk : t
 (** Files on disk, without cached results. *)
 
 val in_memory : (string * string) list -> t
-(** Takes pairs of a path and a text. There are no cached results. *)
+(** Texts in memory, given as pairs of path and text, without cached results. *)

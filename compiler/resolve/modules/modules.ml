@@ -42,7 +42,7 @@ let beside directory name =
 
 let shown_in_library loader name = Filename.basename loader.library ^ "/" ^ file_of name
 
-(* An import. [written]: it is explicit. *)
+(* An import. [written]: whether it is explicit. *)
 type place = { written : bool; place : Fact.import_place }
 
 let report loader fact = Context.report loader.context (In_modules fact)
@@ -66,7 +66,7 @@ let modules_in loader directory =
 (* Messages beyond this number are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-(* [imported]: the other modules that the importing module mentions. *)
+(* [imported]: the modules named in the imports of the importing module. *)
 let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   loader.missing <- loader.missing + 1;
   let known =
@@ -202,7 +202,7 @@ and load_imports loader ~way ~name ~prelude:implicit found (syntax : Syntax.Ir.p
   let of_tests = List.map written (Option.to_list (Labels.import syntax)) in
   implied @ of_tests @ Long_list.map written syntax.imports
 
-(* Finds the module, and loads it if that has not been done yet. Returns whether it exists. *)
+(* Finds the module and loads it unless it is already loaded. Returns whether it can be imported. *)
 and import_module loader ~way ~directory ~imported ~importer_in_library (target : Syntax.Ir.name) =
   let found =
     if imports_itself way target then (

@@ -16,8 +16,8 @@ type t = {
   library : bool;
   syntax : Syntax.Ir.program;
   imports : import list;  (** the imports whose modules were found *)
-  complete : bool;  (** were all imports found? *)
-  program : string option;  (** the module that this one tests, if it is in a {!Test_file} *)
+  complete : bool;  (** whether all imports were found *)
+  program : string option;  (** if this module is in a {!Test_file}: the module that it tests *)
 }
 
 val load :

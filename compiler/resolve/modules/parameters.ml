@@ -43,12 +43,12 @@ let owner context modules setting =
       report context setting (Several_modules { qualified = List.map qualified several });
       None
 
-(* In diagnostics, the span of the value covers the whole setting. Replacing the name with a
-   placeholder of the same width turns the setting into a definition. *)
+(* Parses the setting as a definition whose name is a placeholder. The placeholder is as wide as the
+   setting's name, so that the spans also fit the text that diagnostics show. *)
 let expression context setting =
   let width = String.length setting.name in
   let value =
-    (* the spelling that hosts and recordings use *)
+    (* hosts and recordings write these values in lower case *)
     match String.trim setting.text with
     | "true" -> "True"
     | "false" -> "False"

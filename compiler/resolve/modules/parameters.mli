@@ -1,4 +1,5 @@
-(** The parameters of a program ([param]), and setting them from the command line. *)
+(** Lists the parameters of a program ([param]), and sets them to the values given on the command
+    line. *)
 
 type setting = {
   name : string;  (** [k] or [M.k] *)
@@ -22,4 +23,4 @@ val give :
     given expression. Its name cannot occur in source code. See {!Ir.param}. *)
 
 val of_modules : Modules.t list -> Ir.param list
-(** All parameters, in the order of the modules and of their source text. *)
+(** All parameters, in the order of the modules and, within a module, in source order. *)

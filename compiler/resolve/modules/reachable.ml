@@ -1,4 +1,4 @@
-(* The library definitions not reached so far, and those already reached. *)
+(* [definitions]: all library definitions. [found]: those reached so far. *)
 type search = { definitions : Ir.binding Global_table.t; found : unit Global_table.t }
 
 let rec expr search (e : Ir.expr) =

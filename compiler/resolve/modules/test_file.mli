@@ -16,7 +16,8 @@ val program_or_self : string -> string
 (** The program of a test file. Returns any other file unchanged. *)
 
 val module_ : string -> string
-(** The name of the module in the test file of a program's module. It cannot occur in source code.
+(** Turns the name of a program's module into the name of its test module, which cannot occur in
+    source code.
 *)
 
 val is_module_of : string -> main:string -> bool

@@ -17,7 +17,7 @@ val inside : t -> Syntax.Ir.right -> t
     because such a name may be a signal of a [proc] elsewhere in the definition. *)
 
 val with_sizes : t -> Sizes.t list -> t
-(** The environment inside a definition with these size variables, for messages. *)
+(** The environment inside a definition whose signature has these size variables, for messages. *)
 
 val scope : t -> Scope.t
 val context : t -> Context.t
@@ -26,7 +26,8 @@ type owner = { group : Groups.t; index : int; signed : bool }
 (** The definition of a local variable: its index in the group analysis, and whether it has a
     signature. *)
 
-type variable = { local : Ir.Local.t; owner : owner option  (** [None] for parameters *) }
+type variable = { local : Ir.Local.t; owner : owner option  (** [None] for a variable that is not
+                                                                defined, such as a parameter *) }
 
 val bind : t -> variable list -> t
 (** Adds variables that come into scope together. Reports two with the same name, and warns if one

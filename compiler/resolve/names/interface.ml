@@ -141,7 +141,7 @@ let builtin_names ~file =
   }
 
 let size_operation (operator : Syntax.Ir.size_operator) left right =
-  (* larger numbers are not allowed as sizes, and must not overflow *)
+  (* larger numbers are not valid sizes; clamping them avoids overflow *)
   let bounded n = max (-0x40000000) (min 0x40000000 n) in
   match operator with
   | Plus_sizes -> bounded (left + right)

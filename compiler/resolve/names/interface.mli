@@ -26,7 +26,7 @@ type tycon = {
   unit_arity : int;
   units_optional : bool;
       (** whether the name without brackets means unit 1, as for [Float], [Int] and their aliases
-          with one unit *)
+          with one unit parameter *)
   type_arity : int;
   record_fields : string list;
   size : int option;  (** the number, for an alias such as [type N = 25] *)
@@ -69,13 +69,14 @@ val size_operation : Syntax.Ir.size_operator -> int -> int -> int
 (** Arithmetic on sizes, in types. *)
 
 val prelude : string
-(** The name of its module. *)
+(** The name of the prelude's module. *)
 
 val is_operator : string -> bool
 (** Is the name an operator symbol? *)
 
 val builtin_types : file:string -> (string * tycon) list
-(** The types without a declaration. They belong to the prelude, whose file name is given. *)
+(** The built-in types, which have no declaration. They belong to the prelude; [file] is its
+    file. *)
 
 val builtin_names : file:string -> names
 (** The built-in types, their constructors, and the built-in classes. *)

@@ -1,11 +1,12 @@
 (** Assertions and tests, and the names of the definitions that they create.
 
-    Assertions are [assert "label" condition] and [assume …] among the equations of a proc. From
-    here on, each is an ordinary equation that defines the verdict on its condition (by the
-    library's class method [verdict]) under a name that cannot occur in source code. Nothing depends
+    Assertions are [assert "label" condition] and [assume …] among the equations of a proc. Name
+    resolution turns each of them into an ordinary equation that defines the verdict on its
+    condition (by the library's class method [verdict]) under a name that cannot occur in source
+    code. Nothing depends
     on this equation, so it is removed unless a host needs the verdict.
 
-    [test "label" = e] and [trial "label" = e] are definitions of the library types [Test] and
+    [test "label" = e] and [trial "label" = e] define values of the library types [Test] and
     [Trial], under names that cannot occur in source code. The judge in each test is a separate
     definition, from which a program can be compiled. *)
 
@@ -25,7 +26,7 @@ val is_assumption : string -> bool
 val word : Syntax.Ir.claim -> string
 
 val check_name : Syntax.Ir.check -> string -> string
-(** The name of a test's definition, for a label. *)
+(** The name of the definition of the test with this label. *)
 
 val judge : string -> string
 (** The name of the judge's definition. It is derived from the given name of the test's definition.
@@ -40,7 +41,7 @@ val kind_of_check : string -> (Syntax.Ir.check * string) option
 
 val holding : Ir.Global.t
 (** The library function that turns a condition into a test. The compiler applies it to the value of
-    each [test], and type inference removes it from values that already are tests. *)
+    each [test], and type inference removes it from values that are already tests. *)
 
 val qualifier : string
 (** The qualifier of the names in {!import}. *)

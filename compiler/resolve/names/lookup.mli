@@ -9,8 +9,8 @@ val find_value :
   around:Syntax.Ir.right list ->
   Syntax.Ir.qualified ->
   Interface.value option
-(** Like {!find}, for values. If there is none, reports the name with the local names and the
-    right-hand sides [around] it. *)
+(** Like {!find}, for values. If there is no such value, reports the name, together with the local
+    names and the right-hand sides [around] it. *)
 
 val find_size : Scope.t -> Syntax.Ir.qualified -> int option
 (** The number that a capitalized name represents in an expression, if the name is a size and not a

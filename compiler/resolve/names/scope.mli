@@ -28,8 +28,8 @@ val records_with : t -> string list -> Ir.Global.t list
 (** {1 For lookups} *)
 
 val choose : t -> 'a Interface.space -> Syntax.Ir.name -> (Visible.import * 'a) list -> 'a option
-(** Returns the meaning and records that it is used. If there are several meanings, reports that the
-    name is ambiguous. *)
+(** Returns the name's first meaning, if there is one, and records that the name is used. If there
+    are several meanings, reports that the name is ambiguous. *)
 
 val size_named : t -> Syntax.Ir.name -> int option
 (** Like {!Visible.size_named}, but also records that the name is used. *)

@@ -13,7 +13,8 @@ type of_library = {
   module_ : string;
   names : Interface.names;  (** the names that it declares, or those listed in its header *)
   gathers : bool;
-      (** whether its header re-exports names of other modules; if so, users import this module *)
+      (** whether its header lists its exports, which may come from other modules; if so, hints
+          suggest this module rather than the others *)
 }
 (** A library module, for use in hints. *)
 
@@ -48,10 +49,10 @@ val size_named : t -> string -> int option
     of that name. *)
 
 val names_of : 'a String_table.t -> string list -> string list
-(** Adds the names in a table, in order. *)
+(** Adds the names in a table to a list. *)
 
 val names : t -> 'a Interface.space -> string list Lazy.t -> string list
-(** The names that have a meaning without a qualifier, and these local ones. *)
+(** The names that have a meaning without a qualifier, and the given local names. *)
 
 val is_implied : import -> bool
-(** Is this the import that the tests of the module imply? *)
+(** Is this the implicit import {!Labels.import}? *)

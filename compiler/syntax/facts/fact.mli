@@ -1,5 +1,5 @@
 (** The facts that the parser reports, as values without text. The library [advice] translates each
-    of them to a diagnostic. *)
+    of them into a diagnostic. *)
 
 open Basis
 
@@ -16,7 +16,7 @@ type problem =
   | Rejected of Rejection.t
   | Command_in_task of {
       command : Span.t;
-      block : Lexing.position;  (** the start of the [do] that contains it *)
+      block : Lexing.position;  (** the start of the [do] that contains the command *)
       token : Layout.token;
           (** the first token after the part of the [do] that contains the command *)
     }

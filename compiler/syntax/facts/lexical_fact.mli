@@ -12,15 +12,16 @@ type problem =
       base : int;
       number : string;
       rest : string;
-          (** the letters after it, with the rest of a unit; empty if it has no digits *)
-      has_unit : bool;  (** Are the letters a unit? *)
+          (** the letters directly after the number, with the rest of a unit; empty if digits are
+              missing, as in [0x] *)
+      has_unit : bool;  (** whether the letters are a unit *)
     }
-  | No_fraction of { number : string }  (** the number without its point *)
-  | No_whole_part of { fraction : string }  (** the fraction with its point *)
+  | No_fraction of { number : string }  (** the number without its decimal point *)
+  | No_whole_part of { fraction : string }  (** the fraction with its decimal point *)
   | Unexpected_character of {
       character : string;
-      offset : int;  (** place in the text, in bytes *)
-      is_first : bool;  (** whether this is the first one on its line *)
+      offset : int;  (** byte offset in the text *)
+      is_first : bool;  (** whether it is the first unexpected character on its line *)
     }
 
 type t = { at : Span.t; problem : problem }

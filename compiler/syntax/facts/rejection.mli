@@ -4,7 +4,7 @@ open Basis
 open Ir
 
 type clause = { name : name; parameters : pattern list; right : right; span : Span.t }
-(** One of several definitions of a function. *)
+(** One clause of a function that is defined by several clauses. *)
 
 type t =
   (* types and classes *)
@@ -51,7 +51,7 @@ type t =
   | Operator_bound of { at : Span.t; operator : name }
   | Empty_array_in_pattern of Span.t
   | Application_in_pattern of Span.t  (** the place of the function *)
-  | Braces_in_pattern of Span.t  (** the place of the code before them *)
+  | Braces_in_pattern of Span.t  (** the place of the code before the braces *)
   | Minus_in_pattern of Span.t
   | Expression_in_pattern of { at : Span.t; desc : expr_desc }
   (* terms that are not left-hand sides *)
@@ -66,7 +66,7 @@ type t =
       middle : Surface.term;
       second : qualified;
       right : Surface.term;
-      compare : bool;  (** Do they compare? *)
+      compare : bool;  (** whether both operators are comparisons *)
     }
   | Minus_after of { operator : qualified; at : Span.t; operand : Surface.term }
   | Two_minuses of { first : Span.t; second : Span.t; operand : Surface.term }

@@ -71,7 +71,7 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
       (Scaled_unit_in_type { environment = t.environment; places = [ written.span ]; measure });
   measure
 
-(* Reports equal mistakes in one line as one fact, because one fix corrects them. *)
+(* Reports identical mistakes on one line as one fact, because one fix corrects them all. *)
 let together t f =
   let add merged held =
     match (Facts.fact held, merged) with

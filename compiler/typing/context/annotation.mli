@@ -32,13 +32,14 @@ val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
     reported as [E0322], an exponent out of range as [E0323]. *)
 
 val together : t -> (unit -> 'a) -> 'a
-(** Runs the function. Reports equal scaled units in the same line as a single fact. *)
+(** Runs the function. If it reports the same scaled unit several times on one line, combines these
+    reports into a single fact. *)
 
 val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
-(** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Returns the
-    scope that also contains these variables. *)
+(** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Also returns
+    the scope extended with them. *)
 
 val report_declaration : t -> Declaration_fact.t -> unit
-(** Reports a fact about a declaration outside all definitions. *)
+(** Reports a fact about a declaration that is not part of a definition. *)

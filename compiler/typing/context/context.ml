@@ -157,8 +157,8 @@ let choices t ty =
       | Data _ | Alias _ | Builtin | Foreign -> [])
   | _ -> []
 
-(* The constructors of the first type that have a field of the second type. The message shows them
-   with their fields. *)
+(* The constructors of the first type that have a field of the second type. They are written with
+   their fields, for a message. *)
 let makers t ty ~of_ =
   match (Type.expand ty, Type.expand of_) with
   | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
@@ -185,7 +185,7 @@ let named t name =
   in
   List.rev (Resolve.Global_table.fold add t.globals [])
 
-(* Do messages show these types in the same way? *)
+(* Do these types look the same in a message? *)
 let rec alike a b =
   let all = List.equal alike in
   let units = List.equal (fun u v -> (Units.is_open u && Units.is_open v) || Units.equal u v) in
@@ -323,8 +323,8 @@ let tell_exponent t ~at =
 
 let errors t = t.group.errors
 
-(* Has the same mismatch already been reported for the same source text on this line? Does not apply
-   to numbers, because each literal must be corrected separately. *)
+(* Has the same mismatch already been reported for the same source text on this line? Always false
+   for numbers, because each literal must be corrected separately. *)
 let is_told t (subject : Resolve.Ir.expr option) (expected : Expected.t) found =
   match subject with
   | None | Some { desc = Number _ | Negate _; _ } -> false
@@ -352,7 +352,8 @@ let doubt t (expected : Expected.t) (clash : Unify.clash) =
       Hashtbl.replace t.doubts at (wanted, given)
   | _ -> ()
 
-(* Does the mismatch disappear if a signature that was reported as doubtful gets the actual unit? *)
+(* Would the mismatch disappear if a signature already recorded as doubtful declared the actual
+   unit? *)
 let is_doubted t ~subject (expected : Expected.t) (clash : Unify.clash) =
   let rec signature (e : Resolve.Ir.expr) =
     match e.desc with
@@ -513,8 +514,8 @@ let check_sizes t =
         tell t (Unknown_size { at = used; of_; variable = written })
     | _ -> ()
   in
-  (* The list is in reverse order, because the latest use is usually closest to the place where the
-     array is built. *)
+  (* Starts with the latest use, because it is usually the closest to the place where the array is
+     built. *)
   List.iter check t.group.sizes
 
 let requirements t = List.rev t.group.required

@@ -11,13 +11,13 @@ type 'a later = unit -> 'a
 type entry = {
   scheme : Type.scheme;
   kind : kind;
-  at : Span.t option;  (** its signature in the program *)
+  at : Span.t option;  (** the place of its signature, if the program has one *)
 }
 
 and kind =
   | Defined
   | Recursive
-      (** a definition in the group being inferred; generalized when the group is finished *)
+      (** a definition in the group being inferred; it is generalized when the group is finished *)
   | Primitive
   | Method of Ir.Global.t  (** the class that declares it *)
 
@@ -34,8 +34,7 @@ type required = Instance_fact.required = {
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
   guess : unit -> bool;
-      (** answers the question by the defaulting rule for types that remain unknown, if there is
-          such a rule *)
+      (** answers the question with the default for types that remain unknown, if there is one *)
   give_up : unit -> unit;
 }
 (** A question that cannot be answered until a type is known. *)
@@ -60,8 +59,8 @@ type t = {
   unnamed_input : Span.t option;  (** see {!Surroundings.t} *)
   sources : Source.t;
   doubts : (Span.t, Units.t * Units.t) Hashtbl.t;
-      (** the signatures reported as contradicting their definitions; for each, the unit in the
-          signature and the unit of the definition *)
+      (** for each signature reported as contradicting its definition, the declared unit and the
+          actual unit *)
   group : group;
 }
 
@@ -119,10 +118,11 @@ val hold : t -> (unit -> 'a) -> 'a * Fact.t Facts.held list
 val pass_on : t -> Fact.t Facts.held list -> unit
 
 val replace : t -> Fact.t -> unit
-(** Reports a fact in place of an error that was held. That error has already been counted. *)
+(** Reports a fact in place of a held error. Does not count it, because the held error has already
+    been counted. *)
 
 val trial : t -> (unit -> 'a) -> 'a * bool
-(** Infers something only to find out its type, and whether it is correct. Drops the facts, but
+(** Runs the function only to learn its result and whether it reports errors. Drops the facts, but
     counts the errors, so that enclosing expressions do not explain these errors as well. *)
 
 val tell_too_large : t -> at:Span.t -> Fact.construct -> unit
@@ -159,11 +159,11 @@ val asked_in_vain : t -> wanted:Type.t -> Type.t -> string option
     there is no such name, or if the second type is not an unsolved variable. *)
 
 val lacks_class : t -> wanted:Type.t -> Type.t -> bool
-(** Does {!asked_in_vain} find such a class? *)
+(** Does {!asked_in_vain} find a name? *)
 
 val with_variables : t -> by:Surroundings.construct -> Resolve.Ir.scheme -> Type.scheme * t
-(** The scheme as a type, and the state for inferring the code that has this type: the scheme's
-    variables are in scope there, one level deeper. [by]: the construct that introduces the
+(** Converts the scheme. Also returns the state for inferring the code that has this type. In this
+    state, the scheme's variables are in scope, one level deeper. [by]: the construct that introduces the
     variables. Reports a constraint on something other than a variable ([E0365]) and on a variable
     that the type does not mention ([E0364]). *)
 
@@ -177,14 +177,14 @@ val ask : t -> question -> unit
 
 val settle : t -> unit
 (** Answers all postponed questions: attempts them repeatedly, guesses when attempts make no
-    progress, and finally calls [give_up] of the remaining questions. *)
+    progress, and finally calls [give_up] for the remaining questions. *)
 
 val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
 (** Runs the function. If it reports errors, drops the constraints it recorded, because they come
     from types that may be wrong. *)
 
 val check_sizes : t -> unit
-(** After generalization: reports an array size that nothing determines. *)
+(** Reports array sizes that nothing determines. Call it after generalization. *)
 
 val requirements : t -> required list
 (** The recorded constraints, in source order. *)
@@ -201,8 +201,8 @@ type expressions = {
     of expression. *)
 
 exception Too_large of Span.t
-(** Raised in place of {!Final.Too_large} if the type of an expression is too large. The place is
-    that of the expression. *)
+(** Raised in place of {!Final.Too_large}, with the place of the expression whose type is too
+    large. *)
 
 val node : Span.t -> Type.t -> Ir.expr_desc -> Ir.expr
 (** A typed expression with its final type. Must be called only after all types have been inferred.

@@ -82,8 +82,8 @@ let classes ctx (program : Resolve.Ir.program) = List.map (class_ ctx) program.c
 
 (* {1 Instances} *)
 
-(* Finds the instance's class, and converts the instance head to a scheme whose variables are in the
-   order of the head. *)
+(* Enters an instance of the class. Its head becomes a scheme whose variables are in the order in
+   which the head mentions them. *)
 let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
   let as_scheme : Resolve.Ir.scheme =
     { context = written.context; ty = written.head; span = written.span }
@@ -164,4 +164,5 @@ let method_of instance (m : method_) : Type.scheme =
         context = instance.scheme.context @ List.map (fun (c, t) -> (c, substitute t)) context;
         body = substitute m.scheme.body;
       }
-  | _, _ -> Diagnostic.bug ~stage:"Typing.Class_declarations" "a method without its class"
+  | _, _ -> Diagnostic.bug ~stage:"Typing.Class_declarations" "the scheme of a method does not \
+                                   begin with its class"

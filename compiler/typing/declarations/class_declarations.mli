@@ -29,14 +29,14 @@ type instance = {
   head : Type.t;
   scheme : Type.scheme;
       (** This is not the type of a value: it quantifies the variables of the instance, in the order
-          of its head, and has the instance's context. *)
+          in which the head mentions them, and has the instance's context. *)
   inner : Context.t;  (** the context in which its definitions are checked *)
   definitions : (Ir.Global.t * Resolve.Ir.binding) list;
   place : Span.t;
 }
 
 val classes : Context.t -> Resolve.Ir.program -> class_ list
-(** Adds the methods to the globals. *)
+(** Enters the classes into the environment, and their methods into the globals. *)
 
 val instances : Context.t -> class_ list -> Resolve.Ir.program -> instance list
 

@@ -1,13 +1,14 @@
 (** Entry points: the definitions that a program can be compiled from. An entry is a signal function
     or a [Program] without type variables.
 
-    Codes: [E0411] the definition cannot be an entry · [E0501] there is no definition of that name.
+    Codes: [E0411] the definition cannot be an entry · [E0501] there is no definition with that
+    name.
 *)
 
 open Basis
 
 val find : Fact.t Facts.t -> Ir.program -> file:string -> string -> Ir.definition option
-(** The definition of this name in the main module, whose path is [file]. Reports [E0501] if there
+(** The definition with this name in the main module, whose path is [file]. Reports [E0501] if there
     is none. *)
 
 val all : Ir.program -> Ir.definition list

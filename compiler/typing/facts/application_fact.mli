@@ -7,18 +7,19 @@ type call = {
   at : Span.t;  (** the whole application *)
   head : Resolve.Ir.expr;
   arguments : (Resolve.Ir.expr * Type.t) list;
-      (** the arguments, with their types; [Erroneous] for the failing argument if it is wrong in
-          itself *)
+      (** the arguments with their types; the type of the failing argument is [Erroneous] if it
+          contains an error of its own *)
   failed : int;  (** the position of the failing argument, counted from 1 *)
-  is_right_alone : bool;  (** whether the failing argument is correct in itself *)
+  is_right_alone : bool;  (** whether the failing argument is correct when checked on its own *)
   takes : int;  (** number of parameters of the head *)
   result : Type.t;  (** the type of the head applied to one argument *)
   exchanged : int option;
-      (** the position of another argument; the types fit if it is swapped with the failing one *)
+      (** the position of the argument that must be swapped with the failing one to make the types
+          fit *)
   rotated : int list option;  (** another order in which the types fit *)
   lacking : int option;
-      (** the number of arguments that are missing before the failing one, if the arguments from
-          there on fit the last parameters *)
+      (** the number of arguments missing before the failing one, if it and the arguments after it
+          fit the last parameters *)
 }
 
 type method_call = {

@@ -23,26 +23,26 @@ type t =
       pattern : Resolve.Ir.pattern;  (** [()] *)
       input : Type.t;
       mistake : t Facts.held;  (** the mismatch *)
-    }  (** the pattern [()] for another value *)
+    }  (** the pattern [()] for a value of another type *)
   | Exchanged_signature of {
       around : Surroundings.t;
       fact : Signature_fact.t;
       mistakes : t Facts.held list;
-          (** the mistakes in the definition, if the signature is right; not empty *)
+          (** the mistakes in the definition, assuming that the signature is right; not empty *)
     }
   | Scaled_power of { at : Span.t; unit_ : Ir.Global.t; exponent : Rational.t }
-      (** a power of a scaled unit that is not an integer *)
+      (** a scaled unit raised to a power that is not an integer *)
   | Scaled_unit_in_type of {
       environment : Environment.t;
-      places : Span.t list;  (** all occurrences in one line; not empty *)
+      places : Span.t list;  (** all occurrences on one line; not empty *)
       measure : Units.t;  (** the unit in base units *)
     }
   | Array_size of { at : Span.t; size : int; largest : int }  (** a size out of range *)
   | Wrong_kind of { environment : Environment.t; at : Span.t; wanted : Type.kind; found : Type.t }
       (** a size in place of a type, or the reverse *)
   | Too_many_updates of { at : Span.t; record : Ir.constructor; updates : int; most_fields : int }
-      (** the updates up to this place write too many fields; most of them are in [updates] of this
-          record *)
+      (** the record updates up to this place write too many fields; updates of [record], of which
+          there are [updates], write the most of them *)
   | Entry of Entry_fact.t
   | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
   | Exponent_too_large of Span.t  (** the exponent of a unit *)

@@ -1,4 +1,4 @@
-(** Facts about the types and units of expressions. Inference reports them. *)
+(** Facts that inference reports about the types and units of expressions. *)
 
 open Basis
 
@@ -54,14 +54,15 @@ type t =
   | Variable_like_a_type of {
       at : Span.t;  (** the signature *)
       variable : Ir.variable;
-      type_ : string;  (** the type whose name differs only in the case of a letter *)
+      type_ : string;  (** the type whose name the variable's name resembles *)
     }  (** a warning *)
   | Matched_twice of {
       constructor : Ir.Global.t;
       first : Resolve.Ir.pattern;
       second : Resolve.Ir.pattern;
       missing : string;  (** a constructor that no branch matches *)
-    }  (** two branches of a [case] match the same constructor, and the second is wrong *)
+    }  (** two branches of a [case] match the same constructor, and the second branch contains an
+           error *)
   | Parameters_in_other_order of {
       head : Resolve.Ir.expr;
       name : string;  (** [foldl] or [scanl] *)
@@ -69,7 +70,7 @@ type t =
       second : Resolve.Ir.pattern;
     }  (** [foldl (\x n -> n + x) 0 xs]: the function would fit if its parameters were swapped *)
   | Mapped_range of { at : Span.t; head : Span.t; arguments : Resolve.Ir.expr list }
-      (** [map x 0 1023 0 255] of Arduino *)
+      (** [map x 0 1023 0 255], as in Arduino *)
   | Missing_field of {
       field : Syntax.Ir.name;
       record : Resolve.Ir.expr;
@@ -110,11 +111,11 @@ type t =
   | In_degrees of {
       angle : Resolve.Ir.expr;  (** a product with the factor 180/π, in place of an angle *)
       factors : Resolve.Ir.expr list;  (** its other factors; not empty *)
-      beside : Resolve.Ir.expr option;  (** the other operand of an operator: it is in radians *)
+      beside : Resolve.Ir.expr option;  (** the operator's other operand, which is in radians *)
     }  (** a warning *)
   | Idle_return of {
       statement : Resolve.Ir.expr;
-      is_choice : bool;  (** it chooses between several uses of [return] *)
+      is_choice : bool;  (** whether it chooses between several uses of [return] *)
       next : Span.t option;  (** the statement after it *)
     }  (** a [return] that is not the last statement of a [do]; a warning *)
   | Unreachable_statement of { at : Span.t; endless : Resolve.Ir.expr }
@@ -124,6 +125,6 @@ type t =
   | Int_out_of_range of {
       at : Span.t;
       number : Resolve.Ir.number;
-      same_bits : int32 option;  (** the [Int] whose bits are written in the source *)
+      same_bits : int32 option;  (** the [Int] that has the same bits as the number in the source *)
     }
   | Number_out_of_range of { at : Span.t; number : Resolve.Ir.number; real : Real.t }

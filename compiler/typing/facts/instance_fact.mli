@@ -43,4 +43,4 @@ type t =
   | Undecided of { required : required; class_ : Ir.class_ }
       (** nothing determines the type for which the class is required *)
   | Unpromised of { first : promise; others : promise list }
-      (** all required by the same signature; none of them is implied by another *)
+      (** all missing from the context of the same signature; none of them is implied by another *)

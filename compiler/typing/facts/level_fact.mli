@@ -45,7 +45,7 @@ and why =
 
 type cause =
   | Mentions of Ir.Local.t * reason list
-      (** it mentions this signal. The reasons explain one another *)
+      (** it mentions this signal. Each reason explains the one before it *)
   | Runs of Ir.expr  (** it runs this signal function *)
 
 (** {1 Indices} *)

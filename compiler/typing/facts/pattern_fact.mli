@@ -5,7 +5,7 @@ open Basis
 type missing = {
   named : string list;
       (** some of the values, in source syntax, with [_] for any value; at least one *)
-  more : int;  (** number of further patterns of this kind *)
+  more : int;  (** number of further patterns, which are not in [named] *)
 }
 (** Values that no pattern covers. *)
 
@@ -16,11 +16,8 @@ type case = {
   data : Ir.data list;  (** the program's data types *)
 }
 
-type refutable =
-  | Equation
-  | Bind
-  | Function
-  | Proc  (** constructs whose pattern must always match *)
+(** Constructs whose patterns must always match. *)
+type refutable = Equation | Bind | Function | Proc
 
 type t =
   | Too_complex of case  (** its patterns have too many combinations *)
@@ -28,10 +25,11 @@ type t =
       case : case;
       missing : missing;
       guarded_only : int option;
-          (** a branch that would cover the first of these values if it had no guards *)
+          (** the index of a branch that would cover the first of these values if it had no
+              guards *)
       listed : missing option;
-          (** further values; present only if no branch is [guarded_only] and the combinations are
-              not too numerous to list *)
+          (** like [missing], but with more patterns in [named]; absent if [guarded_only] is present
+              or there are too many combinations to list *)
     }
   | Unreachable of { case : case; branch : Ir.branch }
   | Refutable of { pattern : Ir.pattern; of_ : refutable; missing : missing }

@@ -1,9 +1,9 @@
-(** What surrounds the place of a fact in the program; messages may mention it. *)
+(** The context of a fact in the program, for use in messages. *)
 
 open Basis
 
-(** A construct that has type variables. A [Signature] is that of the definition with this name. A
-    [Class] or an [Instance] is that of the class with this name. *)
+(** A construct that has type variables. The string is the name of the definition that has the
+    signature, or of the class. *)
 type construct = Signature of string | Class of string | Instance of string
 
 type owned = { by : construct; place : Span.t }
@@ -26,15 +26,15 @@ type t = {
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   field_of : Type.t -> of_:Type.t -> string option;
-      (** the field of the record whose data type has the same constructor as the second type, if
-          there is exactly one *)
+      (** the field whose type has the same type constructor as the second type, if the first type
+          is a record with exactly one such field *)
   field_type : Type.t -> string -> Type.t option;  (** the type of this field of a record *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
   named : string -> Type.t list;  (** the types of all definitions with this name *)
   values : Type.t -> file:string -> string list;
-      (** the definitions without parameters of this file that have this type *)
+      (** the definitions in this file that have this type and no parameters *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)
   local_function : Resolve.Ir.Local.t -> Resolve.Ir.binding option;
       (** the definition of a local variable with parameters *)
@@ -48,4 +48,4 @@ type t = {
 }
 
 val nowhere : Environment.t -> t
-(** A context that answers no question about the program. *)
+(** A context without any information about the program. *)

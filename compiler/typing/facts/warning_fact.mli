@@ -1,4 +1,4 @@
-(** The facts that the checks for suspicious code in a typed program report. *)
+(** Facts reported by the checks for suspicious code in a typed program. *)
 
 (** A requirement of the function or record [of_] that a constant does not meet. *)
 type unmet =
@@ -11,13 +11,13 @@ type unmet =
 
 type unwrap =
   | Around of Ir.expr option
-      (** the function [unwrap] can be applied to this angle, if there is one *)
+      (** the angle to which [unwrap] can be applied, if there is one *)
   | Before of Ir.expr  (** [unwrap] can be composed with this signal function *)
 
 type t =
   | Not_a_number of Ir.expr  (** a constant that is NaN *)
   | Wraps_around of { constant : Ir.expr; value : int }
-      (** an Int with this value is out of range *)
+      (** an Int whose exact value, [value], is out of range *)
   | Step_division of Ir.expr  (** a division by the length of the step *)
   | Unmet of { of_ : string; argument : Ir.expr; unmet : unmet }
   | Swapped_limits of { of_ : string; low : Ir.expr; high : Ir.expr }
@@ -43,9 +43,9 @@ type t =
       function_ : Ir.Global.t;
       head : Ir.expr;  (** place where the program mentions the function *)
       angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
-      scaled : bool;  (** a multiple *)
-      instead : string;  (** name of the function for angles *)
-      module_ : string;  (** and its module *)
+      scaled : bool; (** whether [angle] is a multiple *)
+      instead : string;  (** name of the function to use for angles that wrap *)
+      module_ : string;  (** the module of that function *)
       same_arguments : bool;  (** whether it takes the same arguments *)
       unwrap : unwrap;
-    }  (** a function that is not suitable for such angles *)
+    }  (** a function that is not suitable for angles that wrap *)

@@ -104,7 +104,7 @@ let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
   let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
   (not (fits a a' && fits b b'))
   && fits a b' && fits b a'
-  (* two unknown types are not sufficient *)
+  (* two unknown types are not enough evidence of a swap *)
   && (not (is_open a' && is_open b'))
   && not (is_open a && is_open b)
 

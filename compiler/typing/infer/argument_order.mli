@@ -1,7 +1,7 @@
 (** Recognizes arguments given in the wrong order.
 
-    It runs when the types of all arguments are known: [hold e 0], where [e] is an event, would be
-    correct as [hold 0 e]. *)
+    For example, [hold e 0], where [e] is an event, would be correct as [hold 0 e]. Call these
+    functions when the types of all arguments are known. *)
 
 val pair_exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
@@ -14,8 +14,8 @@ val exchanged :
   given:Type.t list ->
   position:int ->
   int option
-(** The position of another argument that could be swapped with the one at [position], counted from
-    1, whose type is wrong. [given]: the types of the arguments. [parameters]: the parameter types
+(** The position of an argument that could be swapped with the argument at [position], whose type is
+    wrong. Both positions are counted from 1. [given]: the types of the arguments. [parameters]: the parameter types
     from the function's scheme. [unfit]: see {!pair_exchanged}. *)
 
 val may_be : wanted:Type.t -> Type.t -> bool
@@ -37,5 +37,5 @@ val shifted :
   position:int ->
   int option
 (** The number of missing arguments, if the argument at [position] and those after it fit the last
-    parameters, and those before it the first ones. [is_constrained]: must the variable have a
-    class? *)
+    parameters, and those before it fit the first ones. [is_constrained]: whether the variable is
+    required to have a class. *)

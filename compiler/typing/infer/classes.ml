@@ -8,7 +8,8 @@ and variable = Quantified of Ir.variable * Type.t | Open
 
 exception Lacking of Instance_fact.lack
 
-(* [compared]: which type parameters each data type compares. *)
+(* [compared]: for each data type, which of its type parameters must be comparable for its values to
+   be comparable. *)
 type search = { ctx : Context.t; compared : (Ir.Global.t, bool list) Hashtbl.t }
 
 let open_representation r =
@@ -145,7 +146,7 @@ let smallest environment classes =
   in
   List.filter (fun class_ -> not (implied class_)) classes
 
-(* Are these the same type? Numbers are compared by value because {!decided} allocates them. *)
+(* Are these the same type? Numbers are compared by value because {!decided} allocates new ones. *)
 let is_same a b =
   match (a, b) with
   | Type.Number (Float, u), Type.Number (Float, u') -> Units.equal u u'

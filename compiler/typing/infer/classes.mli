@@ -11,5 +11,5 @@ val give : t -> Type.scheme -> unit
 (** Assumes the scheme's context inside the definition that has this signature. *)
 
 val solve : t -> Generalize.t -> (Ir.class_ * Type.t) list
-(** Solves the constraints of the group. The given variables were generalized without a signature.
-    Their constraints are returned, and become the context of the group's schemes. *)
+(** Solves the constraints of the group. Returns the constraints on the given variables, which were
+    generalized without a signature. These constraints become the context of the group's schemes. *)

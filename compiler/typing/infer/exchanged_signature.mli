@@ -1,6 +1,5 @@
-(** Two types of a signature in the wrong order.
-
-    Finds out by checking the definition again against each signature with two types exchanged. *)
+(** Recognizes two types of a signature in the wrong order. Inference checks the definition again
+against each candidate, that is, the signature with two types exchanged. *)
 
 open Basis
 
@@ -9,7 +8,7 @@ type t
 
 val candidates : Resolve.Ir.scheme -> t list
 (** The exchanges that are likely mistakes: the input and the output of a signal function, a task or
-    a program, two elements of a tuple, two parameters, and the parameter and the result. *)
+    a program, two elements of a tuple, two parameters, or the last parameter and the result. *)
 
 val scheme : t -> Resolve.Ir.scheme
 
@@ -21,6 +20,6 @@ val fact :
   t ->
   mistake:Fact.t ->
   Signature_fact.t option
-(** The definition of this name fits the exchanged signature, although [mistake] was found when it
-    was checked against the written one. [None] if that mistake is the better explanation, or if the
-    corrected signature is not in one line. *)
+(** The fact that the definition with this name fits the exchanged signature. [mistake]: the mistake
+    reported for the written signature. [None] if [mistake] is the better explanation, or if the
+    corrected signature is not on one line. *)

@@ -57,9 +57,9 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * E
       let because = if recursive then Expected.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
-(* The value of a `test`. Resolution has applied the function [holding] to it. If the value is a
-   condition, the application is kept; otherwise it is dropped, and the value must itself be a
-   test. *)
+(* Checks the value of a `test`, to which resolution has applied the function [holding]. If the
+   value is a condition, keeps the application. Otherwise drops it; the value must then be a test
+   itself. *)
 let test ctx ~(holding : Resolve.Ir.expr) (value : Resolve.Ir.expr) (expected : Expected.t) =
   let typed = Infer_expression.expressions.infer ctx value in
   match Type.expand typed.ty with
@@ -110,8 +110,8 @@ let generalize ctx declared bindings expectations =
       Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-(* Omits the definition, because types beyond the size limit would slow down later stages. An error
-   has been reported in any case. *)
+(* Omits a definition with a type beyond the size limit, because such a type would slow down later
+   stages, and reports an error. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
   let refuse at construct =
@@ -143,9 +143,9 @@ let distrust ctx (b : Resolve.Ir.binding) at =
   let entry = { scheme = Type.monomorphic Erroneous; kind = Defined; at = Some at } in
   Global_table.replace ctx.globals (fst (top b)) entry
 
-(* Does the fact mean that the signature at this place may be wrong? Its definition is a signal
-   function although the signature declares a function, or the reverse, or has more parameters than
-   the signature. *)
+(* Does the fact suggest that the signature at this place is wrong? If so, the signature declares a
+   function but its definition is a signal function, or the reverse, or the definition has too many
+   parameters for the signature. *)
 let contradicts (at : Span.t) (fact : Fact.t) =
   let is_signature (expected : Expected.t) =
     match expected.because with

@@ -95,7 +95,7 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~before ~
 
 type decision = Applies | Runs
 
-(* The type of the result is already part of the function's type. *)
+(* The final type of the result is already part of the function's type. *)
 let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
   match (decision, function_.ty) with
   | Applies, Function (_, ty) ->
@@ -165,7 +165,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
     let value =
       match argument.style with
       | Operator _ ->
-          (* another message reports a mismatch with the other operand *)
+          (* a mismatch between the two operands has a message of its own *)
           let left_operand =
             match (argument.style, previous) with
             | Operator operator, None -> Some (argument.value, operator)
@@ -218,7 +218,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
 
 (* {1 Explaining a mistake by the whole application} *)
 
-(* Is an argument at this place the whole of the mistake? *)
+(* Does the fact concern the whole argument at this place, not only a part of it? *)
 let is_at (span : Span.t) (fact : Fact.t) =
   match fact with
   | Inference { fact = Mismatch { at; _ } | Exchanged_pair { at; _ }; _ } ->
@@ -236,7 +236,8 @@ let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
   | None -> (None, None, None)
   | Some { scheme; _ } ->
       let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
-      (* an input never has type `String`: if one does, this application has just inferred it *)
+      (* an input never has the type `String`: if it seems to, this application has just caused
+         that *)
       let is_input (e : Resolve.Ir.expr) =
         match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
       in
@@ -339,7 +340,7 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
       | _ -> pass_on ctx held)
   | _ -> pass_on ctx held
 
-(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order of another
+(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order used in another
    language. Checks whether the other order would be correct. *)
 let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
@@ -370,7 +371,7 @@ let operator_after ctx (e : Resolve.Ir.expr) argument =
   | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
   | Some _ | None -> None
 
-(* The application, which when built warns of operands whose degrees do not fit. *)
+(* Makes the application warn, when it is built, about operands in degrees. *)
 let warning_of_degrees ctx argument ty ~previous (applied : typed) =
   match (argument.style, previous) with
   | Operator operator, Some left when In_degrees.meets operator ->
@@ -412,14 +413,14 @@ let infer_head expressions ctx e ~head arguments =
 
 type progress = {
   applied : typed;  (** the application to the arguments so far *)
-  previous : (Resolve.Ir.expr * Type.t) option;  (** the last of them, with its type *)
-  types : Type.t list;  (** their types, in reverse order *)
-  failed : int option;  (** the position of the first one with an error *)
-  of_first : Fact.t Facts.held list;  (** the facts about the first one *)
+  previous : (Resolve.Ir.expr * Type.t) option;  (** the last of these arguments, with its type *)
+  types : Type.t list;  (** the types of the arguments, in reverse order *)
+  failed : int option;  (** the position of the first argument with an error *)
+  of_first : Fact.t Facts.held list;  (** the facts about the first argument *)
 }
 
 (* Replaces the facts about the arguments by one about the whole application, if that explains the
-   mistake better. [is_only]: there is one error. *)
+   mistake better. [is_only]: whether there is exactly one error. *)
 let explain expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~function_
     ~takes ~is_only progress held =
   let replace_by fact ~kept =

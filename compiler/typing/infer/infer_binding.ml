@@ -22,7 +22,7 @@ let rec parameters_allowed t =
   | Flexible _ | Erroneous -> None
   | _ -> Some 0
 
-(* Handles `f (x, y) = …`, if the signature takes separate parameters. *)
+(* Recognizes `f (x, y) = …` with a signature for separate parameters. *)
 let as_several parameters allowed (expected : Expected.t) =
   match ((parameters : Resolve.Ir.pattern list), Type.expand expected.ty) with
   | [ { desc = Tuple_of (_ :: _ :: _ as parts); span } ], Function (first, _)
@@ -57,7 +57,7 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
     | Function (a, t) when k > 0 -> Type.Function (a, extended (k - 1) types t)
     | _ -> List.fold_right (fun a t -> Type.Function (a, t)) types t
   in
-  (* the types that are missing in the signature, with the names of their parameters *)
+  (* the types that are missing from the signature, with the names of their parameters *)
   let lacking =
     match (allowed, expected.because) with
     | Some n, Signature _ when is_refused && is_proc && List.compare_lengths names parameters = 0
@@ -68,7 +68,7 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
         | _ -> [])
     | _ -> []
   in
-  (* this avoids further messages about uses of these parameters *)
+  (* the type to check against; after an error, it avoids further messages about the parameters *)
   let kept =
     match (name, as_several parameters allowed expected) with
     | Some name, Some (at, parts) ->
@@ -156,7 +156,7 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
         in
         let last = Option.map (fun build -> build ()) last in
         node (span_of_guards guards value) expected.ty (Guards (conditional, last))
-  | _, _, [] -> Diagnostic.bug ~stage:"Typing.Infer" "a right side without a value"
+  | _, _, [] -> Diagnostic.bug ~stage:"Typing.Infer" "a right-hand side without a value"
 
 (* {1 Local declarations} *)
 

@@ -29,7 +29,7 @@ val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding lis
 (** Checks local declarations. After the call, their names have types. *)
 
 val annotated : expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
-(** [(e :: T)]: treated as a local binding with that signature. *)
+(** Infers [(e :: T)], which is treated as a local binding with that signature. *)
 
 val undecided : Expected.t -> bool
 (** Is the expected type unconstrained, or a task with an unconstrained result? *)

@@ -176,8 +176,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
 
-(* Infers both components before checking them, because they may be swapped, such as an output and
-   its event. Separate messages about the components would be confusing. *)
+(* Infers both components before checking them, because they may be swapped, for example an output
+   and its event. Separate messages about the components would be confusing. *)
 and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expected.t) =
   let inferred x = if is_inferred x then Some (infer ctx x) else None in
   let first = inferred a in
@@ -233,7 +233,8 @@ and is_inferred (e : Resolve.Ir.expr) =
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Tuple _ | Array _ | Record _ -> false
   | _ -> true
 
-(* `[1 2]` without a comma, which is reported at the number instead. *)
+(* Is this element like the one in `[1 2]`, where a comma is missing? If so, the mistake is reported
+   at the number instead. *)
 and lacks_a_comma (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head = { desc = Number _; _ }; style = Juxtaposed; _ } -> true

@@ -78,7 +78,8 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
 let decided ctx = function
   | { contents = Some answer } -> answer
   | { contents = None } ->
-      Diagnostic.bug ~stage:"Typing.Infer_record" "a field was not decided (%d errors)" (errors ctx)
+      Diagnostic.bug ~stage:"Typing.Infer_record" "the record of a field was not determined (%d \
+                             errors)" (errors ctx)
 
 let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
   match position constructor name.text with
@@ -94,8 +95,9 @@ let rec number (e : Resolve.Ir.expr) : Expected.number option =
       Option.map (fun (n : Expected.number) -> { n with negative = not n.negative }) (number e)
   | _ -> None
 
-(* If there is no [wanted] type, the units in the program determine those of the type. Units that
-   remain undetermined become `m` and `m/s`, as examples. *)
+(* Completes the record with units, for a message. If there is no [wanted] type, the units written
+   in the program determine the units of the type. Units that remain undetermined become `m` and
+   `m/s`, as examples. *)
 let completed ctx (constructor : Environment.constructor) ?wanted fields : Expected.completed =
   let environment = ctx.reader.environment in
   let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth constructor.scheme in
@@ -133,7 +135,8 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let types = Array.of_list types in
   let before = errors ctx in
   let several = List.compare_length_with constructor.scheme.units 1 > 0 in
-  (* if wanted units are still undetermined, the wrong numbers would determine them *)
+  (* a wanted type with undetermined units is ignored, because wrong numbers would determine these
+     units *)
   let wanted =
     match Option.map Type.expand wanted with
     | Some (Type.Data { units; _ } as t) when not (List.exists Units.is_open units) -> Some t

@@ -24,7 +24,8 @@ let follows_from_a_tuple ctx (required : required) (lack : Instance_fact.lack) =
   in
   errors ctx > 0 && (lack.lacking = Eq || lack.lacking = Ord) && holds_a_function required.argument
 
-(* An output that was reported to be a time. *)
+(* Is this an output in place of a time, as when the arguments of `sleepT` are swapped? That mistake
+   has already been reported. *)
 let follows_from_an_order ctx (required : required) (lack : Instance_fact.lack) =
   errors ctx > 0
   &&

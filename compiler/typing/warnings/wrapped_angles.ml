@@ -8,9 +8,10 @@ type facts = {
   program : program;
   docs : Doc_facts.t;
   origins : Angle_origins.t;
-  plain_uses : unit Int_table.t;  (** variables with a use in which whole turns make a difference *)
+  plain_uses : unit Int_table.t;  (** variables with at least one use whose result changes if full
+                                      turns are added *)
   mutable differences : (Local.t * Warning_fact.t) list;
-      (** equations that are a difference, each with the fact to report *)
+      (** variables defined as a difference, each with the fact to report *)
 }
 
 let called = Angle_origins.called
@@ -20,7 +21,7 @@ let report facts warning = Facts.report facts.into (Warning warning)
 
 (* {1 Filters} *)
 
-(* Can a `pid` with these gains use the derivative? *)
+(* Whether a `pid` with these gains may have a derivative term. *)
 let has_derivative facts (gains : expr) =
   let is_pid (d : data) = d.tycon = { Global.module_ = "Control"; name = "Pid" } in
   let index (c : constructor) =
@@ -46,15 +47,15 @@ let is_plain_pid facts (g : Global.t) arguments =
   | { module_ = "Control"; name = "pid" }, [ gains ] -> not (has_derivative facts gains)
   | _ -> false
 
-(* The function for angles, if a function is unsuitable for them. *)
+(* The function to use for angles instead of [f], if [f] is unsuitable for them. *)
 let for_angles facts (f : expr) =
   match called f with
   | Some (g, arguments) when not (is_plain_pid facts g arguments) ->
       Option.map (fun other -> (g, other)) (Doc_facts.for_angles facts.docs g)
   | _ -> None
 
-(* Reports the input or argument of a function, because it is an angle that wraps and the
-   function is unsuitable for such angles. *)
+(* Reports an angle that wraps and is the input or an argument of a function that is unsuitable for
+   such angles. *)
 let unsuitable facts (f : expr) (function_, (other : Doc_facts.for_angles)) angle kind ~unwrap =
   let { Doc_facts.name = instead; module_; same_arguments } = other in
   report facts
@@ -87,7 +88,7 @@ let check facts (f : expr) inputs =
 let run facts (f : expr) (input : expr) =
   check facts f (match input.desc with Tuple es -> es | _ -> [ input ])
 
-(* An application that is not a signal function. *)
+(* Checks the arguments of an application, unless its value is a function or signal function. *)
 let application facts (e : expr) arguments =
   match e.ty with Signal_function _ | Function _ -> () | _ -> check facts e arguments
 
@@ -100,10 +101,10 @@ let composition facts (f : expr) (g : expr) =
   | Some other, Some kind -> unsuitable facts g other f kind ~unwrap:(Before g)
   | _ -> ()
 
-(* {1 The walk} *)
+(* {1 Traversal} *)
 
-(* Does the function accept angles with additional full turns as the argument with this index (from
-   0)? *)
+(* Whether the function accepts an angle with extra full turns as the argument with this index (from
+   0). *)
 let accepts_turns (g : Global.t) index =
   match (g.module_, g.name, index) with
   | "Prelude", ("sin" | "cos" | "tan"), _
@@ -116,8 +117,8 @@ let accepts_turns (g : Global.t) index =
 
 type place =
   | Plain
-  | Turns  (** it accepts angles with any number of additional turns *)
-  | Equation of Local.t  (** the value of this variable *)
+  | Turns  (** a place where extra full turns make no difference *)
+  | Equation of Local.t  (** the right-hand side of this variable's equation *)
 
 let rec expr facts place (e : expr) =
   let plain = expr facts Plain in

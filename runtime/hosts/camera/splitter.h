@@ -30,8 +30,8 @@ void splitter_close(struct splitter *s);
 void splitter_forget(struct splitter *s);
 
 /* splitter_space returns where to store the next bytes, and how many bytes fit there. This number
- * is never 0 after all frames have been taken. Then call splitter_feed with the number of bytes
- * stored and the current time. */
+ * is never 0 after all frames have been taken. After storing bytes, call splitter_feed with their
+ * number and the current time. */
 uint8_t *splitter_space(struct splitter *s, size_t *room);
 void splitter_feed(struct splitter *s, size_t count, int64_t now_ns);
 

@@ -5,8 +5,8 @@
 #include "buffers.h"
 
 /* Converts the pixels to the frame's format, which is RGB or grey. The caller must set the frame's
- * size and format. `stride` is the number of bytes from one row to the next. Returns
- * false if there are not enough bytes. */
+ * size and format. `stride` is the number of bytes from one row to the next. Returns false if there
+ * are not enough bytes. */
 bool yuyv_or_grey(const uint8_t *bytes, size_t size, size_t stride, bool is_yuyv,
                   struct captured *frame);
 

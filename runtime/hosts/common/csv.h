@@ -37,7 +37,7 @@ struct csv {
     size_t time_cell; /* index of the time cell in the file's rows */
     unsigned long next_line;
     char *text;
-    size_t *starts; /* cells as offsets in `text`, because realloc may move it */
+    size_t *starts; /* offsets of the cells in `text`; not pointers, because realloc may move it */
     size_t text_capacity, cells_capacity;
     char *read;                            /* the current line of the file */
     size_t read_capacity, read_length, at; /* `at`: number of its bytes already consumed */

@@ -1,6 +1,5 @@
-/* packed.h -- compressed recordings: files whose names end in .gz or .zst are
- * piped through a `gzip` or `zstd`
- * process.
+/* packed.h -- compressed recordings: files whose names end in .gz or .zst are piped through a
+ * `gzip` or `zstd` process.
  *
  * When compressing, that process ignores the signals that end a run (Ctrl-C, SIGTERM, SIGHUP). If
  * the host is killed, the process still writes all data that it has received, so a recording is

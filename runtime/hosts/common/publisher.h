@@ -1,4 +1,4 @@
-/* publisher.h -- publishes a run to a viewer, which is a separate process, in shared memory.
+/* publisher.h -- publishes a run, in shared memory, to a viewer, which is a separate process.
  *
  * The run does not depend on the viewer, which may be slow, stop reading, or end at any time. */
 #ifndef FROB_HOST_PUBLISHER_H

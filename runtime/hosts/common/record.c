@@ -45,8 +45,8 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
     return write_text(r);
 }
 
-/* Writes a frame; `context` is the frame writer. On failure, closes the frame writer, which sets
- * its folder to NULL. */
+/* Writes a frame; `context` is the frame writer. On failure, closes the writer, which sets the
+ * writer's folder to NULL. */
 static void put_frame(void *context, const struct frob_image **image)
 {
     struct frame_writer *frames = (struct frame_writer *)context;

@@ -19,7 +19,7 @@
 /* The host's part and the reader's part are in separate cache lines, to avoid false sharing. */
 struct ring_shared {
     uint64_t magic;
-    uint32_t slots, words; /* `slots`: number of slots, a power of two; `words`: words of data per
+    uint32_t slots, words; /* `slots` is a power of two; `words` is the number of words of data per
                             * slot */
     struct ring_sizes sizes;
     uint32_t permissions;

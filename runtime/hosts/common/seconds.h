@@ -8,10 +8,9 @@
 /* Maximum time; times since 1970 reach it in the year 2096. */
 #define MOST_SECONDS INT64_C(4000000000)
 
-/* Converts seconds to whole nanoseconds. The result is correctly rounded, with halves away from
- * zero. The function uses decimal arithmetic, because a double cannot represent a year in
- * nanoseconds exactly.
- * Returns false if the text is not a number of seconds, or exceeds MOST_SECONDS. */
+/* Converts seconds to whole nanoseconds, correctly rounded (half away from zero). Uses decimal
+ * arithmetic, because a double cannot represent a year in nanoseconds exactly. Returns false if the
+ * text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
 
 /* Returns a hint for the error message about a rejected text. The hint says that the time exceeds

@@ -14,7 +14,7 @@
 #include "realtime.h"
 #include <frob/program.h>
 
-/* As the dt of a message: reset the program, without an answer. */
+/* A message with this dt resets the program and gets no answer. */
 #define RESETS INT64_MIN
 
 /* Exit status of the controller process if the program's state is not valid. */

@@ -17,7 +17,7 @@ struct controller {
     pid_t pid; /* 0: none */
     int socket;
     size_t input_size, output_size;
-    char *message; /* room for either message */
+    char *message; /* buffer for a request or an answer */
 };
 
 /* Starts the process, with the program reset. On failure prints a line on standard error and
@@ -37,9 +37,9 @@ enum controller_answer { CONTROLLER_BUSY, CONTROLLER_ANSWERED, CONTROLLER_GONE }
 /* Takes the answer if it has arrived. Never waits. */
 enum controller_answer controller_take(struct controller *c, void *output);
 
-/* Ends the process, whatever it is doing. First waits for up to `patience_ms` until it ends by
- * itself. Returns how it ended, such as "was killed by signal 9" or "ended with status 1"; NULL if
- * there is no process. */
+/* Ends the process, whatever it is doing. First waits up to `patience_ms` for it to end by itself.
+ * Returns how it ended, such as "was killed by signal 9" or "ended with status 1"; NULL if there is
+ * no process. */
 const char *controller_end(struct controller *c, int patience_ms);
 
 #endif

@@ -7,7 +7,7 @@
 /* Returns the driver of a robot; NULL if there is none. */
 const struct frob_driver *find_driver(const char *robot);
 
-/* The names of the robots, separated by commas. */
+/* The names of the robots with built-in drivers, separated by commas. */
 extern const char driver_names[];
 
 #endif

@@ -34,8 +34,8 @@ static void pause_ms(long ms)
 
 /* ---- The process */
 
-/* Runs the guard. The guard's copy of the robot's state was made when it started, but a driver's
- * stop function works in any state. */
+/* Runs the guard. Its copy of the robot's state is as old as the guard itself, but a driver's stop
+ * function works in any state. */
 static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after_ms)
 {
     for (;;) {
@@ -62,8 +62,8 @@ static void watch(int pipe, struct frob_robot *robot, int patience_ms, int after
     _exit(0);
 }
 
-/* A pipe reports its end only when no process has the other end open, so this process must close
- * its copies. */
+/* A pipe reports end-of-file only when no process has its write end open, so this process must
+ * close its copies of the write ends. */
 static void become_guard(const struct guards *g, size_t i, const int ends[2])
 {
     /* Leaves the terminal's session, so that signals from the terminal do not end the guard. */
@@ -124,7 +124,7 @@ void guards_start(struct guards *g, struct frob_robot *robot, int64_t patience_n
     start_missing(g);
 }
 
-/* Checks whether a guard hangs: a working guard empties its pipe before the next beat. */
+/* Checks whether a guard hangs: a working guard empties its pipe before the next heartbeat. */
 static bool hangs(struct guard *guard)
 {
     int unread = 0;
@@ -170,7 +170,7 @@ void guards_hear(struct guards *g)
         return;
     for (size_t i = 0; i < GUARDS; i++) {
         struct guard *guard = &g->each[i];
-        /* If the pipe is full, the guard already has enough beats to read. */
+        /* If the pipe is full, the guard already has enough heartbeats to read. */
         if (guard->pid == 0 || is_gone(guard) || write(guard->pipe, "", 1) < 0)
             lacks = lacks || guard->pid == 0;
     }

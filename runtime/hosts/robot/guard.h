@@ -1,6 +1,6 @@
-/* guard.h -- processes that stop the robot when the supervisor itself has ended or no longer runs.
+/* guard.h -- processes that stop the robot if the supervisor itself ends, hangs or is suspended.
  *
- * A guard has the line open, too. It does nothing while it receives messages from the supervisor.
+ * A guard also has the line open. It does nothing while it receives heartbeats from the supervisor.
  * If it receives none for longer than the patience, it sends the stop command ten times a second
  * until the supervisor is back. If the supervisor ends without ending the guard, the guard stops
  * the robot and ends.
@@ -35,8 +35,8 @@ struct guards {
  * a guard cannot be started, the run continues with a warning, and guards_hear tries again. */
 void guards_start(struct guards *g, struct frob_robot *robot, int64_t patience_ns, int closes);
 
-/* Sends a heartbeat to the guards; call it several times within the patience. Replaces a guard that
- * has ended (noticed immediately) or has read nothing for a second, and prints a line on standard
+/* Sends a heartbeat to the guards; call this several times within the patience. Replaces a guard as
+ * soon as it has ended, or when it has read nothing for a second, and prints a line on standard
  * error. */
 void guards_hear(struct guards *g);
 

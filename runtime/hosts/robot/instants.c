@@ -53,7 +53,7 @@ static void publish(struct instants *i, const struct line *line, int64_t number)
     frob_text_clear(&i->text);
 }
 
-/* Publishes the beginning of a recording, after a line with the name of the program. */
+/* Publishes a line with the name of the program, followed by the beginning of a recording. */
 static void announce(struct instants *i, const struct line *line)
 {
     const struct frob_program *program = i->params->program;

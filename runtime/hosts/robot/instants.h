@@ -1,5 +1,5 @@
-/* instants.h -- passes the instants of a run on to a line that publishes them (line.h): the same
- * text as in a recording. */
+/* instants.h -- sends the instants of a run, as the text of a recording, to a line that publishes
+ * them (line.h). */
 #ifndef FROB_HOST_ROBOT_INSTANTS_H
 #define FROB_HOST_ROBOT_INSTANTS_H
 
@@ -13,20 +13,20 @@
 
 struct instants {
     const struct params *params;
-    char *buffer; /* the line; NULL if nothing is published */
+    char *buffer; /* buffer for `text`; NULL if nothing is published */
     struct frob_text text;
     int64_t number; /* number of the next instant */
     bool announced; /* whether the columns have been published on the line */
 };
 
-/* Prepares to publish instants, if the line does so. Prints a warning if the program's instants
- * cannot be published because they are too long or contain images. */
+/* Prepares to publish instants, if the line publishes any. Prints a warning if the program's
+ * instants cannot be published because they are too long or contain images. */
 void instants_open(struct instants *instants, const struct params *params, const struct line *line);
 
-/* Must be called when a new line was opened, so that the columns are published again. */
+/* Must be called when the line has been opened, so that the columns are published again. */
 void instants_restart(struct instants *instants);
 
-/* Must be called when the program was reset: the next instant gets the number 0. */
+/* Must be called when the program has been reset, so that the next instant gets the number 0. */
 void instants_reset(struct instants *instants);
 
 /* Publishes an instant. Never waits. */

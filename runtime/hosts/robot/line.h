@@ -17,23 +17,23 @@ struct params;
 
 /* The requests that other programs have sent over the line. */
 struct line_orders {
-    bool pauses;     /* the program does not run, and its time stands still */
-    bool ends;       /* the run ends */
-    uint32_t resets; /* how often the program was reset */
+    bool pauses;     /* whether the program must pause, so that its time stands still */
+    bool ends;       /* whether the run must end */
+    uint32_t resets; /* number of resets requested so far */
 };
 
 /* How to open a line that is not a serial line. It has its own arguments on the command line. */
 struct line_opening {
-    const char *option; /* its arguments follow this option, up to `--` or to the end */
+    const char *option; /* its arguments follow this option, up to `--` or the end */
     const char *usage;  /* a description of the arguments, for --help */
-    const char *lost;   /* tells the user that the line was lost */
+    const char *lost;   /* message for the user that the line was lost */
 
     /* Opens line->port. `settings` are those of the driver. On failure, nothing is open, and
      * `message`, whose size is `room`, contains a line that explains the problem. */
     enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
 
-    /* Sets the events of the program's controls that arrive over this line, for this instant.
-     * `now_ns` is the time of the monotonic clock. NULL if there are none. */
+    /* Sets the program's controls in the input to the events that have arrived over this line.
+     * `now_ns` is the time of the monotonic clock. NULL if the line has no such events. */
     void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
     /* Returns the time on which the program's instants are based; `now_ns` is the time of the
@@ -41,11 +41,12 @@ struct line_opening {
      * NULL, instants are based on the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
 
-    /* NULL if other programs cannot request anything. */
+    /* Returns the requests of other programs. NULL if they cannot request anything. */
     struct line_orders (*orders)(const void *device);
 
-    /* Publishes a text: the instant with this number, or the columns of the instants for -1. Drops
-     * the text if the line is busy; never waits. NULL if the line does not publish instants. */
+    /* Publishes a text: the instant with this number, or, for -1, the header with the columns.
+     * Drops the text if the line is busy; never waits. NULL if the line does not publish
+     * instants. */
     void (*publish)(const struct line *line, int64_t number, const char *text, size_t length);
 
     /* Maximum length of these texts; 0 if the settings disable them. */
@@ -76,24 +77,24 @@ struct line {
     const char *device; /* the device name that the user gave */
     char lasting[512];  /* the adapter's persistent name; "" if it has none */
     uint32_t rate;
-    struct frob_posix_line port; /* fd is -1 while it is closed */
+    struct frob_posix_line port; /* `fd` is -1 while the line is closed */
     int64_t retry_ns;
 };
 
 /* Initializes a serial line without opening it. */
 void line_init(struct line *line, const char *device, uint32_t rate);
 
-/* Initializes another line without opening it. The arguments, settings and parameters must stay
- * valid. */
+/* Initializes a line that is not a serial line, without opening it. The arguments, settings and
+ * parameters must stay valid. */
 void line_init_opening(struct line *line, const struct line_opening *opening,
                        const char *const *arguments, size_t argument_count, const double *settings,
                        const struct params *params);
 
-/* Opens the line. The message uses the device name that the user gave. */
+/* Opens the line. An error message contains the device name that the user gave. */
 enum frob_status line_open(struct line *line, char *message, size_t room);
 
-/* Tries to reopen the line if a retry is due. Also tries the adapter's current name. Returns true
- * if the line is open. */
+/* Tries to reopen the line if a retry is due. Uses the adapter's persistent name if it has one.
+ * Returns true if the line is open. */
 bool line_reopen(struct line *line, int64_t now_ns);
 
 void line_close(struct line *line);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 static const char device_usage[] =
-    "  --device DEV       the serial line, such as /dev/ttyUSB0 or a path below\n"
+    "  --device DEV       the serial line, such as /dev/ttyUSB0 or a path under\n"
     "                     /dev/serial/by-id; or tcp:HOST:PORT\n";
 
 static const char usage[] =
@@ -21,7 +21,7 @@ static const char usage[] =
     "  --reconnect SECONDS\n"
     "                     how long to try to reconnect to the robot (30)\n"
     "  --camera SOURCE    source of the frames of the program's camera: a device, such as\n"
-    "                     /dev/video0; http://HOST:PORT/PATH, a stream of MJPEG; a folder of\n"
+    "                     /dev/video0; http://HOST:PORT/PATH, an MJPEG stream; a folder of\n"
     "                     pictures; a pipe or file of pictures, or of raw frames.\n"
     "                     LABEL=SOURCE for one of several cameras\n"
     "  --param NAME=VALUE set a parameter of the program, in its unit\n"
@@ -54,7 +54,7 @@ static void show_params(const struct frob_program *program)
     }
 }
 
-/* Lists the settings of a camera, whose names follow its label and a dot. */
+/* Lists the settings of a camera, which are written LABEL.NAME. */
 static void show_cameras(const struct frob_program *program)
 {
     struct camera_options cameras[CAMERAS_MOST];
@@ -107,8 +107,7 @@ static bool number(const char *option, const char *text, double low, double high
     return true;
 }
 
-/* Returns the camera whose label the text begins with, followed by `mark`; NULL if there is
- * none. */
+/* Returns the camera for which the text begins with its label and `mark`; NULL if there is none. */
 static struct camera_options *camera_of(struct options *o, const char *text, char mark)
 {
     for (size_t i = 0; i < o->camera_count; i++) {
@@ -262,8 +261,8 @@ static bool valued(const struct frob_driver *driver, const struct frob_program *
     return true;
 }
 
-/* Takes the arguments for the opening, starting with argument `first`. Returns the index of the
- * last one, which may be a `--`. */
+/* Stores the arguments for `opening`, from index `first` up to a `--` or the end. Returns the index
+ * at which they end. */
 static int pass_on(struct options *o, int argc, char **argv, int first)
 {
     int end = first;

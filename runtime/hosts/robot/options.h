@@ -19,11 +19,11 @@ struct options {
     const struct line_opening *opening; /* another kind of line; NULL for a serial line */
     const char *const *arguments;       /* arguments for `opening` */
     size_t argument_count;
-    double duration_s;  /* 0: until it is ended */
+    double duration_s;  /* 0: until interrupted */
     double rate_hz;     /* rate of the controller */
     double patience_s;  /* maximum age of a reading, and maximum duration of a step */
     double reconnect_s; /* maximum time to wait for a lost robot */
-    const char *record; /* CSV; NULL: none */
+    const char *record; /* CSV file; NULL: none */
     int priority;       /* real-time priority, 1 to 99; 0 for none */
     bool lock_memory;
     bool console;            /* whether to pass keys typed on standard input to the program */

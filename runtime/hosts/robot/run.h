@@ -40,8 +40,8 @@ struct run {
     struct record record;
     struct instants instants;
     struct claims claims;
-    size_t failing;    /* assertions that failed when verdicts were last published */
-    int64_t judged_ns; /* time of those verdicts */
+    size_t failing;    /* number of assertions that failed when verdicts were last published */
+    int64_t judged_ns; /* time at which verdicts were last published */
     struct console console;
     struct touches touches;
     struct publisher publisher;
@@ -62,12 +62,12 @@ struct run {
     int64_t asked_ns;   /* time at which the last step was requested */
     bool stepping;      /* whether a step was requested and has not been answered yet */
     bool late;          /* whether this step has taken longer than the patience allows */
-    bool paused;        /* whether others have requested that the program does not run */
+    bool paused;        /* whether other programs have requested a pause */
     bool was_paused;    /* whether the next instant is the first one after a pause */
-    uint32_t resets;    /* how often the program was reset */
+    uint32_t resets;    /* number of resets requested so far */
     int64_t lost_ns;    /* time at which the robot was lost; 0 if it is not lost */
     int64_t looped_ns;  /* start time of the last loop iteration; 0 before the first */
-    int64_t awake_ns;   /* time at which this process last resumed after a pause */
+    int64_t awake_ns;   /* time at which this process last resumed after it was suspended */
 
     uint64_t steps, overruns, late_steps;
     int64_t longest_ns;

@@ -1,5 +1,5 @@
-/* session.h -- begins and watches the supervisor's connection to the robot, and begins it again
- * when a lost robot is back. */
+/* session.h -- starts and monitors the supervisor's connection to the robot, and restarts it when a
+ * lost robot is back. */
 #ifndef FROB_HOST_ROBOT_SESSION_H
 #define FROB_HOST_ROBOT_SESSION_H
 

@@ -1,4 +1,4 @@
-/* summary.h -- what is printed at the end of a run. */
+/* summary.h -- prints the summary at the end of a run. */
 #ifndef FROB_HOST_ROBOT_SUMMARY_H
 #define FROB_HOST_ROBOT_SUMMARY_H
 

@@ -31,7 +31,8 @@ static void on_signal(int number)
 
 /* ---- The controller */
 
-/* Handles a step that has exceeded the patience: discards its output. */
+/* Handles a step that has exceeded the patience: stops the robot. The step's output will be
+ * discarded. */
 static void be_late(struct run *s)
 {
     s->late = true;
@@ -117,7 +118,7 @@ static void look_after_controller(struct run *s)
                 (double)GIVE_UP * s->options->patience_s);
 }
 
-/* Starts the program again at its initial state. A recording contains only one run. */
+/* Restarts the program in its initial state. A recording contains only one run, so it ends here. */
 static void reset_program(struct run *s)
 {
     s->ended = false;
@@ -149,9 +150,9 @@ static void obey(struct run *s)
     s->resets = orders.resets;
 }
 
-/* Starts the next instant if it is due. Instant k is due at a multiple of the period after the
- * robot was ready; dt is measured. If an instant is so late that further instants are already
- * due, these are counted as overruns. */
+/* Starts the next instant if it is due. Instants are due at multiples of the period after the robot
+ * became ready; dt is measured. If an instant is so late that later ones are already due, those are
+ * skipped and counted as overruns. */
 static void next_instant(struct run *s)
 {
     int64_t now = run_now_ns(), time = run_program_ns(s, now), missed, before;
@@ -218,7 +219,8 @@ static void wait_for_something(struct run *s)
     ppoll(inputs, 2, &patience, &s->waiting_mask);
 }
 
-/* All processes of the run may have been suspended, including the controller. */
+/* Detects that this process was suspended. The controller may have been suspended, too, so it gets
+ * more time for its step. */
 static void note_own_gap(struct run *s)
 {
     int64_t now = run_now_ns();
@@ -247,7 +249,7 @@ static void run(struct run *s)
             run_end(s, FAULT, "the run was ended by %s",
                     ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
         if (ring_is_stopped(&s->publisher.ring))
-            run_end(s, FAULT, "the run was ended by the Stop button of its page");
+            run_end(s, FAULT, "the run was ended by the Stop button on its page");
         if (!s->over)
             wait_for_something(s);
     }
@@ -294,7 +296,7 @@ static void catch_signals(struct run *s)
         sigaction(caught[i], &action, NULL);
         sigaddset(&blocked, caught[i]);
     }
-    /* A robot cannot be suspended with Ctrl-Z. */
+    /* Ctrl-Z must not suspend a process that drives a robot. */
     signal(SIGTSTP, SIG_IGN);
     signal(SIGTTOU, SIG_IGN);
     signal(SIGPIPE, SIG_IGN);
@@ -352,7 +354,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
                           options->settings, params);
     else
         line_init(&s.line, options->device, driver->rate);
-    /* Start the viewer before signals are changed and the robot's line is opened. */
+    /* Starts the viewer before the signal handlers are set and the robot's line is opened. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
     /* Starts these processes before the line is opened, so that neither the camera processes

@@ -5,7 +5,7 @@
 
 #include "device.h"
 
-/* After this time without messages, the driver reports the silence. */
+/* Time without messages after which the driver prints a warning. */
 #define SILENCE_NS INT64_C(1000000000)
 
 static double s(int64_t ns)
@@ -28,12 +28,13 @@ static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int
     case STAMPS_BACK:
     case STAMPS_AHEAD:
         fprintf(stderr,
-                "warning: the stamp of a message on %s jumped %s by %.3f s; messages are ignored "
-                "until stamps have been regular for a second\n",
+                "warning: the timestamp of a message on %s jumped %s by %.3f s; messages are "
+                "ignored until timestamps have been regular for a second\n",
                 topic->name, verdict == STAMPS_BACK ? "back" : "ahead", s(by_ns));
         break;
     case STAMPS_RESET:
-        fprintf(stderr, "warning: the clock of the messages on %s was set; they count again\n",
+        fprintf(stderr,
+                "warning: the clock of the messages on %s was set; they are accepted again\n",
                 topic->name);
         memset(topic->told, 0, sizeof topic->told);
         break;
@@ -70,7 +71,7 @@ bool ros_accepts(struct ros_device *d, struct ros_topic *topic, const char *bad,
         topic->told_bad = bad;
         return false;
     }
-    /* A simulator's time may run slower than ours, or not at all. */
+    /* A simulator's clock may run slower than ours, or be stopped. */
     if (ros_has_sim_time(d) && !d->sim_clock.started)
         return false;
     if (ros_has_sim_time(d))

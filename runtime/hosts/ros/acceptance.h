@@ -1,5 +1,5 @@
-/* acceptance.h -- which messages of the node count: not those that are late, or whose stamps or
- * numbers are implausible. */
+/* acceptance.h -- decides which messages from the node to accept: rejects late ones, and those with
+ * implausible timestamps or numbers. */
 #ifndef FROB_HOST_ROS_ACCEPTANCE_H
 #define FROB_HOST_ROS_ACCEPTANCE_H
 
@@ -10,15 +10,15 @@ struct ros_device;
 struct ros_topic;
 
 /* Decides whether to accept a message. Reports rejected messages, once for each reason. `bad`: the
- * reason why its content is invalid, or NULL. Stores the time at which it was sent, on our clock,
- * in `taken_ns`. */
+ * reason why the message's content is invalid, or NULL. For an accepted message, stores in
+ * `taken_ns` when it was sent, on our clock. */
 bool ros_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                  int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
 
-/* Reports once that messages no longer arrive, until the next one does. */
+/* Reports that messages no longer arrive. Does so only once, until another message arrives. */
 void ros_tell_silence(const struct ros_device *device, struct ros_topic *topic, const char *effect);
 
-/* Whether the time of messages is that of /clock. */
+/* Returns whether the timestamps of messages are based on /clock. */
 bool ros_has_sim_time(const struct ros_device *device);
 
 #endif

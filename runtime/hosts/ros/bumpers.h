@@ -1,6 +1,6 @@
 /* bumpers.h -- the bumpers of the robot `ros`. A program that reads one has a control of the kind
- * FROB_HOLD with its label, and the node subscribes to a topic of std_msgs/msg/Bool. Robots do not
- * share a common name for this topic, so the user must choose it. */
+ * FROB_HOLD with its label, and the node subscribes to a topic of std_msgs/msg/Bool. The name of
+ * this topic differs between robots, so the user must specify it. */
 #ifndef FROB_HOST_ROS_BUMPERS_H
 #define FROB_HOST_ROS_BUMPERS_H
 
@@ -14,7 +14,7 @@
 const char *bumpers_topic(const struct frob_control *control);
 
 /* Checks that the arguments for ROS remap the topic of each bumper that the program reads. On
- * failure, writes a message of one line. */
+ * failure, writes a one-line message. */
 bool bumpers_check(const struct frob_program *program, const char *const *arguments, size_t count,
                    char *message, size_t room);
 

@@ -21,8 +21,8 @@
 
 #define WAIT_NS INT64_C(1000000000)
 
-/* The first argument of this executable in the process of a camera. It is followed by the pipe, the
- * topic, the name of the node, `--`, and the arguments for ROS. */
+/* The first argument of this executable in a camera process. It is followed by the pipe, the topic,
+ * the name of the node, `--`, and the arguments for ROS. */
 #define CAMERA_OPTION "--ros-camera"
 
 enum { FAULT = 2, PIPE_SIZE = 1048576, NAME = 256 };
@@ -40,8 +40,8 @@ static const char *source_in(const char *argument)
     return found + strlen(scheme);
 }
 
-/* Replaces this process with that of a camera. Ours is the only node with the name that the
- * arguments for ROS choose. */
+/* Replaces this process with a camera process. A node name in the arguments for ROS is that of the
+ * program's node, so the camera's node gets this name with `_camera` added. */
 static void become_camera(int pipe, const char *topic, int argc, char **argv,
                           const struct frob_program *program)
 {
@@ -78,7 +78,7 @@ static void become_camera(int pipe, const char *topic, int argc, char **argv,
     _exit(FAULT);
 }
 
-/* Starts the process of a camera. Returns the source of its frames for the host; NULL on failure. */
+/* Starts a camera process. Returns the source of its frames for the host; NULL on failure. */
 static char *start_camera(const char *label, size_t length, const char *topic, int argc,
                           char **argv, const struct frob_program *program)
 {
@@ -115,7 +115,7 @@ static bool add(struct camera_sources *sources, char *source)
     return source != NULL;
 }
 
-/* Starts cameras for the program's labels, each before its other users. */
+/* Starts one camera for each label in the program, even if several controls use the label. */
 static bool add_all(struct camera_sources *sources, int argc, char **argv,
                     const struct frob_program *program)
 {
@@ -171,7 +171,7 @@ struct camera_sources camera_sources_of(int argc, char **argv, const struct frob
     return sources;
 }
 
-/* ---- The process of a camera */
+/* ---- The camera process */
 
 struct camera {
     int pipe;
@@ -183,7 +183,7 @@ struct camera {
     sensor_msgs__msg__Image image;
     sensor_msgs__msg__CompressedImage compressed;
     bool heard, told_bad, told_silence, told_type;
-    uint8_t *row; /* one row, with the colours exchanged */
+    uint8_t *row; /* one row, with red and blue swapped */
     size_t row_size;
 };
 
@@ -242,7 +242,7 @@ static void tell_bad(struct camera *c, const char *why, const char *what)
     c->told_bad = true;
 }
 
-/* Exchanges red and blue. */
+/* Swaps red and blue. */
 static const uint8_t *exchanged(struct camera *c, const uint8_t *from, size_t size)
 {
     if (c->row_size < size) {
@@ -273,7 +273,7 @@ static bool pass_image(struct camera *c)
     }
     if (m->width == 0 || m->height == 0 || m->step < size ||
         m->data.size < (size_t)m->step * (m->height - 1) + size) {
-        tell_bad(c, "its data are shorter than its width and height require", "");
+        tell_bad(c, "its data is shorter than its width and height require", "");
         return true;
     }
     snprintf(head, sizeof head, "%s\n%u %u\n255\n", is_grey ? "P5" : "P6", (unsigned)m->width,
@@ -298,7 +298,8 @@ static bool pass_compressed(struct camera *c)
     return put(c, m->data.data, m->data.size);
 }
 
-/* Reports a topic that has no publisher, or a different type. Each is reported once. */
+/* Reports whether the topic has no publisher, or one with a different type. Reports each problem
+ * once. */
 static void look_at_topic(struct camera *c)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();

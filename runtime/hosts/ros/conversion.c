@@ -154,7 +154,7 @@ static bool read_text(const struct mapping *m, const void *place, void *values,
         set_tag(m->value, k, values);
     if (m->optional != NULL)
         set_tag(m->optional, k < m->value->count ? 1 : 0, values);
-    /* The empty text is published for Nothing. */
+    /* `Nothing` is published as an empty text, so an empty text is not a fault in a `Maybe`. */
     if (k == m->value->count && (m->optional == NULL || *text != '\0')) {
         fault->text = text;
         fault->of = m;
@@ -175,8 +175,7 @@ static bool write_text(const struct mapping *m, const void *values, void *place)
                   is_nothing ? "" : m->texts->texts[tag_of(m->value, values)]);
 }
 
-/* ---- Values. `place` is the place of the record, the number or the element in
- * the message. */
+/* ---- Values. `place` is the address of the record, number or element in the message. */
 
 static bool read_at(const struct mapping *m, const void *place, void *values,
                     struct mapping_fault *fault);

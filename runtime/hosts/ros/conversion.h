@@ -4,7 +4,7 @@
 
 #include "mapping.h"
 
-/* A part of a message that the program does not have. */
+/* The part of a message that does not match the program's type. */
 struct mapping_fault {
     const struct mapping *of; /* NULL if there is none */
     const char *text;         /* an unknown text; NULL if an array has a different length */
@@ -15,7 +15,7 @@ struct mapping_fault {
 bool mapping_read(const struct mapping *mapping, const void *message, void *values,
                   struct mapping_fault *fault);
 
-/* The values that the node writes to headers that the program omits. */
+/* The values that the node writes to a header if the program does not set it. */
 struct message_origin {
     int64_t stamp_ns;
     const char *frame;

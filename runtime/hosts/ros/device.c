@@ -19,7 +19,7 @@
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
-    { "late", 0.2, 0.01, 10.0, "maximum delay of a message that counts, s" },
+    { "late", 0.2, 0.01, 10.0, "maximum delay of an accepted message, s" },
     { "lidar_x", (double)NAN, -10.0, 10.0,
       "position of the lidar ahead of the robot's centre, instead of reading /tf, m" },
     { "lidar_y", (double)NAN, -10.0, 10.0, "position of the lidar to the left, m" },
@@ -28,7 +28,7 @@ static const struct frob_setting settings[ROS_SETTINGS] = {
     { "imu_aligned", 0.0, 0.0, 1.0,
       "1: the axes of inertial units match the robot's; otherwise /tf is read" },
     { "sim_time", 0.0, 0.0, 1.0, "1: instants follow the time of /clock, as with use_sim_time" },
-    { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, with which a bag is replayed" },
+    { "instants", 1.0, 0.0, 1.0, "0: do not publish ~/instants, which are needed to replay a bag" },
     { "lifecycle", 0.0, 0.0, 1.0, "1: be a managed node, as with --lifecycle" },
     { "fastest", 1.0, 0.01, 10.0, "maximum speed that is published, m/s" },
     { "fastest_turn", 3.0, 0.01, 20.0, "maximum turn rate that is published, rad/s" },
@@ -160,8 +160,8 @@ static void take(struct ros_device *d)
     }
 }
 
-/* Handles the messages that have been received, and keeps an incomplete one for later. Returns
- * false if the bytes are not messages. */
+/* Handles the complete messages that have been received, and keeps an incomplete one for later.
+ * Returns false if the bytes are not messages. */
 static bool take_all(struct ros_device *d)
 {
     while (d->have >= sizeof d->message.head) {
@@ -179,7 +179,8 @@ static bool take_all(struct ros_device *d)
 
 static enum frob_status read_all(struct ros_device *d)
 {
-    /* Reads more than can arrive between two polls, but stops even if messages keep arriving. */
+    /* The limit is more than can arrive between two polls. It ends the loop even if messages keep
+     * arriving. */
     for (int i = 0; i < 64; i++) {
         size_t count;
         enum frob_status status = d->serial.operations->read(

@@ -1,4 +1,4 @@
-/* device.h -- the driver of the robot `ros`, whose line leads to the node (node.h).
+/* device.h -- the driver of the robot `ros`, whose line connects it to the node (node.h).
  *
  * Like every driver, it makes no decisions about safety: core/robot.h stops the robot if the newest
  * odometry is too old. The driver ignores messages that are late or have invalid numbers, and
@@ -26,7 +26,8 @@ enum ros_setting {
     ROS_SIM_TIME,
     ROS_INSTANTS,
     ROS_LIFECYCLE,
-    ROS_OWN_SETTINGS, /* nodes with topics of their own have only the settings before this one */
+    ROS_OWN_SETTINGS, /* nodes that declare their own topics have only the settings before this
+                       * one */
     ROS_FASTEST = ROS_OWN_SETTINGS,
     ROS_FASTEST_TURN,
     ROS_STAMPED,
@@ -40,14 +41,14 @@ struct ros_sensor {
     enum ros_kind kind;
     uint32_t control;
     struct ros_topic topic;
-    bool fresh;       /* whether a message has arrived that the program has not read */
+    bool fresh;       /* whether a message has arrived that the program has not read yet */
     int64_t taken_ns; /* time at which the newest message was sent */
     struct frob_scan scan;
     double ranges_m[ROS_RAYS_MOST];
-    uint32_t number; /* counts the scans */
+    uint32_t number; /* number of scans so far */
     struct ros_measurements sums;
     bool is_pressed; /* a bumper */
-    int64_t lost_ns; /* time since which its place on the robot has been unknown; INT64_MAX if it is
+    int64_t lost_ns; /* time at which its pose on the robot became unknown; INT64_MAX if it is
                       * known */
     char why[ROS_REASON]; /* the reason why its messages are ignored */
 };
@@ -56,13 +57,13 @@ struct ros_sensor {
 struct ros_dial {
     bool is_known; /* whether the node has received the value */
     bool is_set;   /* whether another node has set it, and the program has not read it yet */
-    double value;  /* the newest one */
+    double value;  /* the newest value */
 };
 
 /* The state of a managed node; others are always active. */
 struct ros_managed {
     bool is_active, is_final;
-    uint32_t resets; /* how often the program was reset */
+    uint32_t resets; /* number of resets requested so far */
 };
 
 struct ros_device {
@@ -101,8 +102,8 @@ struct ros_device {
     /* Handles the messages that this driver does not know; NULL if there are none. */
     void (*take_other)(struct ros_device *device, const struct ros_head *message);
     bool gave;      /* whether the program has had an instant in this session or an earlier one */
-    bool commanded; /* whether a velocity was commanded, which the driver repeats */
-    bool drove;     /* whether a velocity was commanded since the first session */
+    bool commanded; /* whether a velocity was commanded; if so, the driver repeats it */
+    bool drove;     /* whether a velocity was commanded in any session */
     struct ros_velocity velocity;
     int64_t sent_ns;
 };

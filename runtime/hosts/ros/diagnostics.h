@@ -1,4 +1,4 @@
-/* diagnostics.h -- publishes the verdicts on the program's assertions on /diagnostics. */
+/* diagnostics.h -- publishes the verdicts on the program's assertions to /diagnostics. */
 #ifndef FROB_HOST_ROS_DIAGNOSTICS_H
 #define FROB_HOST_ROS_DIAGNOSTICS_H
 
@@ -15,7 +15,8 @@ struct diagnostics {
     diagnostic_msgs__msg__DiagnosticArray message;
 };
 
-/* Returns false if that is impossible. Then `why` explains it, or is empty if rcl reports an error. */
+/* Returns false on failure. Then `why` contains the reason, or is empty if rcl reports the
+ * error. */
 bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
                        const rcl_node_t *node, char *why, size_t room);
 

@@ -6,8 +6,8 @@
 
 #include "device.h"
 
-/* Handles a parameter of the node that was set. After a restart of the node, the program's values
- * apply. */
+/* Handles a parameter of the node that was set. When the node restarts, its initial values are
+ * ignored, and the program's values apply. */
 void ros_take_touch(struct ros_device *d, const struct ros_touch *touch)
 {
     struct ros_dial *dial;
@@ -49,7 +49,7 @@ static void tell_node(const struct ros_device *d, size_t control, double value)
 }
 
 /* Applies the values of knobs and toggles that other nodes have set, and sends the node the values
- * that were set here. */
+ * that the operator has set here. */
 void ros_give_dials(struct ros_device *d, const struct frob_program *program, void *input)
 {
     for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {

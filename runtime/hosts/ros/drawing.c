@@ -114,7 +114,7 @@ static size_t numbers_of(const struct frob_value *value, const void *output, dou
 
 static void colour_of(const char *name, struct drawing_mark *mark)
 {
-    /* As on the page, on a dark background. */
+    /* The colours that the page uses on a dark background. */
     static const struct {
         const char *name;
         unsigned char parts[3];
@@ -132,7 +132,8 @@ static void colour_of(const char *name, struct drawing_mark *mark)
     mark->blue = (float)colours[i].parts[2] / 255.0f;
 }
 
-/* Copies a text, which is the name of a constructor: in quotes and with escapes, as in Frob. */
+/* Copies a text from the name of its constructor, which is in quotes and has escapes, as in
+ * Frob. */
 static void copy_text(const char *name, char text[DRAWING_TEXT])
 {
     size_t length = 0;
@@ -146,7 +147,7 @@ static void copy_text(const char *name, char text[DRAWING_TEXT])
         }
         text[length++] = c;
     }
-    /* Does not cut a UTF-8 character in two. */
+    /* Does not split a UTF-8 character. */
     if (length + 1 == DRAWING_TEXT)
         while (length > 0 && ((unsigned char)text[length - 1] & 0x80) != 0)
             length--;

@@ -29,7 +29,7 @@ enum drawing_shape {
     DRAWING_LABEL
 };
 
-/* Maximum length of a label. Longer labels are truncated. */
+/* Maximum size of a label, including the NUL. Longer labels are truncated. */
 enum { DRAWING_TEXT = 256 };
 
 /* A mark, in the frame of the odometry or of the robot. */
@@ -39,11 +39,11 @@ struct drawing_mark {
     float red, green, blue;
     double at[6];            /* the numbers of the shape, in the order in which the library declares
                               * them */
-    char text[DRAWING_TEXT]; /* of a label */
+    char text[DRAWING_TEXT]; /* text of a label */
 };
 
-/* Reads element `i` of the drawing in an output. Returns false if there is nothing to draw, because
- * there is no mark, because it has another frame, or because a coordinate is not finite. */
+/* Reads element `i` of the drawing in an output. Returns false if there is nothing to draw: there
+ * is no mark, its frame is unknown, or a coordinate is not finite. */
 bool drawing_read(const struct frob_value *drawing, size_t i, const void *output,
                   struct drawing_mark *mark);
 

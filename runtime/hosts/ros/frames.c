@@ -46,7 +46,7 @@ void frames_orientation(const double device[4], const double mounting[4], double
     multiply(device, back, result);
 }
 
-/* The pose of C in A, from those of B in A and of C in B. */
+/* Returns the pose of C in A, given the poses of B in A and of C in B. */
 static struct frames_pose combined(const struct frames_pose *outer, const struct frames_pose *inner)
 {
     struct frames_pose result;
@@ -96,7 +96,7 @@ const char *frames_put(struct frames *frames, const char *parent, const char *na
         return "the name of a frame is too long";
     for (size_t i = 0; i < 3; i++)
         if (!isfinite(pose->at_m[i]))
-            return "a position is not a number";
+            return "a position is not a finite number";
     for (size_t i = 0; i < 4; i++)
         norm += q[i] * q[i];
     if (!(fabs(norm - 1.0) <= ROUGHLY))
@@ -135,7 +135,7 @@ static bool find_in_ancestor(const struct frames *frames, const char *ancestor, 
                              int64_t now_ns, struct frames_pose *pose)
 {
     *pose = identity;
-    /* A loop of frames has no end. */
+    /* The limit ends the search if the frames form a loop. */
     for (size_t i = 0; i <= FRAMES_MOST; i++) {
         if (strcmp(name, ancestor) == 0)
             return true;

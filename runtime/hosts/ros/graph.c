@@ -33,8 +33,8 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
     }
 }
 
-/* Reports a subscriber that requests earlier messages too. DDS connects such a subscriber only
- * to publishers that keep earlier messages, and does not report a refusal. */
+/* Reports a subscriber that also requests earlier messages. DDS connects such a subscriber only to
+ * publishers that keep earlier messages, and does not report that it refuses others. */
 static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
 {
     for (size_t i = 0; i < nodes->size && !topic->told_durability; i++) {
@@ -51,8 +51,8 @@ static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_a
     }
 }
 
-/* Reports a publisher with best-effort delivery on a topic whose messages must not be lost. DDS does
- * not connect it. */
+/* Reports a publisher with best-effort delivery on a topic whose messages must not be lost. DDS
+ * does not connect such a publisher to this node. */
 static void tell_reliability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
 {
     for (size_t i = 0; i < nodes->size && !topic->told_reliability; i++) {
@@ -126,7 +126,7 @@ static void look_at_names(struct graph *g, const rcl_node_t *node)
     if (same > 1) {
         g->told_name = true;
         fprintf(stderr,
-                "warning: there is another node of the name %s; rename this one with `--ros-args "
+                "warning: there is another node named %s; rename this one with `--ros-args "
                 "-r __node:=NAME`\n",
                 rcl_node_get_fully_qualified_name(node));
     }

@@ -40,7 +40,7 @@ bool inputs_is_needed(const struct input *input)
     /* An operator may start rviz later, or never press a button. */
     case ROS_CLICK:
     case ROS_PRESS: return false;
-    /* The messages name the frames that are missing. */
+    /* If a transform is missing, a warning names its frames. */
     case ROS_TF:
     case ROS_TF_STATIC: return false;
     case ROS_TOPIC: return input->own.parts.event == NULL;
@@ -77,7 +77,7 @@ static bool add_own(struct inputs *inputs, const struct frob_program *program, s
     return false;
 }
 
-/* Returns whether the positions in messages of the program's inputs refer to a frame. */
+/* Returns whether any of the program's inputs has messages whose data refers to a frame. */
 static bool has_frames(const struct inputs *inputs)
 {
     for (size_t i = 0; i < inputs->count; i++)
@@ -87,7 +87,8 @@ static bool has_frames(const struct inputs *inputs)
     return false;
 }
 
-/* Maximum number of topics that are neither sensors nor the program's own. */
+/* Maximum number of topics that belong neither to sensors nor to controls, and are not the
+ * program's own. */
 enum { OTHERS_MOST = 6 };
 
 /* Adds the topics of the console's buttons and its map. Returns false if two buttons have the same
@@ -223,7 +224,7 @@ static const rosidl_message_type_support_t *type_of(struct input *input)
     }
 }
 
-/* The same value as in the package tf2_ros. */
+/* Queue size, the same as in the package tf2_ros. */
 enum { TRANSFORMS_KEPT = 100 };
 
 /* Best-effort delivery is compatible with every publisher. */
@@ -267,7 +268,7 @@ static int64_t stamp_of(const std_msgs__msg__Header *header)
 
 static void send_message(int socket, const struct ros_head *message)
 {
-    /* The message may be dropped. */
+    /* Drops the message if the socket is full. */
     ssize_t sent = send(socket, message, message->size, MSG_NOSIGNAL | MSG_DONTWAIT);
     (void)sent;
 }
@@ -366,8 +367,8 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
-/* Returns whether a fault in a message must be reported. Each unknown text is reported once, up to
- * a maximum number of texts. */
+/* Returns whether a fault in a message is to be reported. Each unknown text is reported only once,
+ * and only up to a maximum number of texts. */
 static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
 {
     const size_t most = sizeof own->told_texts / sizeof own->told_texts[0];
@@ -400,7 +401,8 @@ static void list_texts(const struct mapping *m, char *list, size_t room)
     }
 }
 
-/* Reports a message with a fault. `is_usable`: an unknown text is Nothing. */
+/* Reports a message with a fault. `is_usable`: the message is accepted, with `Nothing` for an
+ * unknown text. */
 static void tell(const struct input *input, const struct mapping_fault *fault, bool is_usable)
 {
     const char *type;

@@ -21,7 +21,7 @@
 #include "tf.h"
 #include "topics.h"
 
-/* A topic of the program's own. */
+/* One of the program's own topics. */
 struct own_topic {
     uint32_t number; /* index in the program's table of topics */
     struct message_type type;
@@ -30,7 +30,7 @@ struct own_topic {
     struct topic_span span;
     void *message;
     uint32_t count; /* number of messages received */
-    bool told;      /* whether a message with a wrong length was reported */
+    bool told;      /* whether a message with an array of the wrong length was reported */
     /* Digests of the unknown texts that were reported. */
     uint32_t told_texts[8];
     size_t told_text_count;
@@ -62,14 +62,14 @@ struct inputs {
     struct input *each;
     size_t count;
     struct ros_scan scan;            /* the message to send next */
-    struct ros_topic_message *value; /* the same, for topics of the program's own */
+    struct ros_topic_message *value; /* the same, for the program's own topics */
     char *values;                    /* a struct of the program's input, for conversions */
     struct tf tf;
     int64_t clock_ns; /* newest time of /clock; accessed atomically */
 };
 
-/* Determines the inputs of a program. `inputs` is zero; it is large, and most of its pages are never
- * used. Returns false if that is impossible; then `why` explains it. */
+/* Determines the inputs of a program. `inputs` must be all zero; it is large, and most of its pages
+ * are never used. Returns false on failure; then `why` contains the reason. */
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
                bool has_joystick, char *why, size_t room);
 
@@ -79,7 +79,8 @@ bool inputs_is_needed(const struct input *input);
 /* Returns whether the input is a sensor or bumper that the program uses. */
 bool inputs_is_sensor(const struct input *input);
 
-/* Returns whether no message may be lost: a publisher with best-effort delivery does not match. */
+/* Returns whether the input must not lose any message. If so, it cannot receive from a publisher
+ * with best-effort delivery. */
 bool inputs_is_reliable(const struct input *input);
 
 /* Subscribes to all topics. Returns NULL, or the name of the topic that failed. */

@@ -47,7 +47,7 @@ static void refuse(const struct frob_program *program, const char *label, size_t
     for (size_t i = 0; i < program->control_count; i++) {
         if (!is_operated(&program->console[i]))
             continue;
-        fprintf(stderr, has_any ? ", `%s`" : "has no control of this name; %s `%s`",
+        fprintf(stderr, has_any ? ", `%s`" : "has no button or knob of this name; %s `%s`",
                 has_any ? program->console[i].label : separator, program->console[i].label);
         has_any = true;
     }
@@ -86,7 +86,7 @@ static bool assign(const struct frob_program *program, const char *text)
     return true;
 }
 
-/* Reports holds that nothing operates, because the program would never see them pressed. */
+/* Reports hold buttons that nothing operates, because the program would never see them pressed. */
 static void tell_idle(int argc, char **argv, const struct frob_program *program)
 {
     for (int i = 1; i < argc; i++)
@@ -95,7 +95,7 @@ static void tell_idle(int argc, char **argv, const struct frob_program *program)
     for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++)
         if (is_hold(&program->console[i]) && uses[i] == 0)
             fprintf(stderr,
-                    "warning: nobody can hold the button `%s`: add `--set \"%s%s=NUMBER\"` for a "
+                    "warning: nothing can press the button `%s`: add `--set \"%s%s=NUMBER\"` for a "
                     "button of the topic joy, or `--view --control`\n",
                     program->console[i].label, setting, program->console[i].label);
 }
@@ -141,12 +141,12 @@ const char *joy_check(const struct ros_joy *m, const struct frob_program *progra
             return why;
         }
         if (is_axis && !isfinite(m->axes[uses[i] - 1]))
-            return "an axis is not a number";
+            return "an axis is not a finite number";
     }
     return NULL;
 }
 
-/* The value of a knob for the position of an axis. */
+/* Returns the value of a knob for the position of an axis. */
 static double knob_at(const struct frob_control *control, double axis)
 {
     const double end = axis < 0.0 ? control->least : control->most;
@@ -167,7 +167,7 @@ void joy_take(struct joy *joy, const struct ros_joy *m, const struct frob_progra
             value = knob_at(control, (double)m->axes[uses[i] - 1]);
         else
             value = m->is_down[uses[i] - 1] ? 1.0 : 0.0;
-        /* A button that is already down in the first message was not pressed now. */
+        /* A button that is already down in the first message has not just been pressed. */
         if (control->kind == FROB_BUTTON && !is_new && value > joy->value[i])
             joy->is_pressed[i] = true;
         joy->value[i] = value;
@@ -176,7 +176,7 @@ void joy_take(struct joy *joy, const struct ros_joy *m, const struct frob_progra
     joy->heard_ns = now_ns;
 }
 
-/* Passes a value to the program if it has changed, because others may operate the control,
+/* Passes a value to the program only if it has changed, because others may operate the control,
  * too. */
 static void pass(struct joy *joy, size_t i, double value, const struct frob_program *program,
                  void *input)

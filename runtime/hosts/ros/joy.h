@@ -1,8 +1,8 @@
 /* joy.h -- the joystick of the topic `joy`, which operates controls of the program's console.
  *
  * The user chooses the controls: `--set joy.LABEL=NUMBER` assigns a button of the joystick to a
- * button or a hold of the console, or an axis to a knob. An axis at rest, at 0, is the knob's initial
- * value; its ends, -1 and 1, are the ends of the knob's range. */
+ * button or a hold of the console, or an axis to a knob. At rest (0), an axis sets the knob to its
+ * initial value; at its ends (-1 and 1), to the ends of the knob's range. */
 #ifndef FROB_HOST_ROS_JOY_H
 #define FROB_HOST_ROS_JOY_H
 
@@ -14,11 +14,11 @@
 
 #include "messages.h"
 
-/* If the joystick is silent for this time, it no longer operates its controls. */
+/* If no message arrives for this time, the joystick no longer operates its controls. */
 #define JOY_SILENCE_NS INT64_C(500000000)
 
-/* Takes the settings of the joystick out of a command line. Returns the new number of arguments, or -1
- * after an error, which it prints on standard error. */
+/* Removes the settings of the joystick from a command line, and applies them. Returns the new
+ * number of arguments, or -1 after printing an error on standard error. */
 int joy_settings(int argc, char **argv, const struct frob_program *program);
 
 /* Returns whether a joystick operates any control. */
@@ -27,11 +27,13 @@ bool joy_is_used(void);
 /* The state of the joystick. */
 struct joy {
     bool heard;
-    int64_t heard_ns;                /* when the newest message arrived */
-    double value[ROS_CONTROLS_MOST]; /* of each control: from 0 to 1 for buttons, or of the knob */
-    bool is_pressed[ROS_CONTROLS_MOST]; /* whether a button was pressed and the program has not read
-                                         * it */
-    double given[ROS_CONTROLS_MOST];    /* the newest value that the program has received */
+    int64_t heard_ns;                /* time at which the newest message arrived */
+    double value[ROS_CONTROLS_MOST]; /* for each control: 0 or 1 for a button, the setting of a
+                                      * knob */
+    bool is_pressed[ROS_CONTROLS_MOST]; /* for each button, whether a press is still to be passed to
+                                         * the program */
+    double given[ROS_CONTROLS_MOST];    /* for each control, the newest value passed to the
+                                         * program */
     bool is_given[ROS_CONTROLS_MOST];
 };
 

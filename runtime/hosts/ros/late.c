@@ -32,7 +32,7 @@ bool late_messages(const char *package, char *why, size_t room)
         char library[NAME];
         snprintf(library, sizeof library, "%s__rosidl_%s", package, endings[i]);
         if (late_library(library) == NULL) {
-            snprintf(why, room, "this ROS 2 has no messages of the package %s: install it",
+            snprintf(why, room, "the ROS 2 message package %s is not installed: install it",
                      package);
             return false;
         }
@@ -50,7 +50,8 @@ late_function *late_find(const char *library, const char *name)
     return function;
 }
 
-/* Calls the function that returns a type support. `kind`: "message" and "msg", for example. */
+/* Calls the library function that returns a type support. `kind` and `folder` are "message" and
+ * "msg", or "service" and "srv". */
 static const void *type_support(const char *package, const char *kind, const char *folder,
                                 const char *name)
 {

@@ -52,7 +52,7 @@ bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int
     if (!is_managed)
         return true;
     if (late_library("rcl_lifecycle") == NULL) {
-        snprintf(why, room, "this ROS 2 has no package rcl_lifecycle: install it");
+        snprintf(why, room, "the ROS 2 package rcl_lifecycle is not installed: install it");
         return false;
     }
     return late_messages("lifecycle_msgs", why, room) && start_machine(l, node);
@@ -73,7 +73,7 @@ const rcl_service_t *lifecycle_service(const struct lifecycle *l, size_t service
     return each[service];
 }
 
-/* ---- Changes of state */
+/* ---- State changes */
 
 /* Tells the supervisor. This message must not be lost, so the call waits for room in the socket. */
 static void tell_supervisor(const struct lifecycle *l, bool resets)
@@ -90,7 +90,7 @@ static void tell_supervisor(const struct lifecycle *l, bool resets)
         return; /* the supervisor has ended */
 }
 
-/* From now on, velocities of the supervisor are published, or not. */
+/* Starts or stops publishing the supervisor's velocities. */
 static void set_active(struct lifecycle *l, bool is_active)
 {
     pthread_mutex_lock(&l->lock);
@@ -216,7 +216,7 @@ static bool answer_states(struct lifecycle *l, const union message *request,
     return ok;
 }
 
-/* The transitions that are possible now. */
+/* Answers with the transitions that are possible now. */
 static bool answer_transitions(struct lifecycle *l, const union message *request,
                                union message *response)
 {

@@ -1,9 +1,9 @@
 /* lifecycle.h -- the state machine of a managed node (`--lifecycle`), which other nodes configure,
  * activate and deactivate.
  *
- * The node publishes velocities only while it is active. Deactivation immediately publishes a
- * velocity of zero, without waiting for the supervisor, which is informed of the new state
- * afterwards. A node that is not managed is always active. */
+ * The node publishes velocities only while it is active. On deactivation, it immediately publishes
+ * a velocity of zero, without waiting for the supervisor, and then informs the supervisor of the
+ * new state. A node that is not managed is always active. */
 #ifndef FROB_HOST_ROS_LIFECYCLE_H
 #define FROB_HOST_ROS_LIFECYCLE_H
 
@@ -26,8 +26,8 @@ struct lifecycle {
     bool is_active;
 };
 
-/* Starts in the state `unconfigured` if the node is managed. Returns false if that is impossible.
- * Then `why` explains it, or is empty if rcl reports an error. */
+/* Starts in the state `unconfigured` if the node is managed. Returns false on failure. Then `why`
+ * contains the reason, or is empty if rcl reports the error. */
 bool lifecycle_start(struct lifecycle *l, bool is_managed, rcl_node_t *node, int socket,
                      void (*rest)(void *context), void *context, char *why, size_t room);
 

@@ -3,13 +3,13 @@
  *   frob-view [--why-nan] [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
  *             [--param NAME=VALUE]... [--at SECONDS] [--compare OTHER.csv] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
- * With --ring, the number of an open file descriptor, it shows the run of its parent process
- * (../common/ring.h); RUN.csv is then the file that the run is recorded in, or `-`. COMMAND, whose
- * last argument is the program's file, compiles the program in the same way as PROGRAM.so, and
- * prints the path. frob-view prints the page's address, and opens a browser on it unless --print is
- * given. It ends at SIGINT or SIGTERM; it shows a live run until the run is over and no page is
- * open. Exit status: 0, or 2 if a file cannot be read or is not a recording, or if the port is not
- * available. */
+ * If --ring is given, N is the number of an open file descriptor, and frob-view shows the run of
+ * its parent process (../common/ring.h); RUN.csv is then the file in which the run is recorded, or
+ * `-`. COMMAND, to which frob-view appends the file of an edited program, compiles it in the same
+ * way as PROGRAM.so, and prints the path of the result. frob-view prints the page's address, and
+ * opens it in a browser unless --print is given. It ends on SIGINT or SIGTERM and, for a live run,
+ * when the run is over and no page is open. Exit status: 0, or 2 if a file cannot be read or is not
+ * a recording, or if the port is not available. */
 #include "../common/dialect.h"
 #include "../common/load.h"
 #include "../common/streams.h"
@@ -34,7 +34,7 @@ struct options {
     const char *program;
 };
 
-/* The text to print when the server is ready. */
+/* Data for `tell`, which prints the page's address when the server is ready. */
 struct start {
     const struct options *options;
     const char *token;
@@ -46,7 +46,8 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
     files->own_count += is_own ? 1 : 0;
 }
 
-/* Reads the commands for building and for driving again, each of which ends with NULL. */
+/* Reads the commands that build and drive an edited program, which are separated by `--`. Each
+ * becomes an array that ends with NULL. */
 static void read_commands(struct options *o, char **at)
 {
     if (*at == NULL)
@@ -106,8 +107,8 @@ static bool read_options(struct options *o, int argc, char **argv)
     return true;
 }
 
-/* Closes the standard streams, so that readers of the run's output do not wait until the last page
- * is closed. */
+/* Redirects the standard streams to /dev/null, so that readers of the run's output do not wait
+ * until the last page is closed. */
 static void leave_streams(void)
 {
     int null = open("/dev/null", O_RDWR);
@@ -151,8 +152,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "error: cannot read random numbers from /dev/urandom\n");
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(), &options.files,
                           options.ring >= 0 ? &ring : NULL)) {
-        /* Works briefly before serving, so that a run of a few minutes is complete when the page
-         * connects. */
+        /* Spends 20 ms on reading and replaying before serving, so that a run of a few minutes is
+         * complete when the page connects. */
         if (options.why_nan) {
             view_say(&view);
             status = nan_print(&view) && streams_flush() ? DONE : WRONG_USE;

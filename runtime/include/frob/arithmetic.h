@@ -3,7 +3,7 @@
  *
  * A program's meaning is fixed to the last bit: its numbers are IEEE 754 binary64, each operation
  * rounds once, to nearest, and NaN, infinities, subnormal numbers and the sign of zero are
- * significant. Some compiler options break these rules (-ffast-math and its parts,
+ * significant. Some compiler options break these rules (-ffast-math and its suboptions,
  * -ffp-contract=fast), and so do some settings of a processor's control registers (rounding mode,
  * flush to zero). Any library in the process may have changed these registers.
  *
@@ -14,9 +14,10 @@
  *   if (frob_arithmetic_faults() != 0)
  *       do not move
  *
- * The program's table for hosts (<frob/program.h>) calls it, compiled with the program's options.
- * Before a robot may move, hosts call both that copy and their own. A call performs a few dozen
- * operations, accesses only memory on the stack, and uses only memcpy from the C library. */
+ * The program's table for hosts (<frob/program.h>) contains a copy of this function that is
+ * compiled with the program's options. Before a robot may move, hosts call both that copy and their
+ * own. A call performs a few dozen operations, accesses only memory on the stack, and uses only
+ * memcpy from the C library. */
 #ifndef FROB_ARITHMETIC_H
 #define FROB_ARITHMETIC_H
 
@@ -28,13 +29,13 @@
 extern "C" {
 #endif
 
-/* The faults that can be found. Each is one bit. */
+/* The faults that these functions detect, as bit flags. */
 enum frob_arithmetic_fault {
     FROB_ARITHMETIC_FORMAT = 1,      /* double is not binary64 */
     FROB_ARITHMETIC_ROUNDING = 2,    /* does not round to the nearest number */
     FROB_ARITHMETIC_PRECISION = 4,   /* keeps more than 53 bits of a result */
     FROB_ARITHMETIC_CONTRACTION = 8, /* rounds a product and a sum only once */
-    FROB_ARITHMETIC_ALGEBRA = 16,    /* reorders operations, replaces divisions */
+    FROB_ARITHMETIC_ALGEBRA = 16,    /* reorders operations or replaces divisions */
     FROB_ARITHMETIC_SUBNORMAL = 32,  /* flushes subnormal numbers to zero */
     FROB_ARITHMETIC_SPECIAL = 64     /* mishandles NaN, infinities or -0.0 */
 };
@@ -69,7 +70,7 @@ static inline unsigned frob_arithmetic_faults(void)
         frob_arithmetic_bits(-0x1.5555555555555p-2) != UINT64_C(0xbfd5555555555555))
         return FROB_ARITHMETIC_FORMAT;
     {
-        /* A tie rounds to even; three quarters of a unit round up. */
+        /* Ties round to even; three quarters of an ulp round away from zero. */
         const double tie = one + half_ulp, tie_below = less - half_ulp;
         const double past = one + 1.5 * half_ulp, past_below = less - 1.5 * half_ulp;
         if (!frob_arithmetic_is(tie, 1.0) || !frob_arithmetic_is(tie_below, -1.0) ||
@@ -88,8 +89,8 @@ static inline unsigned frob_arithmetic_faults(void)
     }
     {
         /* (1 + e)(1 - e) is 1 - e^2, which rounds to 1. Subtracting 1 from the unrounded product
-         * leaves e^2. Each product is read anew, because compilers fuse only a product that has no
-         * other use. */
+         * leaves e^2. Each product is computed anew, because compilers fuse only a product that has
+         * no other use. */
         volatile double up = 1.0 + 0x1p-30, down = 1.0 - 0x1p-30;
         const double from_product = up * down - one;
         const double product_from = one - up * down;
@@ -188,7 +189,7 @@ static inline const char *frob_arithmetic_reason(unsigned faults)
         return "rounds a product and a sum only once: compile with -ffp-contract=off";
     if ((faults & (FROB_ARITHMETIC_ALGEBRA | FROB_ARITHMETIC_SPECIAL)) != 0)
         return "treats floating-point numbers as real numbers: compile without -ffast-math and its "
-               "parts";
+               "suboptions";
     if ((faults & FROB_ARITHMETIC_SUBNORMAL) != 0)
         return "flushes small numbers to zero: compile and link without -ffast-math";
     return "";

@@ -7,8 +7,8 @@
  *
  *   const struct frob_board frob_rover_board = { … };
  *
- * Write it from the description of the protocol, not from the driver, so that each checks the
- * other. No function waits; the simulation passes in the time. */
+ * Write it from the description of the protocol, not from the driver, so that each is a check on
+ * the other. The functions must not block; the simulation passes them the time. */
 #ifndef FROB_BOARD_H
 #define FROB_BOARD_H
 
@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/* Bytes that the board sends. The caller takes them. */
+/* Bytes that the board sends during a call; empty before the call. */
 struct frob_answer {
     uint8_t bytes[512];
     size_t count;
@@ -28,13 +28,13 @@ struct frob_answer {
 struct frob_board {
     const char *robot; /* "rover", as in struct frob_program */
     uint32_t rate;     /* bit rate of the line */
-    size_t size;       /* bytes of the board's memory, which is all zero at power-on */
+    size_t size;       /* size in bytes of the board's memory, which is all zero at power-on */
 
-    /* Passes the body's sensor readings at the time `now_ns`, as the robot's input struct. Each
-     * event is passed once. */
+    /* Passes the body's sensor readings at the time `now_ns` to the board, in the robot's input
+     * struct. Each event is passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
-    /* Handles a received byte. The time is that of the last `sense` or `advance`. */
+    /* Handles a received byte. It arrives at the time of the last call of `sense` or `advance`. */
     void (*receive)(void *board, uint8_t byte, struct frob_answer *answer);
 
     /* Advances the time, for watchdogs and delayed answers. */

@@ -61,7 +61,7 @@ struct frob_body {
     double radius_m;
     double wheel_radius_m;
     double wheel_separation_m;
-    double wheel_force_n; /* maximum force of a wheel on the floor */
+    double wheel_force_n; /* maximum force that a wheel can exert on the floor */
     double count_m;       /* distance per encoder count; 0 for a continuous reading */
     double battery_v;     /* initial voltage, unless the world file sets it */
 
@@ -74,7 +74,7 @@ struct frob_body {
     /* Nearer obstacles read as `nearest_m`; farther ones return no echo. */
     double nearest_m, farthest_m;
     double resolution_m; /* 0: continuous */
-    double period_s;     /* time from the firing of one ranger to that of the next */
+    double period_s;     /* time between the firings of successive rangers */
     /* Indices of the rangers that point most nearly to the left, ahead and to the right; for
      * pictures. */
     size_t left, ahead, right;
@@ -94,8 +94,8 @@ struct frob_body {
     size_t photocell_count;
 
     /* Resolution of the speeds in the robot's protocol, for a robot whose driver rounds with
-     * drivers/steps.h; the simulator then rounds in the same way. Set either the resolution of
-     * wheel speeds, or both others. */
+     * drivers/steps.h; the simulator then rounds in the same way. Set either the resolution of the
+     * wheel speeds, or the other two. */
     double wheel_step_m_s;
     double speed_step_m_s, turn_step_rad_s;
 };

@@ -1,8 +1,8 @@
 /* frob/camera.h -- camera frames as part of a program's input.
  *
- * The program's table lists the cameras that it uses (`console`, with the kind FROB_CAMERA) under
- * their labels: "camera", or "left" and "right". At each instant a host passes the newest frame of
- * each camera, or none if there is no new frame. Each frame is passed once. */
+ * In the program's table, `console` lists the cameras that the program uses. They have the kind
+ * FROB_CAMERA, and a label such as "camera", or "left" and "right". At each instant a host passes
+ * the newest frame of each camera, or none if there is no new frame. Each frame is passed once. */
 #ifndef FROB_CAMERA_H
 #define FROB_CAMERA_H
 
@@ -28,7 +28,8 @@ void frob_camera_give(const struct frob_control *camera, void *input,
 void frob_camera_give_number(const struct frob_field *field, void *input,
                              const struct frob_image *image, int64_t now_ns);
 
-/* Stores a number at the place of `value`, which is an Int or a Float of either precision. */
+/* Stores a number in the part of the input that `value` describes: an Int, or a Float of either
+ * precision. */
 void frob_camera_set_number(void *input, const struct frob_value *value, double x);
 
 /* Called for each image within a value, with the location of its pointer. */

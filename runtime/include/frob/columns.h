@@ -21,7 +21,7 @@ struct frob_column {
     /* For a probe: the signal function that contains it, as it appears in its name; otherwise
      * "". */
     const char *instance;
-    const char *own;  /* for a probe: its name in that signal function */
+    const char *own;  /* for a probe: its name within its signal function */
     const char *file; /* for a probe: its source file, without folders */
     unsigned line;    /* for a probe: its line in the file, from 1 */
 };

@@ -1,8 +1,8 @@
-/* frob/frame.h -- a camera frame as a file, and as the cell of a trace.
+/* frob/frame.h -- represents a camera frame as a file, and by a name in a trace's cell.
  *
  * The file is in a netpbm format: PGM for grey pixels, PPM for colours. Depth images have no file
  * format. Comments in the header store the other members of struct frob_image with all their
- * digits, so a frame that is read equals the written one bit for bit:
+ * digits, so reading a file restores the frame bit for bit:
  *
  *   P6
  *   # frob frame 12 captured_ns 400000000
@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-/* The contents of such a cell. */
+/* The contents of a cell that names a frame. */
 struct frob_frame_name {
     uint32_t number;
     uint64_t size;
@@ -43,7 +43,8 @@ struct frob_frame_name frob_frame_name_of(const struct frob_image *image);
 size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD_ROOM]);
 
 /* Fills in the image from a file of `size` bytes in memory. The image's pixels point into that
- * memory. Returns NULL, or an error message, which is a static text about "it". */
+ * memory. Returns NULL on success, and otherwise a static error message that calls the file
+ * "it". */
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
 /* Finds the frames that cells name. `find` returns an image that is valid until the end of the

@@ -58,7 +58,7 @@ struct frob_image {
     enum frob_image_format format;
     /* The upper left pixel. Depths are aligned like floats. NULL only if there are no pixels. */
     const void *pixels;
-    /* The middle of the exposure, on the clock of the program's time. */
+    /* The middle of the exposure, in the program's time. */
     int64_t captured_ns;
     /* Frame number since the camera started, from 0. Frames that did not reach the program also
      * count. */
@@ -92,7 +92,7 @@ static inline bool frob_image_is_sound(const struct frob_image *image)
     return image->pixels != NULL || image->width == 0 || image->height == 0;
 }
 
-/* Returns row y, 0 … height - 1. If the pixels are depths, cast it to const float *. */
+/* Returns row y, 0 … height - 1. If the pixels are depths, cast the result to const float *. */
 static inline const uint8_t *frob_image_row(const struct frob_image *image, int32_t y)
 {
     return (const uint8_t *)image->pixels + (ptrdiff_t)y * image->stride;

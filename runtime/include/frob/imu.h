@@ -1,7 +1,7 @@
 /* frob/imu.h -- readings of an inertial measurement unit as part of a program's input.
  *
- * The program's table lists the units that it uses (`console`, with the kind FROB_IMU) under their
- * names. */
+ * In the program's table, `console` lists the units that the program uses, with the kind FROB_IMU,
+ * under their names. */
 #ifndef FROB_IMU_H
 #define FROB_IMU_H
 
@@ -21,7 +21,7 @@ struct frob_imu {
     double acceleration_mps2[3]; /* acceleration, including gravity: 9.81 upwards at rest */
     double heading_rad;          /* heading from a magnetometer; NaN if there is none */
     int64_t taken_ns;            /* time of the last measurement */
-    uint32_t number;             /* counts the measurements */
+    uint32_t number;             /* number of the last measurement */
 };
 
 /* Sets the event of this instant to the reading and its age at the time `now_ns`. Sets no event if

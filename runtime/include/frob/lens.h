@@ -12,7 +12,7 @@ extern "C" {
 #ifndef FROB_LENS_DEFINED
 #define FROB_LENS_DEFINED
 
-/* The members of struct frob_camera, and the size of the image; pixels, metres, radians. */
+/* The members of struct frob_camera, and the size of the image; in pixels, metres and radians. */
 struct frob_lens {
     double width, height;
     double focalX, focalY, centreX, centreY;

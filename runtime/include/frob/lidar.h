@@ -1,9 +1,9 @@
 /* frob/lidar.h -- scans of a lidar as part of a program's input.
  *
- * The program's table lists the lidars that it uses (`console`, with the kind FROB_LIDAR). The
- * label of such a control is the lidar's name and the number of directions that the program works
- * with: "lidar 72". The host passes each scan in the form in which the device measured it, and
- * frob_lidar_give converts it to the program's directions. */
+ * In the program's table, `console` lists the lidars that the program uses, with the kind
+ * FROB_LIDAR. The label of such a control is the lidar's name and the number of directions that the
+ * program uses: "lidar 72". The host passes each scan in the form in which the device measured it,
+ * and frob_lidar_give converts it to the program's directions. */
 #ifndef FROB_LIDAR_H
 #define FROB_LIDAR_H
 
@@ -25,8 +25,8 @@ struct frob_scan {
     size_t count;
     double first_rad, step_rad;
     double nearest_m, farthest_m; /* the device's range */
-    double x_m, y_m;              /* its position on the robot, ahead of the centre and to the
-                                   * left */
+    double x_m, y_m;              /* the device's position, ahead of the robot's centre and to the
+                                   * left of it */
     int64_t taken_ns;             /* time at which the device measured the scan */
     uint32_t number;              /* number of the scan, counting lost ones */
 };

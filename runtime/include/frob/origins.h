@@ -18,14 +18,15 @@ enum {
 enum {
     FROB_FIRST = -1, /* the source matters only in the first instant of the signal function that
                       * contains the signal */
-    FROB_ENTRY = -2  /* the source was read when the mode whose parameter is the signal began */
+    FROB_ENTRY = -2  /* the signal is a parameter of a mode, and the source was read when the mode
+                      * began */
 };
 
 struct frob_source {
     const char *column; /* a column, or the common start of several names, such as `in.sonar` */
-    int back;           /* number of instants earlier, 0 for the same instant, or one of the values
-                         * above */
-    /* The source applies only in one mode of this machine; "" if it always applies. */
+    int back;           /* how many instants earlier the source is read (0: in the same
+                         * instant), or FROB_FIRST or FROB_ENTRY */
+    /* If the source applies only in one mode of a machine: that machine; otherwise "". */
     const char *machine;
     /* The number of that mode, which must run at the source's instant. For FROB_ENTRY, it is
      * instead the number of the mode that ran before the current one began, or FROB_ANY or
@@ -43,16 +44,16 @@ struct frob_transition {
                                         * mode */
     const char *file;                  /* source file, without folders */
     unsigned line, last;               /* first and last line of its source, from 1 */
-    const struct frob_source *sources; /* the sources of its event, in the form of an origin's
-                                        * sources */
+    const struct frob_source *sources; /* the sources of its event, in the same form as in
+                                        * frob_origin */
 };
 
 struct frob_origin {
     const char *column;
-    /* The place of its equation; for a parameter, the place of its argument. */
+    /* Where the column's equation is in the source; for a parameter, where the argument is. */
     const char *file;
     unsigned line, last;
-    const struct frob_source *sources; /* ends with a source whose column is NULL; or NULL */
+    const struct frob_source *sources; /* NULL, or an array that ends with a NULL column */
     /* If the column is a machine's running mode, its transitions. The array ends with one whose
      * label is NULL. */
     const struct frob_transition *transitions;

@@ -2,7 +2,7 @@
  *
  * `frobc` writes, next to NAME.c and NAME.h, a table of this form for hosts that work with any
  * program: the trace host (CSV in, CSV out), the simulator and the robot host. The table and the
- * program are one shared object; hosts look up the symbol `frob_program`.
+ * program are compiled into one shared object; hosts look up the symbol `frob_program`.
  *
  * Everything here is constant data. All offsets, at every depth of the tree, are in bytes from the
  * start of the program's input or output struct. */
@@ -47,7 +47,7 @@ struct frob_constructor {
 /* A value inside the input or output struct. */
 struct frob_value {
     enum frob_kind kind;
-    size_t offset; /* place of the bool, int32_t, double, float or pointer, or of the sum's tag */
+    size_t offset; /* position of the bool, int32_t, double, float or pointer, or of a sum's tag */
     int is_event;  /* whether it is a sum of type `Event a`, in which constructor 0 is NoEvent */
     /* Number of constructors: 1 for a product or array, which store no tag. */
     size_t count;
@@ -64,7 +64,7 @@ struct frob_machine {
     /* 0, or n + 1 if this machine is part of a mode of machine n. It then exists only while that
      * mode runs. */
     size_t within;
-    int32_t mode; /* the number of that mode */
+    int32_t mode; /* number of the mode that contains this machine */
 };
 
 enum frob_control_kind {
@@ -91,14 +91,14 @@ struct frob_control {
     const char *unit;               /* unit of a knob: "m/s"; "" if it has none */
     double least, most;             /* range of a knob; 0 and 1 if the value is a bool */
     double first;                   /* initial value of a knob or toggle */
-    const struct frob_value *value; /* its part of the input */
+    const struct frob_value *value; /* the control's value, which is part of the input */
     const char *place;              /* place in the source that requests it:
                                      * "wall_follow.frob:12" */
 };
 
 /* A parameter of the program, which is fixed when a run starts. */
 struct frob_param {
-    const char *name;               /* "kTurn", or "M.kTurn" for one of another module */
+    const char *name;               /* "kTurn", or "M.kTurn" if it is from the module M */
     const char *unit;               /* the unit in the source: "1/m", "1"; "" for a truth value */
     const struct frob_value *value; /* a bool, int32_t, double or float in the parameter struct */
 };
@@ -123,13 +123,13 @@ struct frob_topic {
     const char *name;  /* before remapping: "cmd_vel" */
     const char *type;  /* "geometry_msgs/msg/Twist" */
     int is_counted;    /* whether the value is an event of a Counted */
-    int is_command;    /* whether a message of zeros stops what the topic controls */
+    int is_command;    /* whether a message of zeros stops the controlled device */
 };
 
-/* The texts by which messages of ROS 2 represent an enumeration. */
+/* The texts that represent an enumeration in ROS 2 messages. */
 struct frob_texts {
-    /* The constructors of a value of this type in the program's input or output. Each value has a
-     * table of its own, which identifies it. */
+    /* The constructors of a value of this type in the program's input or output. Each value has its
+     * own table of constructors, so the pointer identifies the value. */
     const struct frob_constructor *constructors;
     const char *type;         /* name from the source: "Mode" */
     const char *const *texts; /* one text for each constructor */
@@ -158,8 +158,8 @@ struct frob_program {
      * seconds, dt_ns / 1e9. Both must be 0 in the first instant after a reset. */
     void (*step)(void *state, const void *params, int64_t dt_ns, double dt, const void *input,
                  void *output);
-    /* Returns whether the number of each running mode is one that exists. If not, memory was
-     * damaged. In that case, hosts stop the robot, and do not call a step before the next reset. */
+    /* Returns whether the number of each running mode is valid. If not, memory was damaged. In that
+     * case, hosts stop the robot, and do not call a step before the next reset. */
     bool (*is_valid)(const void *state);
     /* frob_arithmetic_faults, compiled with the program's options. It also checks floats if the
      * program computes with them. */
@@ -193,8 +193,8 @@ struct frob_program {
 
 /* The end of a host's message about an invalid state, after the name of the program or of its
  * process. */
-#define FROB_DAMAGED_STATE                                                               \
-    "the number of a running mode does not exist; if the program calls functions in C, " \
+#define FROB_DAMAGED_STATE                                                           \
+    "the number of a running mode is invalid; if the program calls functions in C, " \
     "check that they write only to their own memory"
 
 /* Symbol that hosts look up. */

@@ -1,10 +1,10 @@
-/* Functions that generated C calls: integers that wrap around, total division, conversions that
- * saturate, minimum and maximum that propagate NaN, time in whole nanoseconds (docs/language.md,
- * "Numbers are total" and "Time").
+/* Functions for generated C code: integers that wrap around, total division, conversions that
+ * saturate, minimum and maximum that propagate NaN, and time in whole nanoseconds
+ * (docs/language.md, "Numbers are total" and "Time").
  *
  * Functions whose names end in f take floats, as in <math.h>, for programs in single precision.
- * Everything is static inline, so functions that a program does not call cost nothing. Nothing here
- * has state or traps, and of the C library it uses only <math.h> and memcpy.
+ * Everything is static inline, so functions that a program does not call cost nothing. No function
+ * has state or traps, and the only parts of the C library that they use are <math.h> and memcpy.
  *
  * frobc reads this header too: `frobc compile --standalone` copies the definitions that a program
  * needs into the generated file, and generated code avoids the names defined here. frobc splits
@@ -27,11 +27,11 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
-#error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+#error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
 #endif
 
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
-#error "the program needs IEEE 754 arithmetic: FLT_EVAL_METHOD must be 0"
+#error "the program needs IEEE 754 arithmetic: FLT_EVAL_METHOD must be 0 (x86: -msse2 -mfpmath=sse)"
 #endif
 
 /* ---- Compilers */
@@ -186,8 +186,8 @@ static inline int64_t frob_soon(int64_t time, int64_t ns)
     return (int64_t)soon;
 }
 
-/* Subtracts nanoseconds from a time that is left, down to 0. Returns whether no time is left. The
- * nanoseconds may be any number; a negative number counts as 0. */
+/* Subtracts nanoseconds from the remaining time `*left`, which stops at 0. Returns whether no time
+ * is left. `ns` may be any number; a negative number counts as 0. */
 static inline bool frob_runs_out(uint32_t *left, int64_t ns)
 {
     if (FROB_BRANCH((uint64_t)ns >= *left)) {
@@ -200,7 +200,7 @@ static inline bool frob_runs_out(uint32_t *left, int64_t ns)
     return false;
 }
 
-/* The same while a condition holds; otherwise, all of the time is left. */
+/* Does the same if the condition holds; otherwise, resets the remaining time to `all`. */
 static inline bool frob_runs_out_while(bool condition, uint32_t *left, int64_t ns, uint32_t all)
 {
     if (condition) {
@@ -257,7 +257,7 @@ static inline double frob_negative_zero(void)
     return zero;
 }
 
-/* NaN if either argument is NaN; the first argument if both are equal. */
+/* Minimum; NaN if either argument is NaN; the first argument if both are equal. */
 static inline double frob_min(double a, double b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -266,7 +266,7 @@ static inline double frob_min(double a, double b)
     return b < a ? b : a;
 }
 
-/* NaN if either argument is NaN; the first argument if both are equal. */
+/* Maximum; NaN if either argument is NaN; the first argument if both are equal. */
 static inline double frob_max(double a, double b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -287,7 +287,7 @@ static inline double frob_at_least(double x, double limit)
     return limit > x ? limit : x;
 }
 
-/* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
+/* Clamps x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
  * after #else are equivalent, but gcc would translate them to a branch for x86. */
 static inline double frob_clamp(double x, double low, double high)
 {
@@ -336,7 +336,7 @@ static inline double frob_limit_above_zero(double x, double y)
     return -x > high ? -x : high;
 }
 
-/* A zero or NaN is returned unchanged. */
+/* Sign of x, as 1 or -1; a zero or NaN is returned unchanged. */
 static inline double frob_signum(double x)
 {
     return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
@@ -427,8 +427,8 @@ static inline double frob_nanoseconds(double seconds)
     return ns < 4503599627370496.0 ? (ns + 4503599627370496.0) - 4503599627370496.0 : ns;
 }
 
-/* Returns frob_nanoseconds of a local time in seconds, which is stored in nanoseconds. During the
- * first 13 days, rounding to seconds and back changes nothing. */
+/* Converts a local time, which is stored in nanoseconds, to seconds and applies frob_nanoseconds.
+ * During the first 13 days, the conversion to seconds and back changes nothing. */
 static inline double frob_time_in_ns(int64_t time)
 {
     const double ns = (double)time;
@@ -441,7 +441,7 @@ static inline bool frob_reached(int64_t time, double period)
     return period < 9223372036854775808.0 && (period < 0.0 || (int64_t)period <= time);
 }
 
-/* Remainder of a time after whole periods; the time has reached at least one. */
+/* Returns the remainder of a time divided by a period; the time is at least one period. */
 static inline int64_t frob_rest(int64_t time, double period)
 {
     return period < 1.0 ? 0 : time % (int64_t)period;
@@ -483,7 +483,7 @@ static inline float frob_negative_zerof(void)
     return zero;
 }
 
-/* NaN if either argument is NaN; the first argument if both are equal. */
+/* Minimum; NaN if either argument is NaN; the first argument if both are equal. */
 static inline float frob_minf(float a, float b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -492,7 +492,7 @@ static inline float frob_minf(float a, float b)
     return b < a ? b : a;
 }
 
-/* NaN if either argument is NaN; the first argument if both are equal. */
+/* Maximum; NaN if either argument is NaN; the first argument if both are equal. */
 static inline float frob_maxf(float a, float b)
 {
     if (FROB_BRANCH(b != b)) {
@@ -513,7 +513,7 @@ static inline float frob_at_leastf(float x, float limit)
     return limit > x ? limit : x;
 }
 
-/* Limits x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
+/* Clamps x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
  * after #else are equivalent, but gcc would translate them to a branch for x86. */
 static inline float frob_clampf(float x, float low, float high)
 {
@@ -562,7 +562,7 @@ static inline float frob_limit_above_zerof(float x, float y)
     return -x > high ? -x : high;
 }
 
-/* A zero or NaN is returned unchanged. */
+/* Sign of x, as 1 or -1; a zero or NaN is returned unchanged. */
 static inline float frob_signumf(float x)
 {
     return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : x;
@@ -630,7 +630,8 @@ static inline float frob_nanosecondsf(float seconds)
     return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
 }
 
-/* Returns frob_nanosecondsf of a local time in seconds, which is stored in nanoseconds. */
+/* Converts a local time, which is stored in nanoseconds, to seconds and applies
+ * frob_nanosecondsf. */
 static inline float frob_time_in_nsf(int64_t time)
 {
     return frob_nanosecondsf((float)time / 1e9f);
@@ -642,7 +643,7 @@ static inline bool frob_reachedf(int64_t time, float period)
     return period < 9223372036854775808.0f && (period < 0.0f || (int64_t)period <= time);
 }
 
-/* Remainder of a time after whole periods; the time has reached at least one. */
+/* Returns the remainder of a time divided by a period; the time is at least one period. */
 static inline int64_t frob_restf(int64_t time, float period)
 {
     return period < 1.0f ? 0 : time % (int64_t)period;

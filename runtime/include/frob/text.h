@@ -1,7 +1,7 @@
 /* frob/text.h -- builds text in a buffer that the caller owns.
  *
- * Nothing allocates. Text that does not fit is dropped, and `full` is set. `data` always ends with
- * a NUL. */
+ * No function allocates memory. Text that does not fit is dropped, and `full` is set. `data` always
+ * ends with a NUL. */
 #ifndef FROB_TEXT_H
 #define FROB_TEXT_H
 

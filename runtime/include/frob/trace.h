@@ -6,7 +6,7 @@
  * `out.turn`. A `()` has no column. If the program has probes, their columns, `probe.NAME`, follow
  * those of the output. The last columns, which are optional, are `mode.NAME` for each machine, with
  * the name of the mode that runs after the instant. The cell is empty while the machine does not
- * exist, because it is part of another machine's mode that does not run. */
+ * exist: a machine that is part of a mode of another machine exists only while that mode runs. */
 #ifndef FROB_TRACE_H
 #define FROB_TRACE_H
 
@@ -43,8 +43,8 @@ void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program
                                unsigned parts, int64_t time_ns, const void *in, const void *out,
                                const void *state);
 
-/* Returns the number of the mode in which machine `i` is, from the program's state; -1 while the
- * machine does not exist. */
+/* Reads the number of the running mode of machine `i` from the program's state; returns -1 while
+ * the machine does not exist. */
 int32_t frob_trace_mode(const struct frob_program *program, size_t i, const void *state);
 
 /* Returns the size of a buffer that is large enough for the header and for any row, with the

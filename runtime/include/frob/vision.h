@@ -2,14 +2,14 @@
  * which imports them, and for the user's own C.
  *
  * Each kernel passes over the pixels a small number of times; its time is bounded by the size of
- * the image or of the request. No kernel allocates or keeps state. The stack is at most 30 kB;
- * frob_match_patch needs 100 kB, frob_find_corner 140 kB, frob_find_blobs 250 kB. The same image
- * yields the same bits on every machine: kernels compute with integers where they suffice, and
- * otherwise with IEEE doubles in a fixed order.
+ * the image or of the request. No kernel allocates or keeps state. Kernels need at most 30 kB of
+ * stack, except frob_match_patch (100 kB), frob_find_corner (140 kB), frob_find_blobs (250 kB) and
+ * frob_stereo_depths (350 kB). The same image yields the same bits on every machine: kernels
+ * compute with integers where they suffice, and otherwise with IEEE doubles in a fixed order.
  *
  * Any argument is safe, including NaN. An image that is not sound (frob_image_is_sound) is treated
  * as having no pixels, and a region may extend beyond the image. If nothing is found, the result
- * says so. Functions that OpenMV also has are named after those of OpenMV.
+ * says so. Functions that also exist in OpenMV are named as there.
  *
  * Coordinates are those of frob/image.h. Angles are in radians from the x axis towards the y axis,
  * which is clockwise in the displayed image. Brightness is grey, 0 … 255; for a colour it is (77
@@ -23,8 +23,8 @@
 extern "C" {
 #endif
 
-/* Structs of Frob's records, with the names of their fields. Generated headers define the same
- * structs. */
+/* Structs that represent Frob's records, with the same field names. Generated headers define the
+ * same structs. */
 
 /* The pixels whose centres are within [x, x + width) and [y, y + height). */
 #ifndef FROB_REGION_DEFINED
@@ -120,8 +120,8 @@ struct frob_segment {
 };
 #endif
 
-/* The signed distance from the centre of the segment, and the change of brightness per pixel there.
- * Both are 0 if there is no edge. */
+/* An edge: its signed distance from the centre of the segment, and the change of brightness per
+ * pixel there. Both are 0 if there is no edge. */
 #ifndef FROB_EDGE_DEFINED
 #define FROB_EDGE_DEFINED
 struct frob_edge {
@@ -160,7 +160,7 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
 
 enum { FROB_PATCH_SIDE = 32, FROB_PATCH_SIZE = FROB_PATCH_SIDE * FROB_PATCH_SIDE };
 
-/* Position of a patch in an image: its centre, its rotation, and the distance of neighbouring
+/* Position of a patch in an image: its centre, its rotation, and the distance between neighbouring
  * samples in pixels. Sample i of row j is at scale (i - 15.5, j - 15.5), rotated, relative to the
  * centre. If samples are more than a pixel apart, each is the mean of up to 4 by 4 pixels. */
 #ifndef FROB_PLACEMENT_DEFINED
@@ -187,11 +187,11 @@ struct frob_match {
 };
 #endif
 
-/* Parameters of a search for a patch: the starting placement; the initial pyramid level (0 … 2:
- * full resolution, or means of 2 by 2 or 4 by 4 samples, which increase the reach by the same
- * factor); the number of iterations at each level (at most 30); and the degrees of freedom: 2 for
- * the position, 3 also for the angle, 4 also for the scale, between half and twice its initial
- * value. */
+/* Parameters of a search for a patch. The search starts at the placement `from` and the pyramid
+ * level `level`: 0 is full resolution; 1 and 2 use means of 2 by 2 and 4 by 4 samples, which
+ * increase the reach by the same factor. `iterations` is the number of iterations at each level, at
+ * most 30. `freedom` is the number of degrees of freedom: 2 for the position, 3 to add the angle, 4
+ * to add the scale as well, between half and twice its initial value. */
 #ifndef FROB_SEARCH_DEFINED
 #define FROB_SEARCH_DEFINED
 struct frob_search {
@@ -245,7 +245,7 @@ size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
  * texture is too weak, two disparities match equally well, or matching from the right image, if
  * that pixel is within the region, results in a different disparity. `stride` is the number of
  * elements from one row of the result to the next. Returns false and writes nothing if the images
- * are not a pair or the room is too small. */
+ * are not a pair or `room` is too small. */
 bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);
@@ -263,7 +263,7 @@ struct frob_depths {
 };
 #endif
 
-/* Reduces a region to its middle 640 columns, and disparities to 64; needs 350 kB of stack. */
+/* Limits the region to its middle 640 columns, and the disparities to 64; needs 350 kB of stack. */
 void frob_stereo_depths(const struct frob_image *left, const struct frob_image *right,
                         const struct frob_stereo *how, struct frob_depths *result);
 
@@ -305,9 +305,9 @@ struct frob_tag_place {
 struct frob_lens;
 
 /* Estimates the pose of a tag whose black frame is `size` wide and high: removes the lens's
- * distortion from the corners, and minimizes the squares of their distances. All results are NaN if
- * there cannot be such a tag: its corners are collinear or in the wrong order, or the size is not
- * positive. */
+ * distortion from the corners, and minimizes the sum of their squared distances from the predicted
+ * corners. All results are NaN if no such tag can exist: the corners are collinear or in the wrong
+ * order, or the size is not positive. */
 void frob_find_tag_place(const struct frob_lens *lens, double size, const struct frob_tag *tag,
                          struct frob_tag_place *result);
 

@@ -28,18 +28,18 @@ class Message(NamedTuple):
 
 
 def text_of(data: bytes) -> str:
-    """The text in a serialized std_msgs/msg/String."""
+    """Returns the text in a serialized std_msgs/msg/String."""
     if len(data) < 8:
-        raise Unreadable("a message of the program is damaged")
+        raise Unreadable("a message from the program is damaged")
     order = "<" if data[1] & 1 else ">"
     (length,) = struct.unpack_from(order + "I", data, 4)
     if length < 1 or 8 + length > len(data):
-        raise Unreadable("a message of the program is damaged")
+        raise Unreadable("a message from the program is damaged")
     return data[8 : 8 + length - 1].decode("utf-8", errors="replace")
 
 
 def in_sqlite(path: str) -> Iterator[Message]:
-    """The texts in a .db3 file."""
+    """Yields the messages of programs in a .db3 file."""
     database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
     try:
         query = (
@@ -55,12 +55,14 @@ def in_sqlite(path: str) -> Iterator[Message]:
 
 
 def in_mcap(path: str) -> Iterator[Message]:
-    """The texts in an MCAP file."""
+    """Yields the messages of programs in an MCAP file."""
     try:
         from mcap.exceptions import McapError
         from mcap.reader import make_reader
     except ImportError:
-        raise Unreadable("reading MCAP needs Python packages: `frobc extras install ros`") from None
+        raise Unreadable(
+            "reading MCAP requires a Python package: run `frobc extras install ros`"
+        ) from None
     try:
         with open(path, "rb") as file:
             for schema, channel, message in make_reader(file).iter_messages():
@@ -75,7 +77,7 @@ def in_mcap(path: str) -> Iterator[Message]:
 
 
 def files_of(bag: str) -> List[str]:
-    """The files of a bag, in order."""
+    """Returns the files of a bag, in order."""
     if bag.endswith(".zstd"):
         raise Unreadable("it is compressed: run `zstd -d` on it")
     if not os.path.isdir(bag):
@@ -117,7 +119,7 @@ def recordings_in(bag: str) -> Dict[str, Tuple[str, Dict[int, str]]]:
         if kind == "columns" and text.startswith("# program "):
             if heads.get(node, text) != text:
                 raise Unreadable(
-                    f"it has several runs of {node}: record each run into a bag of its own"
+                    f"it has several runs of {node}: record each run into a separate bag"
                 )
             heads[node] = text
         elif kind == "instants":
@@ -126,13 +128,13 @@ def recordings_in(bag: str) -> Dict[str, Tuple[str, Dict[int, str]]]:
                 known = rows.setdefault(node, {})
                 if known.setdefault(int(number), row) != row:
                     raise Unreadable(
-                        f"it has several runs of {node}: record each run into a bag of its own"
+                        f"it has several runs of {node}: record each run into a separate bag"
                     )
     return {node: (head, rows.get(node, {})) for node, head in heads.items()}
 
 
 def recording_of(bag: str, program: str) -> str:
-    """The recording of the program."""
+    """Returns the recording of the program."""
     found = recordings_in(bag)
     nodes = sorted(node for node, (head, _) in found.items() if program_of(head) == program)
     if not nodes:

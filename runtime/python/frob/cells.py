@@ -35,7 +35,7 @@ def words(cell: str) -> List[str]:
         if cell[at] == '"':
             end = cell.find('"', at + 1) + 1
             if end == 0:
-                raise CellError("a quote that is not closed")
+                raise CellError("a quote is not closed")
         elif cell[at] in MARKS:
             end = at + 1
         else:
@@ -49,17 +49,17 @@ def words(cell: str) -> List[str]:
 
 
 def value(cell: str) -> Any:
-    """Parses the text of a cell to a value, without knowing its type."""
+    """Parses the text of a cell without knowing the type of its value."""
     rest = words(cell)
     depth = 0
     for word in rest:
         depth += (word in "([{") - (word in ")]}")
         if depth > DEEPEST:
-            raise CellError(f"more than {DEEPEST} brackets are open at once")
+            raise CellError(f"brackets are nested more than {DEEPEST} levels deep")
     rest.reverse()
     result = _value(rest)
     if rest:
-        raise CellError(f"`{rest[-1]}` comes after the value")
+        raise CellError(f"unexpected `{rest[-1]}` after the value")
     return result
 
 

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from distributed import Client
 
 LEAST_RUNS = 50
-"""Minimum number of runs per task: the scheduler takes milliseconds for each task, and `frobc
-sweep` reads the plan first.
+"""Minimum number of runs per task. Each task costs the scheduler milliseconds, and `frobc sweep` has
+to read the plan.
 """
 
 MOST_RUNS = 500
@@ -197,7 +197,7 @@ def _without(start: str, text: str) -> str:
 
 
 def shard(work: Work, number: int, count: int, known: bytes) -> Made:
-    """Performs one of `count` parts of the runs, except those whose rows are known."""
+    """Performs one of `count` parts of the runs, skipping runs whose rows are known."""
     lack = _lack(work)
     if lack:
         return _fault(lack)

@@ -22,14 +22,14 @@ def numpy() -> Any:
         import numpy
     except ImportError:
         raise Error(
-            "columns and arrays need numpy, which is not installed: `apt install python3-numpy` "
-            "or `pip install numpy`, or give a list of inputs"
+            "columns and arrays need numpy, which is not installed: run `pip install numpy` or "
+            "`apt install python3-numpy`, or pass a list of inputs"
         ) from None
     return numpy
 
 
 def _seen(leaf: shapes.Scalar, memory: Any, count: int, size: int) -> "NDArray[Any]":
-    """A view of a column's values within the structs."""
+    """Returns a view of a column's values within the structs."""
     np = numpy()
     if count == 0:
         return np.empty(0, dtype=leaf.numpy_name)  # type: ignore[no-any-return]
@@ -85,7 +85,7 @@ def as_column(name: str, given: Any) -> "NDArray[Any]":
 
 
 def length(name: str, given: Any) -> int:
-    """Number of rows of a column."""
+    """Returns the number of rows of a column."""
     try:
         if not isinstance(given, (str, bytes)):
             return len(given)
@@ -110,7 +110,7 @@ def unmasked(name: str, given: Any) -> Any:
 
 
 def write(memory: Any, size: int, leaves: Leaves, given: Mapping[str, Any], count: int) -> None:
-    """Fills `count` structs from the columns. A column that is not given gets its default."""
+    """Fills `count` structs from the columns. A missing column gets its default value."""
     for name, leaf in leaves:
         if name not in given:
             _fill(memory, size, leaf, count)
@@ -144,7 +144,7 @@ def check(leaves: Leaves, given: Iterable[str], program: str) -> None:
 
 
 def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArray[Any]]":
-    """Copies the columns of an output out of the structs."""
+    """Copies an output's columns from the structs."""
     np = numpy()
     result: "Dict[str, NDArray[Any]]" = {}
     for name, leaf in leaves:
@@ -159,7 +159,7 @@ def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArr
 
 
 def dt_of_time(time: Any) -> "NDArray[np.int64]":
-    """Returns the nanoseconds between times in seconds; the first element is 0."""
+    """Converts times in seconds to the nanoseconds between them; the first element is 0."""
     np = numpy()
     column = as_column("time", time)
     if column.dtype.kind in "Mm":
@@ -203,12 +203,12 @@ def _of_dates(column: "NDArray[Any]") -> "NDArray[Any]":
         raise InputError(f"time, row {row}: {column[row]} is not a time in seconds")
     exact = column.astype(f"{column.dtype.kind}8[ns]")
     if not bool(np.all(exact.astype(column.dtype) == column)):
-        raise InputError("time: dates must be from 1678 to 2262, in nanoseconds")
+        raise InputError("time: dates must be between 1678 and 2262, in whole nanoseconds")
     return exact.astype(np.int64)  # type: ignore[no-any-return]
 
 
 def listed_dt_of_time(given: Sequence[Any]) -> List[float]:
-    """Does the same without numpy, and returns seconds."""
+    """Does the same as dt_of_time without numpy, and returns seconds."""
     ns: List[int] = []
     for row, value in enumerate(given):
         ns.append(_time_ns(value, row))
@@ -254,7 +254,7 @@ def steps(dt: Any, count: int) -> "NDArray[np.int64]":
         for row, value in enumerate(column.tolist()):
             step(value, f"dt, row {row}")
     if len(column) != count:
-        raise InputError(f"dt has {len(column)} rows, and the input {count}")
+        raise InputError(f"dt has {len(column)} rows, but the input has {count}")
     seconds = column.astype(np.float64)
     ns = np.rint(np.minimum(seconds, times.MOST_DT) * 1e9).astype(np.int64)
     ns[:1] = 0
@@ -273,7 +273,7 @@ def step(dt: Any, place: str) -> float:
 
 
 def numbers(leaves: Leaves, program: str) -> List[Tuple[str, shapes.Scalar]]:
-    """Checks that each column is a number or a boolean, so that an array can hold them all."""
+    """Checks that each column contains numbers or booleans, so that an array can hold them all."""
     found: List[Tuple[str, shapes.Scalar]] = []
     for name, leaf in leaves:
         if not isinstance(leaf, shapes.Scalar):

@@ -94,7 +94,7 @@ class Dialect:
         return f"; to choose the column with the times, pass `time_column={column}`"
 
     def width_hint(self, width: int, count: int) -> str:
-        """Returns a hint for the error that a row does not have the `width` cells of the header."""
+        """Returns a hint for a row with `count` cells where the header has `width` columns."""
         if count > width and self.decimal_comma and self.separator == ",":
             return (
                 "; if numbers have a decimal comma, put them in double quotes, or separate the cells "

@@ -1,5 +1,5 @@
-"""Runs a program that drives a robot in the simulator, one instant at a time. Some of its inputs and
-outputs can be overridden."""
+"""Runs a robot program in the simulator, one instant at a time. The caller can override some of the
+program's inputs and outputs."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from .simulator import Simulator, Truth, robot_of, world_path
 
 
 def number_of(leaf: shapes.Leaf) -> Optional[shapes.Scalar]:
-    """Returns the scalar of a column that is a number, a boolean, or an event that carries one of
-    these; None for other columns."""
+    """Returns the scalar type of a column that is a number, a boolean, or an event with such a
+    value; None for other columns."""
     if isinstance(leaf, shapes.Sum) and leaf.is_optional:
         (inner,) = leaf.constructors[1].parts
         return inner if isinstance(inner, shapes.Scalar) else None
@@ -62,17 +62,19 @@ class Drive:
                     self._columns[name] = leaf, memory
 
     def numbers(self, names: Sequence[str]) -> List[shapes.Scalar]:
-        """Returns the scalars of the named columns. Each must be a number, a boolean, or an event
-        that carries one of these."""
+        """Returns the scalar types of the named columns. Each column must be a number, a boolean,
+        or an event with such a value."""
         for name in names:
             if name not in self._columns:
                 known = ", ".join(self._columns)
-                raise InputError(f"{self.code.name} has no number `{name}`; it has: {known}")
+                raise InputError(
+                    f"{self.code.name} has no numeric column `{name}`; it has: {known}"
+                )
         found = [number_of(self._columns[name][0]) for name in names]
         return [leaf for leaf in found if leaf is not None]
 
     def start(self, seed: int, params: Mapping[str, Any]) -> None:
-        """Starts a new simulation and resets the program, and reads the sensors at time 0."""
+        """Starts a new simulation, resets the program, and reads the sensors at time 0."""
         self.close()
         self._params = self.code.params_with(params)
         self._state = self.code.new_state()
@@ -97,9 +99,9 @@ class Drive:
         return self._sim
 
     def step(self, inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
-        """Runs one instant of the program, with these values in place of its own inputs and outputs.
-        Then runs the world to the program's next instant and reads the sensors. During an outage
-        of the world, the program has no instants, so the next one is after the outage."""
+        """Runs one instant of the program; `inputs` and `outputs` override the program's own
+        values. Then runs the world to the program's next instant and reads the sensors. The program
+        has no instants during an outage of the world, so its next instant is after the outage."""
         sim = self._running()
         now = self._time_ns(self._instant)
         self._put(inputs)

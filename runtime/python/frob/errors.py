@@ -1,5 +1,5 @@
-"""The exceptions of this package. Each message describes the place and the cause of the problem, and
-what to do."""
+"""The exceptions of this package. Each message says where the problem is, what caused it, and what
+to do."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
 def printable(text: str) -> str:
-    """Escapes control characters for a terminal: an escape becomes \\027."""
+    """Escapes control characters, so that the text can be printed on a terminal: ESC becomes
+    \\027."""
     return _CONTROLS.sub(lambda found: f"\\{ord(found.group()):03d}", text)
 
 
@@ -29,4 +30,4 @@ class InputError(Error, ValueError):
 
 
 class FrobWarning(UserWarning):
-    """A warning of `frobc`."""
+    """A warning from `frobc`."""

@@ -23,7 +23,7 @@ class Drive:
     seed: int
     disturbances: Dict[str, float]
     text: str
-    """The world file with these disturbances."""
+    """The content of the world file, with these disturbances applied."""
 
 
 @dataclass(frozen=True)
@@ -34,20 +34,20 @@ class Counterexample:
     time: float
     """The time of the first violation, in seconds."""
     margin: float
-    """The margin of the violation; 0 if it is unknown."""
+    """The margin of the violation; 0 if unknown."""
     runs: int
     """The number of runs that it took to find this violation."""
     params: Dict[str, Any]
     settings: Dict[str, str]
-    """The parameters as texts with their units, for `--param`."""
+    """The parameters as strings with units, for `--param`."""
     inputs: "Dict[str, NDArray[Any]]"
-    """The columns of the run, `time` first, in the form that `Program.run` takes. For a run in the
-    simulator, only `time`."""
+    """The columns of the run, `time` first, in the form that `Program.run` accepts. A run in the
+    simulator has only the column `time`."""
     drive: Optional[Drive] = None
-    """The settings of a run in the simulator."""
+    """The settings of the run if it was in the simulator; otherwise None."""
     collision: str = ""
-    """If the robot touched something: the first collision, with object, time, place and clearance,
-    as `frobc run` prints it."""
+    """If the violation is a collision: its object, time, place and clearance, as `frobc run` prints
+    them. Otherwise empty."""
 
     def write(self, file: tools.PathLike) -> None:
         """Writes the inputs as a trace for `frobc trace --input`."""
@@ -72,7 +72,7 @@ class Search:
     nearest: float
     """The smallest margin of all runs: how close the search came to a violation."""
     has_margin: bool
-    """If False, the assertion has no margin, and the search had nothing to guide it."""
+    """If False, the assertion has no margin, so nothing guided the search."""
 
 
 def falsify(
@@ -100,18 +100,19 @@ def falsify(
 ) -> List[Search]:
     """Searches for runs that violate the program's assertions, one assertion after the other.
 
-    `params` and `inputs` map names to ranges, either `(low, high)` or a text such as `"2[1/m] to
-    8[1/m]"`. An input, which is a column as in a trace, may also have a fixed value. Each input has
-    `points` values during the run; it keeps each value until the next (`shape="constant"`) or
-    changes linearly between them (`shape="linear"`). The margin of the assertion guides the search.
-    `only` selects assertions by label, and `runs` is the maximum number of runs for each. Searches
-    with the same `seed` are identical. If `check_rate` is given, a violation counts only if it also
-    occurs at that number of instants a second.
+    `params` and `inputs` map names to ranges, either `(low, high)` or a string such as `"2[1/m] to
+    8[1/m]"`. Inputs are named like the columns of a trace, and may also have a fixed value. Each
+    input has `points` values during the run; it keeps each value until the next
+    (`shape="constant"`) or changes linearly between them (`shape="linear"`). The margin of the
+    assertion guides the search. `only` selects assertions by label, and `runs` is the maximum
+    number of runs for each. Searches with the same `seed` are identical. If `check_rate` is given,
+    a violation counts only if it also occurs when the program runs at that rate, in instants per
+    second.
 
-    A program that drives a robot runs in the simulator, in `world` or else in the world that `frobc
-    run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and
+    A program that drives a robot runs in the simulator, in `world` or, by default, in the world
+    that `frobc run` uses. The search varies parameters, `seeds` of the noise (`"1 to 100"`), and
     `disturbances`, which are numbers of the world file, such as `{"sonar.noise": (0, 0.05)}`. There
-    is one additional assertion: that the robot touches nothing.
+    is one additional assertion: the robot touches nothing.
 
     After each run, `progress` is called with the assertion's label, the number of its runs so far,
     and the maximum number of runs. `ended` is called with the result of each search as soon as the
@@ -187,7 +188,7 @@ def _setting(value: Any) -> str:
 
 @dataclass(frozen=True)
 class Looking:
-    """The program, a copy that runs with a finer step, and the values to vary."""
+    """The program under test, a copy of it that runs at the check rate, and the values to vary."""
 
     subject: Subject
     finer: Optional[Subject]

@@ -21,7 +21,8 @@ VIOLATED, WRONG_USE, BUG = 1, 2, 3
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Runs the command. Reports an interrupt in one line, other exceptions as internal errors."""
+    """Runs the command. Reports an interrupt in one line, and other exceptions as internal
+    errors."""
     looked = _Looked()
     try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -31,7 +32,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         looked.clear()
         print(f"interrupted: {looked.interrupted()}", file=sys.stderr)
     except BrokenPipeError:
-        # The reader has closed the pipe, so there is no stream to flush.
+        # The reader has closed the pipe, so this discards the remaining output.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG_USE
     except Exception as error:
@@ -50,8 +51,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 class _Looked:
-    """The progress of the searches: updates a line on the terminal, and reports the results so far
-    after an interrupt.
+    """Tracks the progress of the searches: updates a line on the terminal and, after an interrupt,
+    reports the results so far.
     """
 
     def __init__(self) -> None:
@@ -93,7 +94,7 @@ class _Looked:
             return f"{kept}; run the same command to start again"
         return (
             f"{kept}; `{tools.command('--only', self._label)}` restarts the search that "
-            f"performed {self._runs} of at most {self._most} runs"
+            f"had performed {self._runs} of at most {self._most} runs"
         )
 
 

@@ -1,5 +1,5 @@
-"""The simulator as a Gymnasium environment. The agent replaces either a program's outputs, as a
-controller, or its inputs, as an operator who turns knobs."""
+"""The simulator as a Gymnasium environment. The agent acts either as a controller, which sets a
+program's outputs, or as an operator, who sets inputs such as knobs."""
 
 from __future__ import annotations
 
@@ -19,14 +19,16 @@ try:
     import numpy as np
     from numpy.typing import NDArray
 except ImportError as error:
-    raise Error(f"frob.gym needs gymnasium and numpy: {error}; `pip install gymnasium`") from None
+    raise Error(
+        f"frob.gym needs gymnasium and numpy: {error}; run `pip install gymnasium`"
+    ) from None
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Moment:
-    """The instant that follows an action; the reward function's argument."""
+    """The instant after an action. The reward function takes it as its argument."""
 
     time: float
     """Seconds since the start."""
@@ -91,7 +93,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         code = self._drive.code
         code.params_with(self._params)
         self._action = list(_numbers(code.output_columns) if action is None else action)
-        # Leaves out keys typed on the console, which are integers but not sensor readings.
+        # Omits keys typed on the console: they are integers, but not sensor readings.
         inputs = (
             name
             for name, leaf in code.input_columns
@@ -110,7 +112,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         leaves = self._drive.numbers(names)
         if not names or len(set(names)) != len(names):
             raise InputError(
-                "an action and an observation need at least one column, and each column only once"
+                "an action and an observation need at least one column, without duplicates"
             )
         bounds = [ranges.get(n, _natural(leaf)) for n, leaf in zip(names, leaves)]
         low, high = (np.array([b[k] for b in bounds], dtype=np.float64) for k in (0, 1))
@@ -121,8 +123,9 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> "tuple[Floats, dict[str, Any]]":
-        """Starts a new episode. The seed is that of `frobc run`; without a seed, each episode gets
-        a different one. `options` may contain `params`, which apply from this episode on."""
+        """Starts a new episode. `seed` has the same meaning as in `frobc run`; without it, each
+        episode gets a different seed. `options` may contain `params`, which apply from this episode
+        on."""
         super().reset(seed=seed)
         self._params.update((options or {}).get("params", {}))
         number = int(self.np_random.integers(2**31)) if seed is None else seed
@@ -155,7 +158,9 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         shape = self.action_space.shape
         if given.shape != shape or bool(np.any(np.isnan(given))):
             names = ", ".join(self._action)
-            raise InputError(f"an action is {shape} numbers ({names}), found {action!r}")
+            raise InputError(
+                f"expected an action of shape {shape} ({names}) without NaN, found {action!r}"
+            )
         space = self.action_space
         bounded = np.clip(given, space.low, space.high).tolist()
         leaves = self._drive.numbers(self._action)
@@ -206,8 +211,8 @@ def _natural(leaf: shapes.Scalar) -> Tuple[float, float]:
 
 
 def _as(leaf: shapes.Scalar, value: float) -> Any:
-    """Converts a float to the column's type: rounds to the nearest integer, or to False or True at
-    0.5.
+    """Converts a float to the column's type: rounds it to the nearest integer for an Int; for a
+    Bool, returns whether it is at least 0.5.
     """
     if isinstance(leaf, shapes.Bool):
         return value >= 0.5
@@ -215,7 +220,7 @@ def _as(leaf: shapes.Scalar, value: float) -> Any:
 
 
 def _ranges(code: Any) -> Dict[str, Tuple[float, float]]:
-    """Returns the limits of the console's knobs, which the program declares."""
+    """Returns the limits that the program declares for the knobs of its console."""
     found: Dict[str, Tuple[float, float]] = {}
     places = {leaf.offset: name for name, leaf in code.input_columns if hasattr(leaf, "offset")}
     for control in (code.table.console[i] for i in range(code.table.control_count)):

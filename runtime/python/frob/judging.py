@@ -16,12 +16,13 @@ FAILS = 3
 """The tag of the constructor `Fails` of a verdict."""
 
 FAR = 1e9
-"""The margin of a result that is certain: larger than any difference that a search needs to consider."""
+"""The margin of a result that is certain: larger than any difference that a search needs to
+consider."""
 
 
 @dataclass(frozen=True)
 class Claim:
-    """An assertion or an assumption, with the place of its verdict. In an array of instances each
+    """An assertion or an assumption, and where to read its verdict. In an array of instances, each
     instance has its own claim."""
 
     label: str
@@ -63,7 +64,7 @@ class Subject:
         for label in only:
             if label not in known:
                 raise InputError(
-                    f"there is no assertion `{label}`; there are: "
+                    f"there is no assertion `{label}`; the assertions are: "
                     + ", ".join(f"`{one}`" for one in dict.fromkeys(known))
                 )
         return [claim for claim in assertions if not only or claim.label in only]
@@ -153,8 +154,8 @@ def _claims(code: library.Library) -> Iterator[Claim]:
 def _seen(
     leaf: shapes.Leaf, memory: "NDArray[Any]", count: int, size: int
 ) -> "Tuple[Optional[NDArray[Any]], NDArray[Any]]":
-    """Reads a column. Returns a mask of the instants at which its signal function runs (None if at
-    all of them), and the values, or the constructors' tags for a sum type."""
+    """Reads a column. Returns a mask of the instants at which its signal function runs (None if it
+    always runs), and the values, which are the constructors' tags for a sum type."""
     np = columns.numpy()
 
     def view(kind: str, offset: int) -> "NDArray[Any]":
@@ -173,8 +174,8 @@ def _seen(
 
 
 def _stretches(running: Any, count: int) -> Iterator[Tuple[int, int]]:
-    """Yields the first instant of each uninterrupted stretch in which a signal function runs, and
-    the instant after the last."""
+    """Yields each uninterrupted stretch in which a signal function runs, as its first instant and
+    the instant after its last."""
     np = columns.numpy()
     if running is None:
         yield 0, count

@@ -25,7 +25,7 @@ class Param:
     shape: shapes.Scalar
 
     def value(self, given: Any) -> Any:
-        """Converts a number in the parameter's unit, or a text with a unit such as `4[1/m]`."""
+        """Converts a number in the parameter's unit, or a string with a unit such as `4[1/m]`."""
         place = f"param {self.name}"
         if isinstance(given, str) and given.endswith("]") and "[" in given:
             text, unit = given[:-1].split("[", 1)
@@ -52,8 +52,8 @@ class Library:
             )
         if found.arithmetic() != 0:
             raise Error(
-                f"{path} cannot be run: this process rounds or flushes numbers differently than "
-                "compiled programs expect, because a library has changed the processor's settings"
+                f"{path} cannot be run: a library in this process has changed how the processor "
+                "rounds numbers or flushes them to zero: use a process without that library"
             )
         self.table = found
         self.name: str = found.name.decode()
@@ -75,8 +75,8 @@ class Library:
             return None
 
     def margins(self, count: int) -> List[Optional[str]]:
-        """Returns the margin formula of each of the first `count` assertions; None if the program
-        has none.
+        """Returns the margin formula of each of the first `count` assertions; None for an assertion
+        that has no formula.
         """
         try:
             texts = (ctypes.c_char_p * count).in_dll(self._object, "frob_margins")
@@ -90,7 +90,7 @@ class Library:
         try:
             function = getattr(self._object, name)
         except AttributeError:
-            text = f"{self.name} already has a definition `{name}`: give it another name"
+            text = f"{self.name} already defines `{name}`: rename that definition"
             raise Error(text) from None
         has_params = bool(self.table.default_params)
         params = [ctypes.c_void_p] if has_params else []
@@ -115,12 +115,13 @@ class Library:
         return memory
 
     def new_state(self) -> Any:
-        # One byte more, because the state may be empty.
+        # Adds a byte, because the state may be empty.
         return ctypes.create_string_buffer(self.table.state_size + 1)
 
 
 def settings(given: Optional[Mapping[str, Any]], what: str) -> Mapping[str, Any]:
-    """Checks that this is a mapping from names to values; None counts as empty."""
+    """Checks that an argument is a mapping from names to values. None counts as an empty
+    mapping."""
     if given is None:
         return {}
     if not isinstance(given, Mapping):

@@ -84,7 +84,7 @@ def _column(values: "NDArray[Any]") -> "Series":
 
 
 def _nanoseconds(seconds: float) -> Optional[int]:
-    """Rounds a time as programs do. None means a time that never passes."""
+    """Rounds a time to nanoseconds, as programs do. Returns None for a time that never passes."""
     if seconds != seconds or seconds * 1e9 >= 2**63:
         return None
     return max(0, round(seconds * 1e9))
@@ -146,8 +146,8 @@ def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "
 
 
 def _largest(x: "Series", first: "NDArray[Any]", last: "NDArray[Any]") -> "Series":
-    """The maximum of each range, both ends included. Uses a table of the maxima of the 1, 2, 4, …
-    values from each index on.
+    """The maximum of each range, both ends included. Uses a sparse table, with the maxima of 1, 2,
+    4, … values that start at each index.
     """
     np = columns.numpy()
     if len(x) == 0 or len(first) == 0:

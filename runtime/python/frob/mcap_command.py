@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from typing import Any, Dict, Iterator, List, Tuple
 
 LONGEST = 64
-"""Lists that are longer than this, such as images and maps, are omitted."""
+"""Lists longer than this, such as images and maps, are omitted."""
 
 
 class Unreadable(Exception):
@@ -17,7 +17,7 @@ class Unreadable(Exception):
 
 
 def leaves(name: str, value: Any) -> Iterator[Tuple[str, str]]:
-    """The numbers and truth values of a message, with the names of their columns."""
+    """Yields the numbers and booleans of a message, with the names of their columns."""
     if isinstance(value, bool):
         yield name, "true" if value else "false"
     elif isinstance(value, (int, float)):
@@ -51,8 +51,8 @@ def decoded(schema: Any, channel: Any, message: Any, ros: Any, skipped: Dict[str
 
 
 def rows(reader: Any) -> Tuple[List[str], List[Tuple[int, Dict[str, str]]], Dict[str, str]]:
-    """Returns the columns in the order of their first messages; the time of each message, with the
-    cells that the message changes; and the skipped topics, with their encodings."""
+    """Returns the columns, in the order in which they first occur; for each time of a message, the
+    cells that change; and the skipped topics, with their encodings."""
     ros = None
     if find_spec("mcap_ros2") is not None:
         from mcap_ros2.decoder import DecoderFactory
@@ -82,7 +82,7 @@ def write(reader: Any, path: str) -> None:
             return
     columns, changes, skipped = rows(reader)
     for topic, encoding in skipped.items():
-        hint = ": `frobc extras install ros`" if encoding == "cdr" else ""
+        hint = ": run `frobc extras install ros`" if encoding == "cdr" else ""
         print(f"warning: skipped {topic}, whose encoding is {encoding}{hint}", file=sys.stderr)
     held: Dict[str, str] = {}
     start = None
@@ -96,7 +96,7 @@ def write(reader: Any, path: str) -> None:
             seconds, rest = divmod(time - start, 10**9)
             print(f"{seconds}.{rest:09}", *(held[name] for name in columns), sep=",", file=file)
     if start is None:
-        raise Unreadable("it contains no messages with numbers that can be read")
+        raise Unreadable("it contains no readable messages with numbers")
 
 
 def main() -> int:
@@ -105,7 +105,7 @@ def main() -> int:
         from mcap.exceptions import McapError
         from mcap.reader import make_reader
     except ImportError:
-        print("this needs Python packages: `frobc extras install mcap`", file=sys.stderr)
+        print("reading it needs Python packages: run `frobc extras install mcap`", file=sys.stderr)
         return 2
     try:
         with open(source, "rb") as file:

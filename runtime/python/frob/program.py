@@ -137,18 +137,19 @@ class Program:
     ) -> "pd.DataFrame": ...
 
     def run(self, inputs: Any, *, dt: Any = None, time: Any = None, out: Any = None) -> Any:
-        """Runs many instants from the initial state; the state that `step` has reached does not
-        change.
+        """Runs many instants from the initial state, without changing the state that `step` uses.
 
-        The type of `inputs` determines the type of the result. For an array with one column for
-        each input, the result is an array. For a mapping of columns, named as in a trace, it is a
-        dict of arrays; for a DataFrame, a DataFrame; and for a list of values such as `step` takes,
-        a list.
+        The type of `inputs` determines the type of the result:
+
+        - an array with one column for each input: an array
+        - a mapping of columns, named as in a trace: a dict of arrays
+        - a DataFrame: a DataFrame
+        - a list of values, each as for `step`: a list
 
         `dt` is the duration of a step in seconds: a single number for all steps, or one for each
         step. Alternatively, `time` contains the time of each instant in seconds; the default is the
-        inputs' column `time`, if there is one. If `inputs` is an array, `out` may be an array for
-        the outputs."""
+        inputs' column `time`, if there is one. If `inputs` is an array, `out` may be an array that
+        receives the outputs."""
         if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
             raise InputError("out: this is only supported if the inputs are an array")
         if isinstance(inputs, list):
@@ -189,9 +190,9 @@ class Program:
             shape = (count,) if len(outs) == 1 else (count, len(outs))
             if not (are_floats and _takes(out, shape, apart_from=(memory,))):
                 raise InputError(
-                    f"out: expected a writable array of float64 of shape {shape}, in row-major "
-                    "order, that shares no memory with the inputs, for a program whose outputs "
-                    "are all Float"
+                    f"out: expected a writable float64 array of shape {shape} in row-major order "
+                    "that shares no memory with the inputs; all outputs of the program must be "
+                    "Float"
                 )
             self._steps(count, dt_ns, memory, out)
             return out
@@ -220,7 +221,7 @@ class Program:
         some = next(iter(lengths.items()), ("time", of_time))
         for name, length in lengths.items():
             if length != some[1]:
-                raise InputError(f"`{name}` has {length} rows, and `{some[0]}` {some[1]}")
+                raise InputError(f"`{name}` has {length} rows, but `{some[0]}` has {some[1]}")
         count = some[1]
         dt_ns = _array_steps(count, dt, time)
         size = code.table.input_size
@@ -234,8 +235,9 @@ class Program:
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
     def _steps(self, count: int, dt_ns: Any, memory: Any, output: Any = None) -> Any:
-        """Returns the outputs as bytes. All arrays are contiguous and have `count` elements. Only
-        `dt_ns` may be shorter, if all its elements except the first are equal; these are reused."""
+        """Runs the program and returns the outputs as bytes. All arrays must be contiguous and have
+        `count` elements. Exception: `dt_ns` may be shorter if all its elements except the first are
+        equal; those elements are then reused."""
         np = columns.numpy()
         code = self._code
         steps, has_params = code.steps()
@@ -260,7 +262,8 @@ class Program:
 
 
 def _takes(out: Any, shape: Any, apart_from: Sequence[Any]) -> bool:
-    """Returns whether C can write outputs of this shape to `out` while it reads the other arrays."""
+    """Returns whether C can write outputs of this shape to `out` while it reads the arrays in
+    `apart_from`."""
     np = columns.numpy()
     is_such = isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == shape
     if not is_such or any(np.may_share_memory(out, array) for array in apart_from):
@@ -284,7 +287,7 @@ def _array_steps(count: int, dt: Any, time: Any) -> "NDArray[Any]":
         return columns.steps(dt, count)
     dt_ns = columns.dt_of_time(time)
     if len(dt_ns) != count:
-        raise InputError(f"time has {len(dt_ns)} rows, and the input {count}")
+        raise InputError(f"time has {len(dt_ns)} rows, but the input has {count}")
     return dt_ns
 
 
@@ -295,7 +298,7 @@ def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:
     what = "dt" if time is None else "time"
     given = columns.listed(what, dt if time is None else time)
     if len(given) != count:
-        raise InputError(f"{what} has {len(given)} rows, and the input {count}")
+        raise InputError(f"{what} has {len(given)} rows, but the input has {count}")
     if time is None:
         return given
     return columns.listed_dt_of_time(given)
@@ -318,5 +321,5 @@ def compile(
     sources: Sequence[tools.PathLike] = (),
 ) -> Program:
     """Compiles a program. `params` are the values of its parameters, in their units; `sources` are
-    the C files that it calls; `robot` is the robot, if the program leaves it open."""
+    C files whose functions it calls; `robot` selects the robot if the program does not."""
     return Program(library.build(file, entry, robot, sources), library.settings(params, "params"))

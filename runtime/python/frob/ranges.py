@@ -63,7 +63,7 @@ def _inputs(code: library.Library, inputs: Mapping[str, Any]) -> Inputs:
 
 
 def ends(place: str, given: Any) -> List[Any]:
-    """Splits a range into its two ends; for a single value, returns a list of one."""
+    """Splits a range into its two ends; for a single value, returns a list with that value."""
     if isinstance(given, str):
         return [part.strip() for part in given.split(" to ")] if " to " in given else [given]
     if isinstance(given, (tuple, list)):
@@ -86,7 +86,7 @@ def _range(place: str, name: str, shape: shapes.Scalar, low: Any, high: Any) -> 
 
 def between(place: str, name: str, kind: str, low: Any, high: Any) -> search.Range:
     if not (abs(low) < float("inf") and abs(high) < float("inf")):
-        raise InputError(f"{place}: a range has two ends, found {_text(low)} to {_text(high)}")
+        raise InputError(f"{place}: expected two finite ends, found {_text(low)} to {_text(high)}")
     if not low < high:
         raise InputError(
             f"{place}: the range ends at {_text(high)}, which is not more than {_text(low)}"

@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 
 
 class Columns(Dict[str, Any]):
-    """A table of columns by name, used if pandas is not installed. `attrs` has the same meaning as in
-    a DataFrame."""
+    """A table of columns by name, used if pandas is not installed. `attrs` has the same meaning as
+    in a DataFrame."""
 
     def __init__(self, columns: Dict[str, Any]) -> None:
         super().__init__(columns)
@@ -71,12 +71,12 @@ def read(
     """Reads a recording, or any trace, as a DataFrame; without pandas, as `Columns`.
 
     Numbers and booleans are Python's; `frob.Data` describes all other values. An event that does
-    not occur is None. `attrs` contains `params`, the values that the program ran with, `units`,
-    their units, and `assertions`, the result of each assertion. Files whose names end in .gz and
-    .zst are decompressed, the latter with the program zstd.
+    not occur is None. `attrs` contains `params` (the values that the program ran with), `units`
+    (their units) and `assertions` (the result of each assertion). Files whose names end in .gz or
+    .zst are decompressed; for .zst, this needs the program zstd.
 
     These options read recordings from other programs: `separator` is the separator between cells
-    (`"tab"` or a character); `decimal_comma` says that numbers have a decimal comma; `time_column`
+    (`"tab"` or a character); `decimal_comma` is True if numbers have a decimal comma; `time_column`
     names the column with the times; and `columns` maps names of columns to those in the file, as in
     `{"in.speed": "wheel_speed"}`. Times that a float cannot represent to the nanosecond (beyond
     2^53 ns), such as times since 1970, are exact and relative to the first row;
@@ -154,14 +154,14 @@ def parsed(path: str, text: str, dialect: Dialect = OURS) -> Any:
     except csv.Error as error:
         raise Error(f"{path} is not a recording: {error}") from None
     if not rows:
-        raise Error(f"{path}:{lines + 1}: not a recording: its first column is `time`")
+        raise Error(f"{path}:{lines + 1}: not a recording: the first column must be `time`")
     try:
         time, names = dialect.header(rows[0])
     except InputError as error:
         raise InputError(f"{path}:{lines + 1}: {error}") from None
     if names[0] != "time":
         raise Error(
-            f"{path}:{lines + 1}: not a recording: its first column is `time`, found "
+            f"{path}:{lines + 1}: not a recording: the first column must be `time`, found "
             f"`{names[0]}`{dialect.time_hint(names)}"
         )
     body = rows[1:]
@@ -223,7 +223,8 @@ def _cells(text: str, dialect: Dialect) -> Iterable[List[str]]:
 
 
 def _times(seconds: List[Any], texts: Sequence[str], dialect: Dialect) -> Tuple[List[Any], int]:
-    """Counts times from the first row if floats cannot represent them. Also returns the origin in ns."""
+    """Counts times from the first row if floats cannot represent them. Also returns the origin in
+    ns."""
     if not any(isinstance(one, float) and abs(one) * 1e9 > times.IN_A_FLOAT for one in seconds):
         return seconds, 0
     exact = [times.of_text(dialect.cell(text)) for text in texts]
@@ -238,7 +239,7 @@ def _column(path: str, name: str, texts: Iterable[str], lines: int, dialect: Dia
     try:
         return [_float(text) for text in texts]
     except ValueError:
-        pass  # this includes CellError, which is reported for its row below
+        pass  # also catches CellError, which is reported with its row below
     if set(texts) <= {"true", "false"}:
         return [text == "true" for text in texts]
     values: List[Any] = []
@@ -262,8 +263,8 @@ def _float(text: str) -> float:
 
 
 def _cell(text: str) -> Any:
-    """Parses a cell. An empty cell is an event that does not occur; an event that occurs with NaN
-    needs its constructor.
+    """Parses a cell. An empty cell is an event that does not occur. An event that carries NaN keeps
+    its constructor, because NaN alone would mean a missing value.
     """
     if text.strip() == "":
         return None
@@ -289,8 +290,8 @@ VERDICTS = {"NotAsked", "Holds", "Open", "Fails", None}
 
 
 def _assertions(columns: Dict[str, List[Any]]) -> Dict[str, Assertion]:
-    """Computes the results of the assertions as a host prints them: after an assumption has failed,
-    nothing counts.
+    """Computes the results of the assertions as a host prints them: instants from the first failed
+    assumption on do not count.
     """
     told = {
         name: column

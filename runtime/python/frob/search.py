@@ -98,7 +98,7 @@ class Space:
         times. An input has at most `most` constant parts, or, if `is_restless`, as many parts as
         there are control points. Half of the changes are early, so that they can take effect during
         the rest of the run. Many values are at an end of their range, especially the last value of
-        each input, with which the run settles."""
+        each input, which stays in effect until the end of the run."""
 
         def value(at_end: float) -> float:
             return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()
@@ -162,7 +162,8 @@ CORNERS = 8
 """Maximum number of corners that a search tries."""
 
 OFTEN, MOSTLY = 0.4, 0.8
-"""Probability that a value is at an end of its range."""
+"""Probabilities that a value is at an end of its range: for most values, and for the last value of
+each input."""
 
 FEW = 3
 """Maximum number of parts of an input in the first round of sketches."""
@@ -188,11 +189,11 @@ class Search:
     """Searches for a point with a negative value, in a limited number of runs.
 
     The search first tries the corners. Then it tries random sketches, in which most inputs change
-    only a few times and are often at an end of their range. Such runs break programs with modes
-    more easily than restless ones, but it also tries a few restless ones. After each round of
-    sketches, CMA-ES (Hansen) improves the best sketch that it has not worked on yet: its
-    parameters, and the times and values of its inputs. In each round, sketches may have more parts
-    than in the previous one, up to the number of control points.
+    only a few times and are often at an end of their range. Such runs are more likely to reveal
+    faults of programs with modes than restless runs are, but the search also tries a few restless
+    ones. After each round of sketches, CMA-ES (Hansen) improves the best sketch that it has not
+    worked on yet: its parameters, and the times and values of its inputs. In each round, sketches
+    may have more parts than in the previous one, up to the number of control points.
     """
 
     def __init__(self, space: Space, objective: Objective, runs: int, seed: int) -> None:
@@ -227,8 +228,8 @@ class Search:
         return value
 
     def better(self, value: float, sketch: Sketch) -> None:
-        # CMA-ES adapts a covariance matrix, so it needs at least two numbers; a second number that
-        # has no effect is added if there is only one.
+        # CMA-ES adapts a covariance matrix, so it needs at least two numbers. If there is only one,
+        # this adds a second one, which has no effect.
         count = len(sketch.numbers)
         beginning = sketch.numbers if count > 1 else sketch.numbers * 2
         options = {"seed": self.drawn.randrange(1, 2**31), "verbose": -9}
@@ -243,8 +244,8 @@ class Search:
 
 
 def need_packages(method: str) -> None:
-    """Checks, before anything is compiled, that all packages are installed; otherwise says how to
-    install the missing ones.
+    """Checks that all packages are installed, before anything is compiled. If not, raises an error
+    that says how to install the missing ones.
     """
     needed = ["numpy", "cma"] if method == "cma" else ["numpy"]
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
@@ -263,12 +264,11 @@ def need_packages(method: str) -> None:
 def cma() -> Any:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # this is the warning that it cannot plot without
-            # matplotlib
+            warnings.simplefilter("ignore")  # cma warns that it cannot plot without matplotlib
             import cma
     except ImportError:
         raise Error(
             "the search by CMA-ES needs the package cma, which is not installed: "
-            "`frobc extras install search`, or search at random, which takes more runs (method random)"
+            "run `frobc extras install search`, or use the method random, which takes more runs"
         ) from None
     return cma

@@ -15,7 +15,7 @@ Buffer = Any  # writable memory: a ctypes array, a memoryview
 
 
 def shown(value: Any) -> str:
-    """The value's text for messages, shortened to a line."""
+    """Formats a value for a message, shortened to 60 characters."""
     whole = repr(value)
     return whole if len(whole) <= 60 else whole[:57] + "..."
 
@@ -39,7 +39,7 @@ class Shape:
     """Description for messages, such as `a number`."""
 
     default: Any = REQUIRED
-    """The value of an input that may be omitted, such as the initial value of a control on the
+    """The default of an input that may be omitted, such as the initial value of a control on the
     operator's console.
     """
 
@@ -113,7 +113,7 @@ class Float(Scalar):
 
 def number(value: Any) -> float:
     """Converts a number to a float. Raises TypeError, ValueError or ArithmeticError for anything
-    else: booleans, strings, arrays, integers beyond the largest float."""
+    else: booleans, strings, arrays, and integers beyond the largest float."""
     is_other = isinstance(value, (str, bytes, complex)) or getattr(value, "ndim", 0) != 0
     is_other = is_other or type(value).__name__ in ("complex64", "MaskedConstant")
     if is_other or is_truth(value) or not hasattr(value, "__float__"):
@@ -127,7 +127,7 @@ class Parts(Shape):
     def __init__(self, name: str, is_array: bool, labels: Sequence[str], parts: Sequence[Shape]):
         self.name = name
         self.is_array = is_array
-        self.labels = labels  # name of a record; empty for other types
+        self.labels = labels  # field names of a record; empty for other types
         self.parts = parts
         kind = f"a list of {len(parts)}" if is_array else f"a tuple of {len(parts)}"
         fields = ", ".join(labels)
@@ -258,8 +258,8 @@ class Sum(Shape):
 
 
 def clear(shape: Shape, memory: Buffer, base: int) -> None:
-    """Sets every slot to zero, so that slots that the current constructor does not use do not contain
-    old values.
+    """Sets every slot to zero, so that no old values remain in slots that the new constructor does
+    not use.
     """
     if isinstance(shape, Scalar):
         shape.packed.pack_into(memory, base + shape.offset, 0)
@@ -274,7 +274,7 @@ def clear(shape: Shape, memory: Buffer, base: int) -> None:
 
 
 def from_text(shape: Shape, text: str, place: str) -> Any:
-    """Parses a value. In a cell that contains an event, the text omits the constructor `Event`."""
+    """Parses a value. The text of an event omits the constructor `Event`."""
     if text.strip() == "" and isinstance(shape, Sum) and shape.is_event:
         return None
     if isinstance(shape, Sum) and text.strip() in shape.numbers and not shape.is_event:
@@ -311,7 +311,7 @@ def _of_kind(value: table.Value, defaults: Defaults) -> Shape:
     if kind == table.SINGLE:
         return Float("f", "float32", offset)
     if kind == table.IMAGE:
-        raise Error("it uses camera images: run it with `frobc trace` or `frob.simulate`")
+        raise Error("the program uses camera images: run it with `frobc trace` or `frob.simulate`")
     constructors = [_parts(value.constructors[i], kind, defaults) for i in range(value.count)]
     if kind == table.SUM:
         return Sum(offset, bool(value.is_event), constructors)

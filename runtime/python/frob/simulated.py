@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SEED = "--seed"
-"""The seed of the noise, which a search varies along with parameters and disturbances."""
+"""The name under which a search varies the seed of the noise, along with parameters and
+disturbances."""
 
 TOUCHES = Claim("touches nothing", False, shapes.Bool(0), None, "")
-"""The additional assertion of simulated runs, which the simulator decides rather than the
-program."""
+"""The additional assertion of simulated runs. The simulator evaluates it, not the program."""
 
 
 class World:
@@ -37,7 +37,8 @@ class World:
         self.varied = list(varied)
         if varied and re.search(r"^\s*picture\s*=", self._text, re.MULTILINE):
             raise InputError(
-                f"{path} refers to pictures, which a modified copy of the file cannot find: remove the disturbances"
+                f"{path} refers to pictures, which a modified copy of the file cannot find: "
+                "remove the disturbances"
             )
 
     def text(self, values: Mapping[str, float]) -> str:
@@ -73,7 +74,7 @@ def disturbances(given: Mapping[str, Any]) -> List[search.Range]:
         place = f"disturbance {name}"
         if not isinstance(name, str) or not re.fullmatch(r"[a-z_]+\.[a-z_]+", name):
             raise InputError(
-                f"{place}: expected a table of the world file and its key, such as sonar.noise"
+                f"{place}: expected a table and a key of the world file, such as sonar.noise"
             )
         numbers = [_number(place, end) for end in ends(place, value)]
         if len(numbers) != 2:
@@ -103,8 +104,8 @@ class Simulated(Subject):
 
     def __init__(self, code: library.Library, world: World, duration: float, rate: float) -> None:
         super().__init__(code, duration, rate)
-        # `time` and `nanoseconds` contain only the instants of the last run, which an outage
-        # reduces.
+        # `time` and `nanoseconds` contain only the instants of the last run, without those that
+        # fall into an outage.
         self._all = self.time, self.nanoseconds
         self.world = world
         self._input = ctypes.create_string_buffer(code.table.input_size + 1)
@@ -168,7 +169,8 @@ class Simulated(Subject):
             sim.close()
         if not ran:
             raise Error(
-                f"the program has no instant, because the outage of {self.world.path} covers the whole run"
+                f"the program never runs, because the outage in {self.world.path} covers the "
+                "whole run"
             )
         self.time, self.nanoseconds = time[ran], nanoseconds[ran]
         self._memory = memory[: len(ran) * table.output_size]

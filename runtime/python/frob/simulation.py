@@ -42,12 +42,13 @@ def simulate(
 ) -> "Table":
     """Drives a robot in a world and returns the recording, in the form that `frob.read` returns.
 
-    The default for `world` is the `world.toml` in the program's folder, or else the room that is
-    installed with frobc. `params` are numbers in the parameters' units, or texts such as
+    The default for `world` is `world.toml` in the program's folder or, if there is none, the room
+    that is installed with frobc. `params` are numbers in the parameters' units, or strings such as
     `"20[cm]"`. `probe` names internal signals to record. If `until_done` is true, the run ends when
-    the program ends. In addition to those of a recording, `attrs` has `summary`, the summary that
-    `frobc run` prints, as a dict, and `picture` if it was requested. In a world with several robots
-    the table is that of the first one, and `attrs["robots"]` has the tables of all.
+    the program ends. In addition to the attributes of a recording, `attrs` has `summary` (the
+    summary that `frobc run` prints, as a dict) and, if requested, `picture`. If the world has
+    several robots, the table is the recording of the first one, and `attrs["robots"]` is a list of
+    all tables.
     """
     path = tools.existing(file, "program")
     for name, flag in (("until_done", until_done), ("picture", picture)):
@@ -111,8 +112,8 @@ def _recorded(folder: str) -> List[Any]:
 
 
 def _settings(params: Mapping[str, Any], options: Sequence[str], folder: str) -> List[str]:
-    """Converts parameters to options. A number gets the unit that the program declares; to find it,
-    this runs a single instant and reads the recording's header."""
+    """Converts parameters to options. A number gets the unit that the program declares. To find the
+    unit, this runs a single instant and reads the recording's header."""
     units: Dict[str, str] = {}
     if any(not isinstance(value, str) for value in params.values()):
         _run(options, 0.001, folder)

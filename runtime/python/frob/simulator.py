@@ -45,7 +45,7 @@ class Collision(c.Structure):
 
 
 class Truth(NamedTuple):
-    """The robot's true pose in the world."""
+    """The robot's true state in the world."""
 
     x: float
     y: float
@@ -156,7 +156,8 @@ class Simulator:
             return self._lib.frob_sim_input_size(sim), self._lib.frob_sim_output_size(sim)
 
     def read(self, time_ns: int, memory: Any) -> bool:
-        """Runs the physics up to this time, which must not go back, and reads the sensors.
+        """Runs the physics up to this time, which must not decrease between calls, and reads the
+        sensors.
 
         During an outage of the world, it commands a stop instead and returns False, because the
         program has no instant."""

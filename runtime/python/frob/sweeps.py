@@ -1,4 +1,4 @@
-"""Performs many runs of a trial in the same way as `frobc sweep`, on this machine or on a cluster."""
+"""Performs many runs of a trial, like `frobc sweep`, on this machine or on a cluster."""
 
 from __future__ import annotations
 

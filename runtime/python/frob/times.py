@@ -29,7 +29,8 @@ def of_text(text: str) -> Optional[int]:
 
 
 def of_value(value: Any) -> Optional[int]:
-    """Nanoseconds of a time in seconds, given as a number or a string."""
+    """Converts a time in seconds, a number or a string, to nanoseconds. None if it is invalid or
+    too large."""
     if isinstance(value, str):
         return of_text(value.strip())
     if isinstance(value, decimal.Decimal):
@@ -47,18 +48,18 @@ def of_value(value: Any) -> Optional[int]:
 
 
 MOST_DT = 1e9
-"""Maximum dt in seconds. A longer one is treated as this, as in generated C."""
+"""Maximum dt in seconds. Longer steps are clamped to this, as in generated C."""
 
 
 def of_dt(seconds: float) -> int:
-    """Rounds a dt, which must not be negative, to nanoseconds. Rounds halves to even, as generated C
-    does."""
+    """Rounds a dt, which must not be negative, to nanoseconds. Rounds halves to even, as generated
+    C does."""
     return round(min(seconds, MOST_DT) * 1e9)
 
 
 def hint(seconds: Any) -> str:
-    """Returns a hint for the message about a time that is too large, in the words of `frobc`. The
-    hint says that it looks like a time since 1970 in a smaller unit, or is an empty text.
+    """Returns a hint, in the words of `frobc`, for a time that is too large. If it looks like a
+    time since 1970 in a smaller unit, the hint says so; otherwise, it is an empty string.
     """
     try:
         size = abs(float(seconds))

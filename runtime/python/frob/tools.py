@@ -26,8 +26,8 @@ BESIDE = Path(__file__).resolve().parents[4]
 
 
 def frobc() -> str:
-    """Finds frobc: the path in FROBC if it is set, otherwise the one in the wheel or the installation
-    that contains this package, otherwise the one on PATH.
+    """Finds frobc: the path in FROBC if it is set, otherwise the one in the wheel or the
+    installation that contains this package, otherwise the one on PATH.
     """
     named = os.environ.get("FROBC")
     found = named or str(INSTALLED / "bin" / "frobc")
@@ -72,7 +72,7 @@ def run(arguments: Sequence[str]) -> str:
     if done.returncode == REJECTED:
         raise CompileError(told)
     if done.returncode != 0:
-        raise Error(told or f"frobc ended with status {done.returncode}")
+        raise Error(told or f"frobc exited with status {done.returncode}")
     if told:
         warnings.warn(told, FrobWarning, stacklevel=4)
     return done.stdout.decode("utf-8", "replace")
@@ -101,14 +101,14 @@ def paths(given: Sequence[PathLike], what: str) -> List[PathLike]:
 
 
 def word(value: str, what: str) -> str:
-    """Checks a string that is to be a command-line argument."""
+    """Checks a string that will be passed as a command-line argument."""
     if not isinstance(value, str):
         raise InputError(f"{what}: expected a string, found {value!r:.60}")
     return path_text(value, what)
 
 
 def words(given: Sequence[str], what: str) -> List[str]:
-    """Checks a list of strings. A single string is treated as a list of one."""
+    """Checks a list of strings. A single string is treated as a list with that string."""
     return [word(one, what) for one in ([given] if isinstance(given, str) else paths(given, what))]
 
 

@@ -2,7 +2,7 @@
 #ifndef FROB_TCC_MATH_H
 #define FROB_TCC_MATH_H
 
-/* The functions that IEEE 754 defines to the last bit. */
+/* Functions whose results IEEE 754 specifies exactly. */
 double floor(double x);
 float floorf(float x);
 double ceil(double x);
@@ -39,7 +39,7 @@ int __isinf(double x);
 int __finite(double x);
 int __signbit(double x);
 
-/* A float stays in the same class when it is converted to double. */
+/* These also accept floats: the conversion to double preserves the sign, NaN and infinity. */
 #define isnan(x) (__isnan(x) != 0)
 #define isinf(x) (__isinf(x) != 0)
 #define isfinite(x) (__finite(x) != 0)

@@ -25,7 +25,7 @@ If the joystick is silent, all its buttons are released. Its messages can be unu
   $ faults="joy_small=0"; warned
   warning: a message on /joy is ignored: `joy.drive=1` needs 2 buttons, and it has 1: change this setting
   $ faults="joy_nan=0"; warned
-  warning: a message on /joy is ignored: an axis is not a number
+  warning: a message on /joy is ignored: an axis is not a finite number
 
 A press before the program runs is ignored.
 

@@ -218,7 +218,7 @@ Conflicts with other nodes are reported:
   $ run_node 1.5s "other_type=0 wants_stamped=0 same_name=0"; cat messages
   warning: /odom has two types, so no message gets through: the node base publishes geometry_msgs/msg/PoseStamped, and this program needs nav_msgs/msg/Odometry
   warning: /cmd_vel has two types, so no message gets through: the node base subscribes to geometry_msgs/msg/TwistStamped, and this program needs geometry_msgs/msg/Twist; add `--set stamped=1`
-  warning: there is another node of the name /drive; rename this one with `--ros-args -r __node:=NAME`
+  warning: there is another node named /drive; rename this one with `--ros-args -r __node:=NAME`
 
   $ run_node 1.5s wants_old=0; cat messages
   warning: the node base subscribes to /cmd_vel with the durability `transient local`, so no message gets through: old velocities are not kept. Let it subscribe with the durability `volatile`

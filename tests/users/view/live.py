@@ -289,7 +289,7 @@ async def commands(frobc, program):
         check("and no others", await page.stands() == at + 3)
         check(
             "another page may not",
-            await other.send("go") == ["another page operates this run"]
+            await other.send("go") == ["another page is operating this run"]
             and not other.state["operates"],
         )
         await other.send("take")

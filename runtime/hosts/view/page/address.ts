@@ -8,7 +8,8 @@ export interface Shown {
   readonly plots?: string | undefined;
 }
 
-/** Minimum time between changes of the address, in ms, because browsers limit them. */
+/** Minimum time between changes of the address, in ms. Browsers limit how often a page may change
+ * it. */
 const pause = 400;
 
 export function token(): string {

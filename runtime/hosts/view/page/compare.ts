@@ -10,7 +10,7 @@ function part<T extends HTMLElement>(host: HTMLElement, id: string): T {
   return found;
 }
 
-/** Returns a function that handles the viewer's answer to a new alignment. */
+/** Returns a function that handles the viewer's answer to an alignment request. */
 export function startComparison(store: Store, host: HTMLElement): (answer: Align) => void {
   const said = part<HTMLOutputElement>(host, "compared");
   const go = part<HTMLButtonElement>(host, "first-difference");
@@ -33,7 +33,7 @@ export function startComparison(store: Store, host: HTMLElement): (answer: Align
     const shift = other.shift === 0 ? "" : `, shifted by ${formatTime(-other.shift)}`;
     const inside = other.runs
       ? ""
-      : " It is from another version: only inputs and outputs are known.";
+      : " It is from another version of the program, so only inputs and outputs are known.";
     const differs =
       other.first === undefined
         ? "The outputs are the same at all instants."

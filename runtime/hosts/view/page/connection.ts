@@ -1,10 +1,10 @@
-// The WebSocket to the viewer. Its address contains the token, and it reconnects after it was
+// The WebSocket to the viewer. Its address contains the token, and it reconnects whenever it is
 // closed. A question waits for its answer, across several connections if necessary; a command is
 // sent immediately or not at all.
 import { token } from "./address";
 import type { Answer, Picture } from "./protocol";
 
-/** Parses JSON, a line feed, and pixels of one or three bytes. */
+/** Parses a message that consists of JSON, a line feed, and pixels of one or three bytes each. */
 function readPicture(message: ArrayBuffer): Picture {
   const bytes = new Uint8Array(message),
     feed = bytes.indexOf(10);
@@ -26,8 +26,8 @@ const answerOf: Readonly<Record<string, string>> = {
   drive: "what-if",
   with: "what-if",
 };
-/** Maximum number of questions sent; the viewer accepts fewer than 64 pending questions of a
- * page. */
+/** Maximum number of unanswered questions that the page has sent. The viewer accepts fewer than 64
+ * pending questions from a page. */
 const mostSent = 32;
 /** Delays before reconnecting, in ms. */
 const soon = 250,
@@ -45,12 +45,12 @@ export interface Listener {
   /** `question` is the text of the question that was answered; empty if the message is not an
    * answer. */
   answered(answer: Answer, question: string): void;
-  /** The connection was closed, for this reason. If `final` is true, the page does not
+  /** The connection was closed, and `why` is the reason. If `final` is true, the page does not
    * reconnect. */
   closed(why: string, final: boolean): void;
 }
 
-/** Answers questions: a viewer, or the data of a saved page. */
+/** A source of answers: a viewer or the data in a saved page. */
 export interface Link {
   readonly isOpen: boolean;
   ask(text: string): void;
@@ -135,7 +135,7 @@ export class Connection implements Link {
   /** Returns false if the command cannot be sent; it is not sent later. */
   command(text: string): boolean {
     if (!this.isOpen) return false;
-    // A stop has no timestamp, because it is never too late.
+    // A stop has no timestamp, because the viewer must never reject it as too old.
     this.socket?.send(text === "stop" ? text : `at ${this.time || 0} ${text}`);
     return true;
   }

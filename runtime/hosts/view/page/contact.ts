@@ -1,9 +1,9 @@
 // Monitors the contact between the page and the run. The page must not present old data as current:
 // after half a second without news it turns grey, and shows the time of the last news.
 //
-// News has two sources: the viewer sends a beat ten times a second, and the beat contains the state
-// of the host, which runs the program, from the memory that the viewer and the host share. A live
-// run also has new instants.
+// Ten times a second, the viewer sends a beat. It contains the state of the host, the process that
+// runs the program, which the viewer reads from memory that it shares with the host. New instants
+// of a live run are news, too.
 import type { Beat, Live, Program, RunFate } from "./protocol";
 
 /** Maximum silence, in ms. */
@@ -28,7 +28,8 @@ export type Silent =
 export class Contact {
   silent: Silent = "nobody";
   private readonly says = document.createElement("span");
-  /** The seconds of silence, hidden from screen readers so that they do not read each one. */
+  /** The seconds of silence, hidden from screen readers so that they are not read out every
+   * second. */
   private readonly counts = document.createElement("span");
   /** The state of the run, as its host reports it. */
   fate: RunFate = "goes on";
@@ -49,7 +50,7 @@ export class Contact {
   private until = -Infinity;
   private lastTick = performance.now();
   private wasLate = false;
-  /** The delay of the last checks, because the page was blocked. */
+  /** Total delay of the last checks, which were late because the page was blocked. */
   private lateness = 0;
 
   constructor(
@@ -63,7 +64,7 @@ export class Contact {
     setInterval(() => this.tick(), period);
   }
 
-  /** Whether no process would execute a command from the page now. */
+  /** Whether a command from the page would be lost now, because no process would execute it. */
   get isLost(): boolean {
     return this.silent !== "nobody" && this.silent !== "instants";
   }
@@ -73,7 +74,7 @@ export class Contact {
     return new Date(Date.now() - (performance.now() - this.since)).toLocaleTimeString();
   }
 
-  /** Must be called for each message. */
+  /** Must be called for each message that the viewer sends. */
   heard(): void {
     this.viewerHeard = performance.now();
     this.closedAt = null;
@@ -101,7 +102,8 @@ export class Contact {
     this.isPaused = isPaused;
   }
 
-  /** Restarts the wait for instants, because the page has only now requested them. */
+  /** Restarts the timeout for new instants. Must be called when the page requests them or the run
+   * is resumed. */
   expectInstants(): void {
     if (this.instants > 0) this.instantHeard = performance.now();
   }
@@ -118,8 +120,8 @@ export class Contact {
       isLate = late > 2 * period;
     this.lateness = late + (this.wasLate ? this.lateness : 0);
     this.lastTick = now;
-    // If the page was blocked, lets it read the messages that have arrived in the meantime, but
-    // only once.
+    // After the page was blocked, skips one check, so that the page first reads the messages that
+    // have arrived in the meantime.
     if (isLate && !this.wasLate) {
       this.wasLate = true;
       return;

@@ -3,7 +3,7 @@
 // run of the program.
 import type { Link } from "./connection";
 
-/** Delay after a change until the state is kept, in ms. */
+/** Delay between a change and saving the state, in ms. */
 const soon = 500;
 /** Maximum length of a request to the viewer, less than its limit of 64 kB. */
 const longest = 60_000;
@@ -50,7 +50,7 @@ export class Kept {
     }
   }
 
-  /** The state as JSON, with these values, for a saved page. */
+  /** Returns the state as JSON for a saved page, with these values added. */
   text(more: Record<string, Json>): string {
     return JSON.stringify({ ...this.all, edited: null, ...more });
   }

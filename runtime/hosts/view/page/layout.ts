@@ -80,8 +80,8 @@ export class Layout {
 
   /** Moves a bar by a number of pixels. Returns the number of pixels by which it has moved. */
   private move(name: Bar, by: number, isUpright: boolean): number {
-    // All panels of the row or column get proportions in pixels, so that the other panels keep
-    // their sizes.
+    // Sets the proportions of all panels in the row or column to their sizes in pixels, so that the
+    // other panels keep their sizes.
     const names: readonly string[] = isUpright ? ["source", "middle", "side"] : bars[name];
     const size = (each: string) => {
       const box = panel(each)?.getBoundingClientRect();
@@ -106,7 +106,7 @@ export class Layout {
     this.onChange();
   }
 
-  /** Reports the position to screen readers. */
+  /** Reports the bar's position to screen readers. */
   private tell(bar: HTMLElement, name: Bar, isUpright: boolean): void {
     const [before, after] = bars[name].map((each) => {
       const box = panel(each)?.getBoundingClientRect();

@@ -110,7 +110,7 @@ function say(title: string, text: string): void {
   element("opening").replaceChildren(head, body);
 }
 
-/** The reasons why the viewer refuses a page. */
+/** Explains why the viewer refused the page, and what the user can do. */
 function sayRefusal(why: string): void {
   if (token() === "")
     say(
@@ -120,14 +120,14 @@ function sayRefusal(why: string): void {
     );
   else if (/token/.test(why))
     say(
-      "The token of this address is wrong",
+      "The token in this address is wrong",
       "The address is incomplete, or it belongs to another viewer, which has ended. Open the address " +
         "that frobc printed last.",
     );
   else if (/too many pages/.test(why))
     say(
       "Too many pages are open",
-      "The viewer serves four pages. Close one of them; this one waits.",
+      "The viewer serves at most four pages. Close one of the others, and this page will connect.",
     );
   else
     say(
@@ -227,8 +227,8 @@ function extend(extent: Program | Live): void {
   contact.extent(extent, (newest?.dt ?? 0) / (run?.speed ?? 1));
 }
 
-/** Returns how long the page pauses between frames of a run at a speed relative to real time, in ms:
- * drawing takes processor time from a fast run. */
+/** Returns the pause between frames, in ms. `speed` is the speed of the run relative to real time.
+ * A fast run needs pauses because drawing takes processor time from it. */
 function pauseAt(speed: number): number {
   return speed > 100 ? 200 : speed > 20 ? 100 : 0;
 }
@@ -344,7 +344,7 @@ function failed(what: string): void {
 
 window.addEventListener("error", (event) => failed(event.message));
 window.addEventListener("unhandledrejection", (event) => failed(String(event.reason)));
-// The user has opened the address of another viewer in this tab.
+// Reloads the page when the user opens the address of another viewer in this tab.
 const openedWith = token();
 window.addEventListener("hashchange", () => {
   if (token() !== openedWith) location.reload();

@@ -38,7 +38,7 @@ export interface Transition {
 export interface Control {
   readonly kind: ControlKind;
   readonly label: string;
-  /** For a knob. */
+  /** The unit and the range of a knob. */
   readonly unit: string;
   readonly least: number;
   readonly most: number;
@@ -238,11 +238,11 @@ export interface Why extends Place {
   readonly is: "why";
   readonly k: number;
   readonly signal: number;
-  /** The first instant since which the signal has had this value. If `longer` is true, it may have
-   * had the value even earlier. */
+  /** The instant from which the signal has had this value. If `longer` is true, it may have had the
+   * value even earlier. */
   readonly since: { readonly k: number; readonly time: number; readonly longer: boolean };
   readonly sources: readonly Origin[];
-  /** For the running mode of a machine. */
+  /** The transitions that led to this value, if the signal is the running mode of a machine. */
   readonly switches?: readonly Switch[];
 }
 
@@ -264,7 +264,7 @@ export interface Fate {
   /** Whether it had to hold at some instant. */
   readonly asked: boolean;
   readonly open: boolean;
-  /** The text of a summary: `violated, first at 3.200 s; in total at 2 instants`. */
+  /** A summary, such as `violated, first at 3.200 s; in total at 2 instants`. */
   readonly text: string;
 }
 
@@ -289,8 +289,8 @@ export interface Claims {
   readonly all: readonly Claim[];
 }
 
-/** The number of times that the first simulated robot began to touch an object, and the time and the
- * robot's place for each contact. */
+/** The number of times that the first simulated robot began to touch an object, and the time and
+ * position of each contact. */
 export interface Contacts {
   readonly is: "contacts";
   readonly count: number;

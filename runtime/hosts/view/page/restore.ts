@@ -1,5 +1,5 @@
-// Restores the state of the page from its address, from the tab before a reload, or from an earlier
-// run of the program; and keeps changes of the state.
+// Restores the state of the page from its address, from the tab's storage after a reload, or from
+// an earlier run of the program. Saves each change of the state.
 import { shown, update } from "./address";
 import type { Kept, Json } from "./kept";
 import type { Layout, Sizes } from "./layout";
@@ -19,7 +19,7 @@ function isObject(value: Json | undefined): value is { readonly [key: string]: J
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** A hash of a text, which shows whether a program has changed. */
+/** Returns a hash of a text, for detecting that a program has changed. */
 function hash(text: string): number {
   let sum = 0;
   for (const character of text) sum = (sum * 31 + (character.codePointAt(0) ?? 0)) | 0;
@@ -77,7 +77,8 @@ function keptRange(kept: Kept): readonly [number, number] | undefined {
   return typeof from === "number" && typeof to === "number" ? [from, to] : undefined;
 }
 
-/** Shows the instant and the range of the address, or else the start; and keeps the address. */
+/** Shows the instant and the range given in the address, or the defaults. Then keeps the address up
+ * to date. */
 function restoreTime(store: Store, kept: Kept): void {
   const { at, range = keptRange(kept) } = shown();
   const { program } = store;
@@ -95,7 +96,7 @@ function restoreTime(store: Store, kept: Kept): void {
   };
   for (const change of ["instant", "range", "plotted", "following"] as const)
     store.on(change, () => update(now));
-  // The user has edited the address, or followed a link to another view.
+  // Handles an address that the user has edited, or a link to another view.
   window.addEventListener("hashchange", () => {
     const wanted = shown();
     if (wanted.plots !== undefined) store.setPlots(readPlots(wanted.plots, program));

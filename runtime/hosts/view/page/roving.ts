@@ -16,7 +16,7 @@ export function startRoving(list: HTMLElement): void {
     current = button;
     button.tabIndex = 0;
   };
-  /** Buttons that are added later are not tab stops; exactly one button is. */
+  /** Ensures that exactly one button is a tab stop, even after buttons are added or hidden. */
   const tidy = () => {
     for (const button of list.querySelectorAll<HTMLElement>("button"))
       if (button !== current) button.tabIndex = -1;

@@ -85,7 +85,7 @@ export class Store {
   whatIf: WhatIf | null = null;
   /** The recording to compare with; null if there is none. */
   other: Other | null;
-  /** Whether the editor receives keys. */
+  /** Whether the user is editing the program. */
   isEditing = false;
   /** The edited text, which is kept when the editor is closed; null if the text is unchanged. */
   edited: string | null = null;
@@ -115,7 +115,7 @@ export class Store {
   };
   private pictureIsAsked = false;
   private pictureIsWanted = false;
-  /** For the current pixels, the requested width and the instant. */
+  /** The requested width and the instant of the current image. */
   private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path | null) => void>();
@@ -302,12 +302,12 @@ export class Store {
     return this.other !== null || (this.whatIf?.there ?? false);
   }
 
-  /** The label of these values. */
+  /** The label of the values of the edited program or of the other recording. */
   get otherWord(): string {
     return this.whatIf?.there ? "what if" : "other";
   }
 
-  /** The name of their source: a recording, or the edited program. */
+  /** The name of the other recording, or "edited" for the edited program. */
   get otherName(): string {
     return this.whatIf?.there ? "edited" : (this.other?.name ?? "");
   }
@@ -336,7 +336,7 @@ export class Store {
     this.changed("range");
   }
 
-  /** Shows a longer or shorter part of the run in the plots, around the instant. */
+  /** Shows a longer or shorter part of the run in the plots, around the current instant. */
   zoom(factor: number): void {
     const [from, to] = this.range;
     const middle = Math.max(from, Math.min(to, this.instant?.time ?? from));
@@ -398,7 +398,7 @@ export class Store {
     if (plot.signals.includes(signal)) return true;
     const signals = [...plot.signals, signal];
     if (axesOf(signals, this.program).length > mostAxes) {
-      this.complain("a plot has at most two axes, so two different units");
+      this.complain("a plot has at most two axes, so it can show at most two different units");
       return false;
     }
     plot.signals = signals;
@@ -476,7 +476,7 @@ export class Store {
 
   private askNextPicture(): void {
     const { width } = this.shownIn;
-    // While a run is followed, requests the newest picture.
+    // While the page follows a live run, requests the newest picture.
     const k = this.following ? "newest" : this.instant?.k;
     if (k === undefined) return;
     const has = this.picture.width === width ? (this.picture.at ?? -1) + 1 : 0;

@@ -1,4 +1,4 @@
-// The labelled positions of axes.
+// Chooses the positions to label on axes.
 
 /** Returns the smallest of the numbers 1, 2 and 5 times a power of ten that is not less than
  * `least`. */
@@ -7,8 +7,8 @@ export function niceStep(least: number): number {
   return [1, 2, 5].map((x) => x * power).find((x) => x >= least * (1 - 1e-9)) ?? 10 * power;
 }
 
-/** Returns the times to label on an axis with this number of pixels. They are at least
- * `space` pixels apart. */
+/** Returns the times to label on an axis that is `width` pixels long. They are at least `space`
+ * pixels apart. */
 export function timeTicks(from: number, to: number, width: number, space = 80): number[] {
   if (!(to > from) || !(width > 0)) return [];
   const step = niceStep(((to - from) * space) / width);

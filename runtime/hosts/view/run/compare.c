@@ -60,7 +60,7 @@ bool compare_instant(const struct what_if *other, const struct recording *record
             high = middle;
     }
     *there = low;
-    /* The last instant is as long as the one before it. */
+    /* Assumes that the last instant is as long as the one before it. */
     return low + 1 < its->count || low == 0 ||
            time - its->times[low] <= its->times[low] - its->times[low - 1];
 }

@@ -18,7 +18,7 @@ struct shown {
     size_t marks; /* instant that drew the marks, or NO_INSTANT */
 };
 
-/* One element of the drawing: an event of a mark. */
+/* One element of the drawing: an event that contains a mark. */
 struct drawn {
     const struct signal *signal;
     const struct frob_value *mark;
@@ -41,7 +41,7 @@ void display_end(struct display *display);
 /* Updates the display with the output of the next instant. */
 void display_see(struct display *display, size_t k, const void *output);
 
-/* Returns whether this element draws on the image in an output. */
+/* Returns whether this element of the drawing, in an output, is a mark on the image. */
 bool display_is_mark(const struct display *display, size_t element, const void *output);
 
 #endif

@@ -7,7 +7,7 @@
 #include "../../common/ring.h"
 
 struct live {
-    struct ring *ring;         /* NULL: a recording of a run that is over */
+    struct ring *ring;         /* NULL for the recording of a run that is over */
     const char *file;          /* file in which the host records; NULL if there is none */
     struct catching *catching; /* reads missed instants from `file`; NULL until it is needed */
     const struct signals *signals;
@@ -16,14 +16,15 @@ struct live {
     bool full;                             /* whether memory has run out */
     long host;                             /* process id of the host, the parent process */
     uint64_t left;                         /* index of the next instant of the run to add */
-    bool is_behind;                        /* whether more instants are known to be published */
+    bool is_behind;                        /* whether the host is known to have published more
+                                            * instants */
     bool has_ended;                        /* whether the run is over and all of it has been
                                             * added */
 };
 
-/* Prepares, without reading any instants. The program of the signals must be the one that the host
- * runs, but may have additional probes. On failure, prints a line on standard error and returns
- * false. */
+/* Prepares for a live run without reading any instants. The program of the signals must be the one
+ * that the host runs, but may have additional probes. On failure, prints a line on standard error
+ * and returns false. */
 bool live_start(struct live *live, struct ring *ring, const char *file,
                 const struct signals *signals, struct recording *recording);
 void live_end(struct live *live);

@@ -30,7 +30,8 @@ struct reader {
     const struct signal **columns; /* the signal for each cell of a row; NULL if the cell is not
                                     * read */
     size_t width;
-    /* The previous row, because most cells of a row are unchanged. */
+    /* The previous row. Most cells of a row are the same as in this one and need not be parsed
+     * again. */
     struct {
         char *text;
         size_t *starts;    /* offsets of its cells in the text */
@@ -212,7 +213,8 @@ static void remember(struct reader *r)
     r->before.next = r->recording->count;
 }
 
-/* If a value cannot be read because its frame is missing, records this and returns true. */
+/* Returns true if a value cannot be read because its frame is missing, and records the missing
+ * frame. */
 static bool lost_frame(struct reader *r, const struct signal *signal, const char *cell,
                        unsigned char *input)
 {
@@ -309,7 +311,7 @@ static bool read_rows(struct reader *r)
             note(r, "%s%s",
                  status == CSV_UNREADABLE  ? packed_reason(r->recording->name, errno)
                  : status == CSV_NO_MEMORY ? "not enough memory"
-                 : status == CSV_TOO_LONG  ? "a row has more than 16 MB or a million cells"
+                 : status == CSV_TOO_LONG  ? "a row has more than 16 MB or over a million cells"
                                            : "this is not CSV",
                  and_after);
             return false;

@@ -19,21 +19,22 @@ struct recording {
     unsigned char *inputs; /* `count` input structs of the program */
     /* The recorded part of `count` output structs. Signals that were not recorded are zero. */
     unsigned char *outputs;
-    size_t output_size;   /* size of that part, which is followed by inner signals */
+    size_t output_size;   /* size of that part; inner signals follow it in the struct */
     bool *recorded;       /* for each signal: whether the recording has its column */
     struct buffer params; /* recorded parameters: NAME=VALUE, each with a NUL */
     bool has_all_inputs;  /* whether the program can be run on the recording */
     /* The frames next to the recording. The images that inputs point to stay valid as long as this
-     * exists. */
+     * reader exists. */
     struct frame_reader frames;
     struct buffer notes; /* lines about problems and parts that were ignored */
     size_t capacity;
     /* The first instant for which the program cannot be run, because it follows missed instants of
      * a live run or because its frame is missing. NO_GAP if there is no such instant. */
     size_t gap;
-    const struct frob_value **eyes; /* the events of frames in the program's input */
+    const struct frob_value **eyes; /* the events in the program's input that contain frames */
     size_t eye_count;
-    struct lost_frame *lost; /* frames that are missing; the events of these frames do not occur */
+    struct lost_frame *lost; /* missing or changed frames, whose events are removed from the
+                              * input */
     size_t lost_count;
     size_t checked; /* the frames of the instants before this one have been checked */
     /* `count` structs of the simulator's ground truth, of `truth_size` bytes each; or NULL. */
@@ -51,10 +52,10 @@ struct lost_frame {
     bool is_there; /* whether the file exists but has changed */
 };
 
-/* Starts to read a file, and reads its first rows, which are usually all of its rows. Ignores parts
- * that do not match the program, and adds a line about each to `notes`. These are columns that the
- * program does not have, and all rows starting with the first one that cannot be read. If nothing
- * is left, prints a line on standard error and returns false. */
+/* Opens a file and reads its first rows, which are usually all of its rows. Ignores columns that
+ * the program does not have, and all rows from the first one that cannot be read; adds a line about
+ * each problem to `notes`. If nothing is left, prints a line on standard error and returns
+ * false. */
 bool recording_read(struct recording *recording, const struct signals *signals, const char *name,
                     const struct csv_dialect *dialect);
 

@@ -70,7 +70,7 @@ static bool find_compared(struct replay *replay)
     return replay->compared != NULL;
 }
 
-/* Sets the parameters that this program has. */
+/* Sets the program's parameters. Ignores settings for parameters that it does not have. */
 static void set_params(struct replay *replay, const struct buffer *settings)
 {
     char why[PARAMS_WHY];
@@ -113,7 +113,7 @@ bool replay_is_whole(const struct replay *replay)
     return !replay->runs || replay->reached >= last_of(replay);
 }
 
-/* Restores the last stored state that is not after instant `k`. */
+/* Restores the last state that was stored for instant `k` or an earlier one. */
 static void go_back(struct replay *replay, size_t k)
 {
     memcpy(replay->state, kept_at(replay, k), replay->signals->program->state_size);

@@ -34,9 +34,9 @@ struct replay {
     struct watch watch;     /* assertions before instant `reached` */
 };
 
-/* Prepares without running anything. The program of the signals need not be the one for which the
- * recording was read, but must have the same input and output. Sets the parameters in `settings`
- * (see recording.h). Returns false if memory runs out. */
+/* Prepares a replay without running any instant. The program of the signals need not be the one for
+ * which the recording was read, but must have the same input and output. Sets the parameters in
+ * `settings` (see recording.h). Returns false if memory runs out. */
 bool replay_start(struct replay *replay, const struct signals *signals, struct recording *recording,
                   const struct buffer *settings);
 void replay_end(struct replay *replay);

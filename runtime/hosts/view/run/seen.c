@@ -11,8 +11,8 @@ bool seen_is_eye(const struct frob_value *value)
     return value->kind == FROB_SUM && value->is_event && frames_has_images(value);
 }
 
-/* Finds the events of frames that are not nested in other such events, and stores them unless
- * `eyes` is NULL. Returns their number. */
+/* Finds the events that contain images and are not nested in other such events. Stores them in
+ * `eyes`, unless it is NULL. Returns their number. */
 static size_t find_eyes(const struct frob_value *value, const struct frob_value **eyes)
 {
     size_t count = 0;
@@ -39,8 +39,8 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* Returns the last part of the frame reader's last message, which is the place and the reason,
- * without the text that was expected. */
+/* Returns the part of the frame reader's last message that gives the place and the reason, without
+ * the expected text in front of it. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');

@@ -7,7 +7,8 @@
 /* Returns whether a value is an event that contains an image. */
 bool seen_is_eye(const struct frob_value *value);
 
-/* Finds all such events in the program's input. Returns false if memory runs out. */
+/* Finds all events that contain an image in the program's input, and stores them in `eyes`. Returns
+ * false if memory runs out. */
 bool seen_start(struct recording *recording);
 
 /* Records that a frame of an instant is missing or has changed, and removes its event from the

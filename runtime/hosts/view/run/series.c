@@ -92,7 +92,8 @@ static void run_over(struct replay *replay, struct kept_series *const *wanted, s
 
 enum { TOGETHER = SERIES_KEPT / 2 };
 
-/* When a signal is new, adds all modes, because a page requests them together. */
+/* When a signal is requested for the first time, adds all modes, because a page requests them
+ * together. */
 static size_t add_modes(struct series *series, struct kept_series **wanted, size_t count)
 {
     const struct signals *signals = series->replay->signals;
@@ -159,7 +160,8 @@ void series_forget(struct series *series)
     series_start(series, replay);
 }
 
-/* Visits one column of the plot, which has at least five instants. */
+/* Visits the first, least, greatest and last instant of one column of the plot. The column has at
+ * least five instants. */
 static void visit_extremes(const double *numbers, size_t from, size_t to,
                            void (*visit)(void *context, size_t k), void *context)
 {

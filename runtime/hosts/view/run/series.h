@@ -4,8 +4,7 @@
 
 #include "replay.h"
 
-/* The number of signals whose values are cached. These are the ones that were used most
- * recently. */
+/* Number of signals whose values are cached. The cache keeps the most recently used signals. */
 #define SERIES_KEPT 32
 
 struct series {
@@ -28,12 +27,13 @@ void series_end(struct series *series);
 void series_forget(struct series *series);
 
 /* Returns the values of a signal at all instants (see signal_number); NULL if memory runs out. They
- * are valid until SERIES_KEPT / 2 other signals were requested, or the recording has grown. */
+ * stay valid until SERIES_KEPT / 2 other signals have been requested or the recording has grown. */
 const double *series_of(struct series *series, const struct signal *signal);
 
 /* Calls `visit` for the instants that a plot of `numbers` with approximately `width` columns shows,
- * from instant `from` up to, but not including, `to`. If there are more instants than columns,
- * these are the first, least, greatest and last of each column, in order. */
+ * from instant `from` up to, but not including, `to`. If a column has at least five instants, these
+ * are the first, least, greatest and last of each column, in order; otherwise, they are all
+ * instants. */
 void series_visit(const double *numbers, size_t from, size_t to, size_t width,
                   void (*visit)(void *context, size_t k), void *context);
 

@@ -16,7 +16,7 @@ void watch_end(struct watch *watch)
     claims_close(&watch->claims);
 }
 
-/* Adds the start or end of a violation. If memory runs out, the last state continues. */
+/* Adds the start or end of a violation. If memory runs out, leaves the list unchanged. */
 static void add(struct watched *watched, size_t k)
 {
     if (watched->count == watched->room) {

@@ -238,15 +238,15 @@ static const struct frob_program *compile(const struct attempt *a, what_if_comma
 
 /* ---- Driving again */
 
-/* Returns the rate, in Hz, of the simulated controller that made a recording, and the duration of
- * the run. Returns 0 if the recording was not made by a simulator. */
+/* Returns the rate, in Hz, at which a simulated program ran in a recording, and sets *seconds to
+ * the duration of the run. Returns 0 if the recording was not made by a simulator. */
 static double rate_of(const struct recording *recording, double *seconds)
 {
     const int64_t *times = recording->times;
     const size_t last = recording->count - 1;
     const int64_t apart = last == 0 ? 0 : times[1] - times[0];
     for (size_t k = 1; k <= last; k++) {
-        /* Compares to the nanosecond, because a period such as 1/3 s is not a whole number of
+        /* Allows an error of 1 ns, because a period such as 1/3 s is not a whole number of
          * nanoseconds. */
         const int64_t error = times[k] - times[k - 1] - apart;
         if (error < -1 || error > 1)
@@ -256,8 +256,8 @@ static double rate_of(const struct recording *recording, double *seconds)
     return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
 }
 
-/* Creates options that set all of the program's parameters. Each consists of two words, which are
- * stored in `text`. Returns false if memory runs out. */
+/* Creates options that set all of the program's parameters. Each consists of two words, `--param`
+ * and NAME=VALUE; the second is stored in `text`. Returns false if memory runs out. */
 static bool param_options(const struct frob_program *program, const struct buffer *settings,
                           struct buffer *text, const char **options)
 {
@@ -335,8 +335,9 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     return ok;
 }
 
-/* Returns the first instant at which signals of one side differ between two recordings of the same
- * signals; the end of the shorter one if they do not differ. */
+/* Returns the first instant at which inputs or outputs, depending on `side`, differ between two
+ * recordings of the same signals. If they do not differ, returns the length of the shorter
+ * recording. */
 static size_t first_difference(const struct signals *signals, enum side side,
                                const struct recording *a, const struct recording *b,
                                const struct signal **in)
@@ -378,7 +379,8 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
                 in->name, (unsigned long)k);
         else if (!ok)
             buffer_format(a->why,
-                          "the simulator does not reproduce this recording: it ends at instant %lu",
+                          "the simulator does not reproduce this recording: the simulated run "
+                          "ends at instant %lu",
                           (unsigned long)k);
     }
     recording_free(&driven);
@@ -413,7 +415,8 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     if (!signals_start(&what_if->signals, program, frob_load_columns()))
         buffer_text(a->why, "not enough memory for the program's signals");
     else if (!fits(recorded, &what_if->signals))
-        buffer_text(a->why, "its inputs or outputs differ, so it cannot be run on this recording");
+        buffer_text(a->why, "the edited program has different inputs or outputs, so it cannot be "
+                            "run on this recording");
     else
         return true;
     return false;

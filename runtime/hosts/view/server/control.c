@@ -152,7 +152,7 @@ const char *control_do(struct control *control, const char *request, bool operat
     if (strcmp(request, "take") == 0)
         return NULL;
     if (!operates)
-        return "another page operates this run";
+        return "another page is operating this run";
     if (ring_silence_s(control->ring) * 1000.0 > CONTROL_LATE_MS)
         return "the run does not answer, so the request was ignored";
     if (begins_with(request, "touch") || begins_with(request, "hold"))

@@ -24,7 +24,7 @@
 #define SERVER_RELOADS 2
 #define SERVER_ENDS 2              /* maximum time for shutting down, in seconds */
 #define SERVER_FAREWELL 3          /* number of beats that tell pages how a run ended */
-#define SERVER_STRANGER_MESSAGE 64 /* same, before the token is presented */
+#define SERVER_STRANGER_MESSAGE 64 /* maximum length of a request from a stranger, in bytes */
 #define SERVER_BEAT_US 100000
 
 /* Called when the server is ready. Returns false if it cannot report the address, because serving

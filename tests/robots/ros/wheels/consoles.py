@@ -79,7 +79,7 @@ def test_bad_joystick():
         "a missing button is reported",
     )
     joystick.buttons, joystick.axes = [0, 1], [math.nan]
-    base.until(lambda: says(run, "an axis is not a number"), "NaN is reported")
+    base.until(lambda: says(run, "an axis is not a finite number"), "NaN is reported")
     assert base.v == 0
     run.end()
     base.close()

@@ -394,7 +394,7 @@ def test_same_name():
     base.until_driving()
     time.sleep(2)
     _, errors = run.end()
-    assert "there is another node of the name /ahead" in errors, errors
+    assert "there is another node named /ahead" in errors, errors
     base.close()
 
 

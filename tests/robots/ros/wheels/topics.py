@@ -381,7 +381,7 @@ def refusal(type_, fields):
 def test_refused():
     """Types of messages that do not exist or do not match the record are named."""
     for type_, fields, expected in [
-        ("no_msgs/msg/Odd", "x :: Int", "this ROS 2 has no messages of the package no_msgs"),
+        ("no_msgs/msg/Odd", "x :: Int", "the ROS 2 message package no_msgs is not installed"),
         (
             "std_msgs/msg/Odd",
             "x :: Int",
@@ -416,7 +416,7 @@ def test_refused_at_start():
     """A node compares types that frobc does not find, as on another machine, when it starts."""
     # The libraries of tf2_msgs are in the path of libraries, but not in AMENT_PREFIX_PATH.
     for type_, fields, expected in [
-        ("no_msgs/msg/Odd", "x :: Int", "this ROS 2 has no messages of the package no_msgs"),
+        ("no_msgs/msg/Odd", "x :: Int", "the ROS 2 message package no_msgs is not installed"),
         ("tf2_msgs/msg/Odd", "x :: Int", "the package tf2_msgs of this ROS 2 has no message Odd"),
         (
             "tf2_msgs/msg/TFMessage",

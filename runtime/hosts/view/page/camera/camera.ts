@@ -10,7 +10,8 @@ import { hueSaturationValue } from "./colours";
 
 /** Height of the note below the image, in pixels. */
 const noteHeight = 20;
-/** Minimum number of page pixels per image pixel for drawing image pixels with sharp edges. */
+/** Minimum number of page pixels per image pixel at which image pixels are drawn with sharp
+ * edges. */
 const largePixels = 3;
 
 /** Describes a frame that the recording mentions but does not contain. */

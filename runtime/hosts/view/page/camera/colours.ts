@@ -1,4 +1,4 @@
-// Colours in a program's terms: the library's ColourRange.
+// Converts colours to the numbers that programs use in the library's ColourRange.
 
 /** Computes the hue in degrees, on the HSV hexagon (0 for grey, which has no hue), and saturation
  * and value from 0 to 1. */

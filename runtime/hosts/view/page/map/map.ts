@@ -36,7 +36,7 @@ export function startMap(store: Store, host: HTMLElement): View | null {
   }
   canvas.tabIndex = 0;
   canvas.role = "application";
-  canvas.ariaLabel = "Map: arrow keys move it, + and - zoom";
+  canvas.ariaLabel = "Map: pan with the arrow keys, zoom with + and -";
   host.append(canvas);
   const robot = robotNamed(robotName);
   const sonars = robot.sonars.map((_, k) => number(`in.sonar[${k}]`));
@@ -114,7 +114,8 @@ export function startMap(store: Store, host: HTMLElement): View | null {
     pen.stroke(colour("bad"), 2.5);
   };
 
-  /** Draws the paths and sonars of all robots. The first robot runs the shown program. */
+  /** Draws the paths of all robots. For the first robot, which runs the shown program, also draws
+   * its sonars, scans and collisions. */
   const drawWays = (instant: Instant, robots: readonly Pose[], believed: Pose) => {
     drawOutline(pen, robot, start, colour("robot-edge"));
     robots.forEach((pose, i) => {
@@ -137,7 +138,8 @@ export function startMap(store: Store, host: HTMLElement): View | null {
     drawContacts(instant.time);
   };
 
-  /** Returns the program's marks, placed in the frame of odometry or in the robot's frame. */
+  /** Returns the program's marks, converted from the odometry frame or the robot's frame to world
+   * coordinates. */
   const marksOf = (instant: Instant, robotIs: Pose) => {
     const { marks: drawn, readings } = readMarks(marks.map((i) => instant.cells[i] ?? ""));
     const shapes = drawn

@@ -160,7 +160,7 @@ export function moved(shape: Shape, move: (p: Point) => Point): Shape {
   }
 }
 
-/** Returns the numbers of the signals that are marks. */
+/** Returns the numbers of the signals that contain marks. */
 export function markSignals(signals: readonly Signal[]): number[] {
   return signals.flatMap((signal, i) =>
     /^probe\.draw(\.\d+)?\[\d+\]$/.test(signal.name) ? [i] : [],
@@ -276,7 +276,7 @@ export function drawShape(
   stroke(2);
 }
 
-/** Creates a list of numbers on top of the map. Returns the function that updates it. */
+/** Adds the list of readings to the map. Returns the function that updates it. */
 export function readingsList(host: HTMLElement): (readings: readonly Reading[]) => void {
   const list = document.createElement("dl");
   list.id = "readings";

@@ -13,7 +13,7 @@ export function within(frame: Pose, pose: Pose): Pose {
   return { x, y, heading: frame.heading + pose.heading };
 }
 
-/** The same, for a point. */
+/** Like `within`, but for a point. */
 export function placed(frame: Pose, [x, y]: Point): Point {
   const cos = Math.cos(frame.heading),
     sin = Math.sin(frame.heading);

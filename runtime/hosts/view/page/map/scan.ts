@@ -6,8 +6,8 @@ import type { Point } from "./world";
 
 const size = 3;
 
-/** The places of the objects in a scan, relative to the robot, from the cell of an event with a
- * `Scan` of the library's module Lidar; null for other events. */
+/** Parses the cell of an event that contains a `Scan` of the library's module Lidar. Returns the
+ * positions of the objects relative to the robot, or null for any other event. */
 export function readScan(cell: string): Point[] | null {
   const ranges = /^Scan \{ranges = \[([^\]]*)\]/.exec(cell)?.[1]?.split(", ");
   const farthest = Number(/farthest = ([^,}]+)/.exec(cell)?.[1]);
@@ -22,7 +22,7 @@ export function readScan(cell: string): Point[] | null {
   });
 }
 
-/** Draws the objects in a scan that the robot received at a pose. */
+/** Draws the objects in a scan. `pose` is the robot's pose when it received the scan. */
 export function drawScan(pen: Pen, places: readonly Point[], pose: Pose): void {
   const { context, view } = pen;
   context.fillStyle = colour("sonar");

@@ -68,7 +68,7 @@ export function blend(from: string, to: string, share: number): string {
 }
 
 /** The colour of a floor with this reflectance. A floor that reflects all light has the theme's
- * floor colour. On a dark page, bright and dark are exchanged, so that lines on the floor stand
+ * floor colour. On a dark page, bright and dark are swapped, so that lines on the floor stand
  * out. */
 function shade(reflectance: number): string {
   return blend(colour("black-floor"), colour("floor"), reflectance);
@@ -138,7 +138,7 @@ function drawFloor(pen: Pen, world: World): void {
     pen.line(points, shade(reflectance), Math.max(1.5, width * pen.view.scale));
 }
 
-/** This symbol is not drawn to scale. */
+/** Draws the symbol of a lamp, which is not to scale. */
 function drawLamp(pen: Pen, at: Point): void {
   const [x, y] = pen.view.toPixel(at);
   pen.context.beginPath();
@@ -179,8 +179,8 @@ function drawObjects(pen: Pen, world: World): void {
   for (const lamp of world.lamps) drawLamp(pen, lamp);
 }
 
-/** Draws the boxes and balls at their current places. If these are not known, as in a recording,
- * draws them at their initial places, with dashed edges. */
+/** Draws the boxes and balls at their current positions. If these are unknown, as in a recording,
+ * draws them at their initial positions with dashed edges. */
 export function drawMovable(pen: Pen, world: World, objects: Instant["objects"]): void {
   const dash = objects ? [] : [3, 4];
   const at = (number: number, start: Pose): Pose => {

@@ -9,12 +9,13 @@ export class Track {
   times: number[] = [];
   /** The instant of the last corner, from which the path is continued. */
   next = 0;
-  /** The index of this corner. Points after it are provisional. */
+  /** The index of this corner in `points`. Points after it are provisional. */
   private corner = -1;
 
   constructor(private readonly extent: Extent) {}
 
-  /** Adds the path from instant `from` on, whose last corner is at instant `next`. */
+  /** Adds the part of the path that starts at instant `from`. Its last corner is at instant
+   * `next`. */
   extend(from: number, points: readonly Point[], times: readonly number[], next: number): void {
     if (from !== this.next && from !== 0) return;
     const kept = from === 0 ? 0 : this.corner + 1;
@@ -41,7 +42,7 @@ export class Track {
     return low;
   }
 
-  /** Returns the position at a time, between the points before and after it. */
+  /** Returns the position at a time, interpolated between the points before and after it. */
   at(time: number): Point | undefined {
     const after = this.passed(time);
     const p = this.points[after - 1] ?? this.points[0],

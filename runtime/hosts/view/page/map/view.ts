@@ -4,14 +4,13 @@ import type { Point } from "./world";
 
 /** Margin around everything, in metres. */
 const margin = 0.35;
-/** Pixels per metre. */
+/** Minimum and maximum scale, in pixels per metre. */
 const leastScale = 0.5,
   mostScale = 2000;
-/** The initial width of the surroundings that the map shows when it follows the robot, in
- * metres. */
+/** Initial width of the area that the map shows when it follows the robot, in metres. */
 const surroundings = 4;
 
-/** The bounding box of points. */
+/** A bounding box, which grows to include each added point. */
 export class Extent {
   left = Infinity;
   right = -Infinity;
@@ -60,12 +59,12 @@ export class View {
     this.centre[1] - (y - this.height / 2) / this.scale,
   ];
 
-  /** Identifies the shown part, for comparison with a later one. */
+  /** Identifies the visible part of the world, so that the map can detect a change. */
   get key(): string {
     return [this.scale, ...this.centre, this.width, this.height].join();
   }
 
-  /** Shows everything or only the robot, depending on the mode. */
+  /** Depending on the mode, fits everything into the view or centres the view on the robot. */
   update({ left, right, low, high }: Extent, robot: Point): void {
     if (this.mode === "robot") this.centre = robot;
     if (this.mode !== "all" || left > right) return;
@@ -84,7 +83,7 @@ export class View {
     this.mode = "robot";
   }
 
-  /** Keeps the place at this pixel fixed, unless the map follows the robot. */
+  /** Zooms around this pixel, or around the robot if the map follows it. */
   zoom(factor: number, at: Point): void {
     const [x, y] = this.fromPixel(at);
     this.scale = Math.min(mostScale, Math.max(leastScale, this.scale * factor));

@@ -9,7 +9,7 @@ const icons = {
   follow: "M8 1v4M8 11v4M1 8h4M11 8h4M8 5a3 3 0 1 0 0 6 3 3 0 0 0 0-6",
 };
 
-/** Returns a function that shows which mode is active. */
+/** Adds the buttons to the map. Returns a function that highlights the active mode. */
 export function viewButtons(host: HTMLElement, view: View, changed: () => void): () => void {
   const bar = document.createElement("div");
   bar.className = "view-buttons";

@@ -27,7 +27,7 @@ function thinned(pen: Pen, points: readonly Point[]): Point[] {
   return all;
 }
 
-/** Draws the path up to `time`, which ends at the robot, and the rest in a faint colour. */
+/** Draws the path up to the robot's position at `time`, and the rest in a faint colour. */
 export function drawWay(
   pen: Pen,
   track: Track,
@@ -77,7 +77,7 @@ export function drawTimes(
     const pixel = view.toPixel(at);
     if (apart(pixel, view.toPixel(robot)) < markSpace || apart(pixel, last) < markSpace) continue;
     last = pixel;
-    // Puts the label on the right of the path, away from a wall that the robot follows on its
+    // Puts the label to the right of the path, away from a wall that the robot follows on its
     // left.
     const heading = Math.atan2(at[1] - before[1], at[0] - before[0]);
     const [x, y] = [pixel[0] + 18 * Math.sin(heading), pixel[1] + 14 * Math.cos(heading) + 4];

@@ -9,12 +9,12 @@ export interface World {
   readonly walls: readonly { readonly points: readonly Point[]; readonly thickness: number }[];
   readonly solids: readonly (readonly Point[])[];
   readonly circles: readonly Disc[];
-  /** The initial places of boxes and balls, which robots can push. */
+  /** Boxes and balls at their initial positions. Robots can push them. */
   readonly boxes: readonly Box[];
   readonly balls: readonly Disc[];
   readonly cones: readonly Disc[];
   readonly lamps: readonly Point[];
-  /** The two ends of each poster, and a point in front of it. */
+  /** The two ends of each poster, its centre, and a point in front of it. */
   readonly posters: readonly (readonly [Point, Point, Point, Point])[];
   readonly holes: readonly (readonly Point[])[];
   /** Reflectance of the floor: 0 is black, 1 white. */
@@ -50,11 +50,12 @@ function withoutComments(text: string): string {
 }
 
 function parseValue(text: string): Value {
-  // TOML allows a comma at the end of an array, JSON does not.
+  // TOML allows a trailing comma in an array; JSON does not.
   return JSON.parse(text.trim().replace(/,(\s*\])/g, "$1")) as Value;
 }
 
-/** Matches a line with a table's name, or a key and its value, up to the next of either. */
+/** Matches the name of a table, or a key with its value. A value extends to the next key or table
+ * name. */
 const tableName = String.raw`\[\[?\s*(\w+)\s*\]\]?\s*$`;
 const nextEntry = String.raw`\s*(?:\w+\s*=|\[\[?\s*\w+\s*\])`;
 const entry = new RegExp(
@@ -74,7 +75,7 @@ function tables(text: string): Map<string, Table[]> {
       try {
         table.set(key, parseValue(value));
       } catch {
-        // Not needed for the map.
+        // The map does not need this value.
       }
     }
   }
@@ -107,14 +108,15 @@ function box(table: Table): Box {
   return { pose: { x, y, heading: angle(table, "angle_deg") }, length, width };
 }
 
-/** Returns the corners of a box that is at this pose now. */
+/** Returns the corners of a box at this pose. */
 export function corners({ length, width }: Box, pose: Pose): Point[] {
   const corner = (along: number, across: number): Point =>
     placed(pose, [along * length, across * width]);
   return [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
 }
 
-/** Draws a poster or a tag as a line, with a tick on the side that it faces. */
+/** Returns the two ends of a poster or a tag, its centre, and a point in front of it. The map draws
+ * it as a line with a tick on the side that it faces. */
 function poster(table: Table): [Point, Point, Point, Point] {
   const [x, y] = point(table.get("center"));
   const size = table.get("size");

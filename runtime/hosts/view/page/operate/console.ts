@@ -128,7 +128,7 @@ function note(text: string): Shown {
   return { host, show: nothing, release: nothing };
 }
 
-/** Null if the page does not show controls of this kind. */
+/** Creates a control. Returns null if the page does not show controls of this kind. */
 function make(store: Store, control: Control, number: number): Shown | null {
   const touch = (x: number) => void store.command(`touch ${number} ${x} 0`);
   // If contact is lost, the host releases the button automatically.
@@ -166,7 +166,8 @@ export function startConsole(store: Store, host: HTMLElement): void {
   };
   host.append(...seen.map((each) => each.host));
 
-  // Follows the program's input, whoever has changed it, but not while a change is pending.
+  // Updates a control when the program's input changes, even if another page has changed it. Until
+  // then, a control shows the user's pending change.
   const follow = () => {
     store.program.console.forEach((control, number) => {
       const cell = store.newest?.cells[control.signal];
@@ -177,7 +178,8 @@ export function startConsole(store: Store, host: HTMLElement): void {
     });
   };
   const cells: string[] = [];
-  /** Shows the value that the program has, rather than the value that the user requested. */
+  /** Makes `follow` show the program's values again instead of the values that the user
+   * requested. */
   const forget = () => {
     cells.length = 0;
   };

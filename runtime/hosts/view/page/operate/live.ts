@@ -1,4 +1,5 @@
-// Controls of a live run: return to its newest instant, its speed, keys for the program, and Stop.
+// Controls of a live run: a button that returns to the newest instant, the speed, keys for the
+// program, and Stop.
 import { Stop } from "./stop";
 import type { Store } from "../store";
 
@@ -20,7 +21,7 @@ function element<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
-/** Sends typed characters as events, including those of a phone's keyboard. */
+/** Sends typed characters as events, including characters from a phone's keyboard. */
 function startKeyboard(store: Store, field: HTMLInputElement): void {
   const press = (code: number) => store.command(`key ${code}`);
   field.oninput = () => {
@@ -81,7 +82,7 @@ export function startLive(store: Store): Stop {
     element("pace").hidden = !run?.paces || !run.operates;
     hold.textContent = run?.paused ? "Continue" : "Pause";
     hold.ariaPressed = String(run?.paused === true);
-    // The playback speed does not apply to a run that is followed.
+    // The playback speed does not apply while the page follows a live run.
     element("speed").hidden = following;
     single.disabled = !run?.paused;
     speed.value = String(run?.speed ?? 1);

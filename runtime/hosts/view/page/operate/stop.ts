@@ -6,7 +6,7 @@ import type { Store } from "../store";
 const patience = 500;
 const period = 50;
 
-/** Texts for a run that is over, or that is ending. */
+/** Texts that say how a run has ended. */
 const fates = {
   "at rest": "Stopped.",
   told: "A stop command was sent to the robot, but it may still be moving.",

@@ -3,10 +3,10 @@ import type { Trace } from "./trace";
 
 /** Width of an axis on the left or on the right. */
 export const axisWidth = 62;
-/** Space on the right of plots without an axis there. */
+/** Space to the right of a plot that has no axis on that side. */
 export const rightSpace = 18;
 
-/** The value of a signal at the pointer. */
+/** The values of signals at the pointer. */
 export interface Pointed {
   readonly time: number;
   value(trace: Trace): number | null;
@@ -28,7 +28,7 @@ export interface Body {
   moved(): void;
   /** The position of the pointer; null if it is not on the plot. */
   readonly pointed: Pointed | null;
-  /** The drawn plot, for a picture. */
+  /** The drawn plot, for saving it as a picture. */
   readonly picture: HTMLCanvasElement | null;
   end(): void;
 }

@@ -4,8 +4,8 @@ import type { Store } from "../store";
 import { colour } from "../theme";
 import { formatPoint } from "../values";
 
-/** Maximum number of points that the viewer sends: all instants, unless the range has more than
- * 500,000. */
+/** Number of columns to request. With this number, the viewer sends all instants of a range that
+ * has fewer than 500,000. */
 const columns = 100_000;
 
 function save(name: string, content: Blob): void {
@@ -51,7 +51,7 @@ export function savePicture(
   canvas.toBlob((content) => content && save(`${name}.png`, content));
 }
 
-/** The names of constructors and texts may contain commas. */
+/** Quotes a CSV cell if necessary, because names of constructors and texts may contain commas. */
 function quoted(cell: string): string {
   return /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
 }

@@ -12,7 +12,7 @@ export class Lines {
     this.mark.className = "mark-line";
   }
 
-  /** Adds the lines to a plot that was built. */
+  /** Adds the lines to a newly built plot. */
   addTo(plot: uPlot): void {
     plot.over.append(this.mark, this.now);
   }

@@ -18,7 +18,7 @@ export function axisOf(signal: Signal | undefined): string {
   return signal.names.length > 0 ? signal.names.join() : signal.unit;
 }
 
-/** A plot has an axis on the left and one on the right. */
+/** Maximum number of vertical axes: one on the left and one on the right. */
 export const mostAxes = 2;
 
 export function axesOf(signals: readonly number[], program: Program): string[] {
@@ -54,7 +54,7 @@ function decoded(text: string): string {
   }
 }
 
-/** Ignores signals that the program does not have. */
+/** Parses the text that describes plots. Ignores signals that the program does not have. */
 export function readPlots(text: string, program: Program): Plot[] {
   return text.split(";").flatMap((part) => {
     const [, xy, names = "", low, high] =

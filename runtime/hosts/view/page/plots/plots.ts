@@ -1,4 +1,4 @@
-// The panel of plots, which are one below the other, share the time axis, and fill the panel.
+// The panel of plots. The plots are stacked, share a time axis, and fill the panel.
 import type { Store } from "../store";
 import { onTheme } from "../theme";
 import { takesSignals } from "./drag";
@@ -11,7 +11,7 @@ const leastHigh = 60,
   leastLow = 44;
 /** Maximum height of a plot of truth values or names. */
 const mostLow = 90;
-/** Maximum number of plots with which there is space for a hint on how to add one. */
+/** Maximum number of plots at which the panel still shows a hint on how to add one. */
 const hinted = 1;
 
 export function startPlots(store: Store, host: HTMLElement): void {
@@ -30,7 +30,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
     if (!store.plotted.includes(signal)) store.toggle(signal);
   });
 
-  /** The width of the panel for which data was loaded last. */
+  /** The width of the panel when data was last loaded. */
   let loadedWidth = host.clientWidth;
   const load = () => {
     loadedWidth = host.clientWidth;
@@ -57,7 +57,8 @@ export function startPlots(store: Store, host: HTMLElement): void {
     if (Math.abs(clientWidth - loadedWidth) > 0.1 * loadedWidth) load();
   };
 
-  /** A plot that is added is scrolled into view. */
+  /** False while the first plots are created. Only plots that are added later are scrolled into
+   * view. */
   let isStarted = false;
   const arrange = () => {
     for (const [plot, strip] of strips) {

@@ -39,8 +39,8 @@ function shorten(name: string): string {
   return name.length > 10 ? `${name.slice(0, 9)}…` : name;
 }
 
-/** Returns the positions to label on an axis with this number of pixels. They represent names
- * or round numbers. */
+/** Returns the positions to label on an axis of this length in pixels. They represent names or
+ * round numbers. */
 export function splitsOf(
   named: Signal | undefined,
   [low, high]: readonly [number, number],
@@ -55,7 +55,7 @@ export function splitsOf(
   );
 }
 
-/** Labels these positions on an axis. */
+/** Returns the labels for these positions on an axis. */
 export function labels(signal: Signal | undefined, splits: readonly number[]): string[] {
   return splits.map((x) =>
     signal && isNamed(signal) ? shorten(formatPoint(signal, x)) : formatNumber(x),

@@ -83,13 +83,13 @@ export class Strip {
   private readonly add: HTMLButtonElement;
   private entries: Entry[] = [];
   private body: Body;
-  /** The signals and the kind of the body, to notice changes. */
+  /** The signals and the kind of the body, to detect changes. */
   private shown = "";
 
   constructor(
     private readonly store: Store,
     readonly plot: Plot,
-    /** The time axis below all plots, for pictures. */
+    /** The time axis below all plots, for saving a picture. */
     private readonly axis: HTMLCanvasElement,
   ) {
     this.add = button("+", "Add signals to this plot: click them", () => {
@@ -174,7 +174,7 @@ export class Strip {
       this.body.load();
     };
     range.append("range ", low, " to ", high);
-    const auto = button("Auto", "Choose the range from the values", () => {
+    const auto = button("Auto", "Fit the range to the values", () => {
       low.value = high.value = "";
       fix();
     });
@@ -191,7 +191,7 @@ export class Strip {
     );
     if (store.hasOthers) this.tools.append(this.largest());
     if (plot.signals.length > 1) {
-      const xy = button("XY", "Plot the other signals over the first one", () => {
+      const xy = button("XY", "Plot the other signals against the first one", () => {
         plot.isXy = !plot.isXy;
         store.changed("plotted");
       });

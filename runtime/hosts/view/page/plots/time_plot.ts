@@ -14,7 +14,8 @@ import { Trace } from "./trace";
 const close = 5;
 const font = "11px system-ui, sans-serif";
 
-/** Space on the right of all plots, so that their time axes are aligned. */
+/** Returns the space to the right of every plot. It is the same for all, so that their time axes
+ * are aligned. */
 export function spaceOnRight(store: Store): number {
   const hasSecond = store.plots.some(
     ({ signals, isXy }) =>
@@ -30,7 +31,7 @@ export class TimePlot implements Body {
   private height = 100;
   private data: uPlot.AlignedData = [[], []];
   private readonly lines: Lines;
-  /** The axis of each trace. */
+  /** The keys of the plot's axes, left and right (see `axisOf`). */
   private readonly axes: readonly string[];
 
   constructor(

@@ -46,7 +46,7 @@ export function startTouch(over: HTMLElement, store: Store): void {
   const released = (event: PointerEvent) => fingers.delete(event.pointerId);
   over.addEventListener("pointerup", released);
   over.addEventListener("pointercancel", released);
-  // With a mouse, Ctrl and the wheel zoom about the pointer.
+  // With a mouse, turning the wheel while holding Ctrl zooms around the pointer.
   over.addEventListener(
     "wheel",
     (event) => {

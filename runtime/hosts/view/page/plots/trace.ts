@@ -24,7 +24,7 @@ export class Trace {
 
   get signal(): Signal {
     const signal = this.store.program.signals[this.number];
-    if (!signal) throw new Error("a plot of no signal");
+    if (!signal) throw new Error("the plotted signal does not exist");
     return signal;
   }
 
@@ -44,8 +44,9 @@ export class Trace {
   /** Requests data that has arrived since the last request, if the plot follows a live run. */
   grow(width: number): void {
     if (this.store.series.awaits(this.user, this.number)) return;
-    // The data of the whole run grows without limit, so it is loaded again at the plot's
-    // resolution. In a fast run, most of it is new in any case.
+    // If the plot shows the whole run, appending would let its data grow without limit, so all data
+    // is loaded again at the plot's resolution. All data is also loaded again if most of it is new,
+    // as in a fast run.
     const [start, end] = this.store.range;
     const isNew = (this.times.at(-1) ?? start) < start + (end - start) / 2;
     if (this.times.length > 8 * width || isNew) {
@@ -81,8 +82,8 @@ export class Trace {
     return this.values.every((value) => value === null);
   }
 
-  /** Returns the value that the signal has at a time, which is its last value before that time. For
-   * an event, returns the nearest value within `close` seconds. */
+  /** Returns the signal's value at a time: its last value at or before that time. For an event,
+   * returns the value nearest to that time within `close` seconds. */
   at(seconds: number, close: number, values = this.values): number | null {
     let low = 0,
       high = this.times.length;

@@ -1,4 +1,4 @@
-// A plot of signals over another signal.
+// A plot of signals against another signal.
 import { clear } from "../canvas";
 import type { Store } from "../store";
 import { colour, lineColour } from "../theme";
@@ -8,7 +8,7 @@ import type { Plot } from "./model";
 import { around, splitsOf } from "./scales";
 import { Trace } from "./trace";
 
-/** Number of columns to request. The data of shorter runs is complete. */
+/** Number of columns to request. Runs with at most this many instants are drawn completely. */
 const columns = 4000;
 const bottom = 20,
   top = 8,
@@ -34,7 +34,8 @@ export class XyPlot implements Body {
   private readonly canvas = document.createElement("canvas");
   private readonly still = document.createElement("canvas").getContext("2d");
   private height = 100;
-  /** The times and points of each vertical signal, and the same from the other recording. */
+  /** For each signal on the vertical axis, its points with their times, in this run and in the
+   * other recording. */
   private points: Points[] = [];
   private others: Points[] = [];
 

@@ -25,7 +25,7 @@ async function through(bytes: BlobPart, stream: GenericTransformStream): Promise
   return new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
 }
 
-/** Compresses a run to text. */
+/** Compresses a run and encodes it as base64. */
 export async function pack(run: SavedRun): Promise<string> {
   const packed = new Uint8Array(await through(JSON.stringify(run), new CompressionStream("gzip")));
   let text = "";

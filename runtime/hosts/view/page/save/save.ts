@@ -84,7 +84,7 @@ async function build(run: SavedRun): Promise<Blob> {
     file("icon.svg"),
     pack(run),
   ]);
-  // This is a function because `$` is special in replacement strings.
+  // The replacements are functions because `$` is special in replacement strings.
   const whole = page
     .replace(
       /<link rel="icon"[^>]*>/,
@@ -126,7 +126,7 @@ export function startSaving(
   };
   const offer = (content: Blob, run: SavedRun) => {
     const part =
-      run.times.length < store.program.instants ? " of the part that the plots show" : "";
+      run.times.length < store.program.instants ? " in the time range of the plots" : "";
     say(
       `The program, its ${run.times.length} instants${part} and this page: ` +
         `${size(content.size)}. The file opens in a browser, without frobc, and shows this view. It ` +

@@ -5,7 +5,7 @@ import { modeSignals } from "./modes";
 
 export type GroupName = "Output" | "Modes" | "Inside" | "Constants" | "Input" | "Library";
 
-/** In the order in which the list shows them. */
+/** The groups in the order in which the list shows them. */
 export const groupNames: readonly GroupName[] = [
   "Output",
   "Modes",

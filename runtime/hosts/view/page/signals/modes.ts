@@ -9,8 +9,8 @@ const any = -1;
 const before = -2;
 
 /**
- * Returns the signals that are running modes: the inner signals with known transitions or, if
- * there are more of them, the modes that the host reports.
+ * Returns the signals that are running modes: either the inner signals with known transitions or
+ * the modes that the host reports, whichever are more numerous.
  */
 export function modeSignals({ signals }: Program): number[] {
   const numbers = signals.map((_, number) => number);
@@ -49,7 +49,7 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
 const narrow = matchMedia("(max-width: 820px)");
 const step = () => (narrow.matches ? 52 : 27);
 const height = () => (narrow.matches ? 44 : 20);
-/** Minimum width of the events next to the modes. */
+/** Minimum width for showing the events next to the modes, in pixels. */
 const leastNote = 48;
 const lane = 9;
 const head = 4;

@@ -16,7 +16,7 @@ interface Row {
 
 const titles: Readonly<Partial<Record<GroupName, string>>> = {
   Inside: "Values of the program's equations",
-  Constants: "Values that have been the same since the start and depend on no signal",
+  Constants: "Values that have not changed since the start and do not depend on any signal",
   Library: "Values inside signal functions of the library",
 };
 
@@ -109,7 +109,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   });
   const none = document.createElement("p");
   none.className = "empty";
-  none.textContent = "No signal has this in its name.";
+  none.textContent = "No signal name contains this text.";
   none.hidden = true;
   list.append(...[...groups.values()].map(({ element }) => element), none);
   startRoving(list);

@@ -9,7 +9,8 @@ const words = new Set(
   ).split(" "),
 );
 
-/** The classes of tokens. A pattern matches at the start of the rest of a line. */
+/** Patterns of tokens with their classes. Each pattern matches only at the current position in a
+ * line. */
 const patterns: readonly (readonly [RegExp, string])[] = [
   [/\s+/y, ""],
   [/--+(?![!#$%&*+./<=>?@\\^|~:-]).*/y, "comment"],

@@ -3,7 +3,8 @@
 import { findClusterBreak } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 
-/** Returns the end of a deletion without a selection, from a position in a text. */
+/** For each kind of deletion, computes where a deletion from a position in a text ends if nothing
+ * is selected. */
 const ends: Readonly<Record<string, (text: string, at: number) => number>> = {
   deleteContentBackward: (text, at) => findClusterBreak(text, at, false),
   deleteContentForward: (text, at) => findClusterBreak(text, at, true),

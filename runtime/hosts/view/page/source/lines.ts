@@ -15,9 +15,9 @@ export interface Chip {
 
 export interface LineValues {
   readonly chips: readonly Chip[];
-  /** Number of further signals. */
+  /** Number of signals on the line that are not shown. */
   readonly more: number;
-  /** Index of the shown instance of its signal function, and the number of instances. */
+  /** Index of the shown instance of the line's signal function, and the number of instances. */
   readonly instance: number;
   readonly instances: number;
   readonly instanceName: string;
@@ -79,7 +79,7 @@ export class Lines {
     this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
   }
 
-  /** Shows this instance of the signal function of these lines, if they have signals of it. */
+  /** Shows this instance on all of these lines that have signals of it. */
   choose(file: string, first: number, last: number, instance: string): void {
     for (const line of this.between(file, first, last)) {
       const instances = this.files.get(file)?.get(line) ?? new Map<string, number[]>();
@@ -88,8 +88,9 @@ export class Lines {
     }
   }
 
-  /** Returns whether an instance runs, in which case some signal has a value. An instance that
-   * contains only events, which have no value at most instants, counts as running. */
+  /** Returns whether an instance runs. While it runs, at least one of its signals has a value. An
+   * instance that contains only events always counts as running, because events have no value at
+   * most instants. */
   private runs(instance: string): boolean {
     const { instant, program } = this.store;
     const members = this.members.get(instance) ?? [];

@@ -80,7 +80,7 @@ const look = EditorView.theme({
 interface Act {
   pick(number: number): void;
   next(line: number): void;
-  /** Shows all values of a line, or as many as fit. */
+  /** Toggles between all values of a line and as many as fit. */
   expand(line: number): void;
 }
 
@@ -214,8 +214,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
   };
   /** The line of which all values are shown; 0 if there is none. */
   let expanded = 0;
-  /** Returns the space for values after a text, in characters. If the free space is too small, this
-   * is less than half of the line, and the values cover the end of the text. */
+  /** Returns the space for values after a text, in characters. If there is little free space, the
+   * values may cover the end of the text, but less than half of the line. */
   const roomAfter = (line: number, text: string) => {
     const across = view.contentDOM.clientWidth / Math.max(1, view.defaultCharacterWidth) - 2;
     const free = text.length < across ? across - text.length : 0;
@@ -235,7 +235,7 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     if (first < covered[0] || last > covered[1]) update();
   };
   /** Returns whether the text still has its original lines. If lines were added or removed, the
-   * values would be next to other lines. */
+   * values would be next to the wrong lines. */
   const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
     if (!current) return;
@@ -275,7 +275,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       }),
     });
   };
-  /** Shows the program itself, at the lines that were visible. */
+  /** Shows the program's own file. If it was already shown, returns the position at the top of the
+   * view, for `scrollTo`; otherwise returns null. */
   const selectOwn = () => {
     const at =
       current === sources[0] ? view.lineBlockAtHeight(view.scrollDOM.scrollTop).from : null;

@@ -6,7 +6,7 @@ import { EditorView, type KeyBinding } from "@codemirror/view";
 /** Maximum time between changes of one step, in ms. */
 const soon = 500;
 
-/** The steps, each given as the changes that undo it, newest first. */
+/** A step, given as the changes that undo it, newest first. */
 type Step = ChangeSet[];
 
 export function undoing(): { extension: Extension; keys: KeyBinding[] } {

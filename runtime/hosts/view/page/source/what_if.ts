@@ -14,7 +14,7 @@ export interface Editor {
 }
 
 export class WhatIfBar {
-  /** The button that starts it. */
+  /** The button that starts and ends editing. */
   readonly button = document.createElement("button");
   /** The actions and their result. */
   readonly element = document.createElement("section");

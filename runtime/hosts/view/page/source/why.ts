@@ -1,5 +1,5 @@
-// Explains a value: shows its equation and the values that it reads, each of which can be explained
-// in turn.
+// Explains a value: shows its equation and the values that it reads. The user can click each of
+// these to have it explained, too.
 import type { Origin, Place, Signal, Switch, Why } from "../protocol";
 import type { Store } from "../store";
 import { formatCell, formatTime } from "../values";
@@ -28,10 +28,10 @@ function span(className: string, text: string): HTMLElement {
 }
 
 export class WhyPanel {
-  /** The button that starts and ends explaining. */
+  /** The button that opens and closes the panel. */
   readonly button: HTMLButtonElement;
   readonly element = document.createElement("section");
-  /** The steps back so far, of which the last one is shown. */
+  /** The signals and instants explained so far. The panel shows the last one. */
   private way: Asked[] = [];
   /** Whether the cursor is moving to the instant of the last step. */
   private isMoving = false;
@@ -111,11 +111,9 @@ export class WhyPanel {
     this.store.show(why.file === "" ? null : { ...why, instance });
   }
 
-  // Returns a signal, given its number.
-
   private signal(number: number): Signal {
     const signal = this.store.program.signals[number];
-    if (!signal) throw new Error("a value of no signal");
+    if (!signal) throw new Error("the signal to explain does not exist");
     return signal;
   }
 

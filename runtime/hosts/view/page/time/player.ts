@@ -1,4 +1,4 @@
-// Plays the run, and handles the buttons and displays for its instants.
+// Plays the run, handles the playback buttons, and displays the current instant.
 import type { Store } from "../store";
 import { formatNumber, formatTime } from "../values";
 

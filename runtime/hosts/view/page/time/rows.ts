@@ -1,5 +1,6 @@
-// The rows of the timeline show the modes of state machines. If a program has few of them, they
-// also show its events and first outputs, so that the user can recognize parts of the run.
+// The rows of the timeline show the modes of state machines. If a program has few state machines,
+// the rows also show some of its events and outputs, so that the user can recognize parts of the
+// run.
 import { grouped } from "../signals/groups";
 import { modeSignals } from "../signals/modes";
 import type { Program } from "../protocol";

@@ -284,7 +284,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("extent", () => {
     const wait = program.live ? asked + bandsEvery - performance.now() : 0;
     if (wait <= 0) askForBands();
-    // This runs later, so that the last instants before a pause are also shown.
+    // Requests the bands later, so that the last instants before a pause are shown, too.
     else if (timer === 0) timer = window.setTimeout(askForBands, wait);
     if (!store.following) draw();
   });
