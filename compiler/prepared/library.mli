@@ -8,5 +8,5 @@
 
 val tree : file:string -> string -> Syntax.Ir.program option
 (** The tree of a library module. It equals the result of {!Syntax.Parse.program} for this file and
-    text; parsing them would report no errors. [None] unless the file and text are identical to those of a library
-    module when the compiler was built. Each call creates a new tree. *)
+    text; parsing them would report no errors. [None] unless the file and text are identical to
+    those of a library module when the compiler was built. Each call creates a new tree. *)

@@ -40,10 +40,7 @@ let room_as real c ty =
 let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
 
-type code =
-  | Operators  (** C operators *)
-  | Library
-  | Helper  (** a function in the generated C *)
+type code = Operators  (** C operators *) | Library | Helper  (** a function in the generated C *)
 
 let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with

@@ -45,8 +45,7 @@ val padding : bytes:int -> member list -> int
 (** The number of bytes in a struct that do not belong to any member. *)
 
 val foreign : Step.Ir.program -> string list
-(** The user's C structs that are part of the state. No size in this module includes them.
-*)
+(** The user's C structs that are part of the state. No size in this module includes them. *)
 
 val params_bytes : Step.Ir.program -> int
 (** Size of the parameter struct. There is one such struct for each set of parameter values. *)

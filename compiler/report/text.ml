@@ -194,8 +194,8 @@ let assertions = function
         Printf.sprintf
           "\n\
            assertions: %d; checking them adds %d operations to a step (%.2f times the operations \
-           without checks) and \
-           %d bytes to the state; if checking is off, the generated C does not contain them\n"
+           without checks) and %d bytes to the state; if checking is off, the generated C does not \
+           contain them\n"
           j.count j.operations j.share j.bytes;
       ]
 
@@ -245,8 +245,9 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | n ->
         [
           Printf.sprintf
-            "\nmaximum number of marks drawn in an instant: %d; the generated \
-             C does not draw them\n" n;
+            "\n\
+             maximum number of marks drawn in an instant: %d; the generated C does not draw them\n"
+            n;
         ]
   in
   let foreign =

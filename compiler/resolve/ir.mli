@@ -91,12 +91,7 @@ and constructor = {
   span : Span.t;
 }
 
-and field = {
-  field_name : string;  (** [""] for a positional field *)
-  ty : ty;
-  span : Span.t;
-}
-
+and field = { field_name : string;  (** [""] for a positional field *) ty : ty; span : Span.t }
 and ty = { desc : ty_desc; span : Span.t }
 
 and ty_desc =
@@ -257,6 +252,6 @@ and pattern_desc =
   | Tuple_of of pattern list
   | Array_of of pattern list  (** at least one element *)
   | Constructed of Global.t * pattern list
-      (** has the right arity; record patterns have become positional, with [Any] for missing
-          fields *)
+      (** has the right arity; record patterns have become positional, with [Any] for missing fields
+      *)
   | Literal of { negative : bool; number : number }

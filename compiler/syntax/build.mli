@@ -49,8 +49,8 @@ val size : location -> string * bool -> int
     exponent. *)
 
 val sign_of_sizes : location -> string -> Ir.size_operator
-(** The operator between two sizes, if it is neither [-] nor [*]. Rejects every operator except
-    [+]. *)
+(** The operator between two sizes, if it is neither [-] nor [*]. Rejects every operator except [+].
+*)
 
 val product : Surface.factor list -> Ir.unit_
 (** The unit that is the product of these factors, in reverse order. There must be at least one. *)

@@ -20,8 +20,7 @@ let fill names (i : Interface.t) name values =
 
 let size : M.ty -> int = function
   | Array (size, _) -> size
-  | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ ->
-      bug "expected an array type"
+  | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> bug "expected an array type"
 
 (* An element of a plain C array. *)
 let bare name : Ir.expr list -> Ir.expr = function

@@ -9,8 +9,7 @@ type context = {
   prefix : string;  (** prefix of the tables' names *)
   mutable count : int;
   mutable console : string list;  (** names of the console's values, for the table of controls *)
-  enumerations : Node_table.enumeration list ref;
-      (** the types whose constructors have no fields *)
+  enumerations : Node_table.enumeration list ref;  (** the types whose constructors have no fields *)
 }
 
 (* A leaf's access path and its Float representation. *)
@@ -60,6 +59,7 @@ let line_of ({ file; start; _ } : Basis.Span.t) =
 
 let foreign () =
   Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the table for hosts cannot describe a foreign type"
+
 let is_image = Flow.Shape.is_image
 
 (* The location of a leaf that is a single member. *)
@@ -126,7 +126,8 @@ and leaf c (ty : F.ty) location =
   | Foreign f, Scalar { path; _ } when is_image f -> scalar "FROB_IMAGE" path
   | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the location does not match the type of the leaf"
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table"
+        "the location does not match the type of the leaf"
 
 and sum c k ~tag ~base ~first ~number =
   let sum = c.sums.(k) in

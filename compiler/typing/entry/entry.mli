@@ -2,8 +2,7 @@
     or a [Program] without type variables.
 
     Codes: [E0411] the definition cannot be an entry · [E0501] there is no definition with that
-    name.
-*)
+    name. *)
 
 open Basis
 

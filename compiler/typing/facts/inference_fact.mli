@@ -61,8 +61,9 @@ type t =
       first : Resolve.Ir.pattern;
       second : Resolve.Ir.pattern;
       missing : string;  (** a constructor that no branch matches *)
-    }  (** two branches of a [case] match the same constructor, and the second branch contains an
-           error *)
+    }
+      (** two branches of a [case] match the same constructor, and the second branch contains an
+          error *)
   | Parameters_in_other_order of {
       head : Resolve.Ir.expr;
       name : string;  (** [foldl] or [scanl] *)

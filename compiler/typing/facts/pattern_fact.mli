@@ -25,8 +25,8 @@ type t =
       case : case;
       missing : missing;
       guarded_only : int option;
-          (** the index of a branch that would cover the first of these values if it had no
-              guards *)
+          (** the index of a branch that would cover the first of these values if it had no guards
+          *)
       listed : missing option;
           (** like [missing], but with more patterns in [named]; absent if [guarded_only] is present
               or there are too many combinations to list *)

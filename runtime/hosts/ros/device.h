@@ -47,8 +47,8 @@ struct ros_sensor {
     double ranges_m[ROS_RAYS_MOST];
     uint32_t number; /* number of scans so far */
     struct ros_measurements sums;
-    bool is_pressed; /* a bumper */
-    int64_t lost_ns; /* time at which its pose on the robot became unknown; INT64_MAX if it is
+    bool is_pressed;      /* a bumper */
+    int64_t lost_ns;      /* time at which its pose on the robot became unknown; INT64_MAX if it is
                       * known */
     char why[ROS_REASON]; /* the reason why its messages are ignored */
 };

@@ -27,8 +27,8 @@ bool joy_is_used(void);
 /* The state of the joystick. */
 struct joy {
     bool heard;
-    int64_t heard_ns;                /* time at which the newest message arrived */
-    double value[ROS_CONTROLS_MOST]; /* for each control: 0 or 1 for a button, the setting of a
+    int64_t heard_ns;                   /* time at which the newest message arrived */
+    double value[ROS_CONTROLS_MOST];    /* for each control: 0 or 1 for a button, the setting of a
                                       * knob */
     bool is_pressed[ROS_CONTROLS_MOST]; /* for each button, whether a press is still to be passed to
                                          * the program */

@@ -125,8 +125,7 @@ export function startSaving(
     text.textContent = what;
   };
   const offer = (content: Blob, run: SavedRun) => {
-    const part =
-      run.times.length < store.program.instants ? " in the time range of the plots" : "";
+    const part = run.times.length < store.program.instants ? " in the time range of the plots" : "";
     say(
       `The program, its ${run.times.length} instants${part} and this page: ` +
         `${size(content.size)}. The file opens in a browser, without frobc, and shows this view. It ` +
