@@ -217,8 +217,8 @@ let about_validity = function
   | Some is_valid ->
       Printf.sprintf
         "\n\
-        \ * %s tells whether each running mode has a number that exists. If not, memory\n\
-        \ * was damaged: bring the outputs to rest, and call no step before the next reset."
+        \ * %s returns whether the numbers of the running modes are valid. If not, memory\n\
+        \ * was damaged: set the outputs to rest, and reset before the next step."
         is_valid
 
 let header (v : Program_names.t) { types; records; prototypes; states; of_source = _ }

@@ -5,10 +5,10 @@ let file name = string (Filename.basename name)
 let line (span : Span.t) = Json.Int (Span.line span.start)
 let list f xs = Json.List (Long_list.map f xs)
 
-let rec member index (m : State.member) =
+let rec member index (m : State_layout.member) =
   let holds =
     match m.holds with
-    | State.Value purpose -> [ ("holds", string "value"); ("purpose", string purpose) ]
+    | State_layout.Value purpose -> [ ("holds", string "value"); ("purpose", string purpose) ]
     | Structs { node = k; count } ->
         [
           ("holds", string "structs");
@@ -28,7 +28,7 @@ let rec member index (m : State.member) =
      ]
     @ holds)
 
-and alternative index (a : State.alternative) =
+and alternative index (a : State_layout.alternative) =
   Json.Object
     [
       ("name", string a.mode);
@@ -36,7 +36,7 @@ and alternative index (a : State.alternative) =
       ("members", list (member index) a.members);
     ]
 
-let definition index (d : State.definition) =
+let definition index (d : State_layout.definition) =
   Json.Object
     [
       ("name", string d.name);

@@ -233,7 +233,7 @@ let statement c frame (s : M.statement) =
       List.iter (variable c frame) uninitialized;
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
-      let { State.bytes; _ } = State.definition c.state node in
+      let { State_layout.bytes; _ } = State.definition c.state node in
       if on_trial then
         need frame (Saturating_int.add word (Saturating_int.round_up bytes ~alignment:word));
       List.iter (variable c frame) results;

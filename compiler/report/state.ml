@@ -1,24 +1,6 @@
 open Basis
+open State_layout
 module M = Step.Ir
-
-type member = { name : string; offset : int; bytes : int; holds : holds; span : Span.t }
-
-and holds =
-  | Value of string
-  | Struct of int
-  | Structs of { node : int; count : int }
-  | Running_mode
-  | Largest of alternative list
-
-and alternative = { mode : string; node : int; bytes : int; members : member list }
-
-type definition = {
-  name : string;
-  file : string;
-  span : Span.t;
-  bytes : int;
-  members : member list;
-}
 
 (* The state struct of each node. *)
 type t = definition array

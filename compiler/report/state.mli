@@ -1,33 +1,6 @@
 (** The layout of the state: the struct of each definition, member by member. *)
 
-open Basis
-
-type member = {
-  name : string;  (** the name in the program *)
-  offset : int;  (** the member's offset in its struct *)
-  bytes : int;
-  holds : holds;
-  span : Span.t;
-}
-
-and holds =
-  | Value of string  (** purpose of the value, as shown to the user: [delay], [integral], … *)
-  | Struct of int  (** a struct: the index of the node that it belongs to *)
-  | Structs of { node : int; count : int }  (** an array of such structs *)
-  | Running_mode
-  | Largest of alternative list  (** modes, which share this memory *)
-
-and alternative = { mode : string; node : int; bytes : int; members : member list }
-(** A mode, with the members of its struct. *)
-
-type definition = {
-  name : string;  (** name of the definition in the program *)
-  file : string;
-  span : Span.t;
-  bytes : int;
-  members : member list;
-}
-(** The state struct of a node. *)
+open State_layout
 
 type t
 

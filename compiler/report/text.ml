@@ -40,7 +40,7 @@ let state_rows (t : State.t) =
     match State.padding ~bytes:whole list with
     | 0 -> rows
     | n -> { depth; label = "(padding)"; amount = number n; note = ""; place = "" } :: rows
-  and member depth ~place rows (m : State.member) =
+  and member depth ~place rows (m : State_layout.member) =
     let row note = { depth; label = m.name; amount = number m.bytes; note; place = place m.span } in
     match m.holds with
     | Value purpose -> row purpose :: rows
@@ -59,7 +59,7 @@ let state_rows (t : State.t) =
     | Largest alternatives ->
         let rows = row "memory shared by these modes" :: rows in
         List.fold_left (alternative (depth + 1) ~place) rows alternatives
-  and alternative depth ~place rows (a : State.alternative) =
+  and alternative depth ~place rows (a : State_layout.alternative) =
     let inner = State.definition t a.node in
     let at = Bounds.place ~file:inner.file inner.span in
     let row = { depth; label = a.mode; amount = number a.bytes; note = "mode"; place = at } in

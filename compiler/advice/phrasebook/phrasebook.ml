@@ -1,32 +1,5 @@
 open Basis
-
-type place =
-  | Value
-  | Robot
-  | Call
-  | Reading
-  | Speed
-  | Controller
-  | In_array
-  | In_event
-  | In_task
-  | Operator
-  | Object
-  | Constructor
-  | Type
-  | Class
-  | Qualifier
-  | Module
-  | Library
-  | Unit
-
-type row = {
-  word : string;
-  arguments : string list;
-  place : place;
-  hint : string option;
-  replacement : string option;
-}
+open Phrase
 
 let bug line = Diagnostic.bug ~stage:"Advice.Phrasebook" "this row cannot be read: %s" line
 

@@ -37,7 +37,7 @@ let similar : rule =
 (* The contents of the module are in a library module with a different name. *)
 let in_library : rule =
  fun { target; imported; _ } ->
-  let named (row : Phrasebook.row) =
+  let named (row : Phrase.t) =
     match row with
     | { hint = Some what; replacement = Some module_; _ } -> Some (what, module_)
     | _ -> None

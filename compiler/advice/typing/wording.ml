@@ -184,7 +184,7 @@ let type_ words t =
 
 let declared t g =
   Option.map
-    (type_ (of_surroundings (Surroundings.nowhere t.around.environment)))
+    (type_ (of_surroundings (Annotation.nowhere t.around.environment)))
     (t.around.declared g)
 
 let constraint_ words c t =

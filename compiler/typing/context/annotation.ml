@@ -257,6 +257,31 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
   in
   (scheme, scope)
 
+let nowhere environment : Surroundings.t =
+  {
+    environment;
+    named = (fun _ -> []);
+    values = (fun _ ~file:_ -> []);
+    sources = Source.create ();
+    inputs = [];
+    enclosing = [];
+    needs_class = (fun _ -> false);
+    definition = (fun _ -> None);
+    local = (fun _ -> None);
+    unit_ = (fun _ -> None);
+    fields = (fun _ -> None);
+    field_of = (fun _ ~of_:_ -> None);
+    field_type = (fun _ _ -> None);
+    choices = (fun _ -> []);
+    declared = (fun _ -> None);
+    binding = (fun _ -> None);
+    local_function = (fun _ -> None);
+    parameter = (fun _ -> None);
+    unnamed_input = None;
+    makers = (fun _ ~of_:_ -> []);
+    owner = (fun _ -> None);
+  }
+
 let report_declaration (t : t) fact =
-  let around = Surroundings.nowhere t.environment in
+  let around = nowhere t.environment in
   Facts.report t.facts (Declaration { around; fact })

@@ -41,5 +41,8 @@ val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * sc
 (** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Also returns
     the scope extended with them. *)
 
+val nowhere : Environment.t -> Surroundings.t
+(** Surroundings that answer no question about the program. *)
+
 val report_declaration : t -> Declaration_fact.t -> unit
 (** Reports a fact about a declaration that is not part of a definition. *)

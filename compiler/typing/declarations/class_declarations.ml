@@ -1,28 +1,5 @@
 open Basis
-
-type method_ = {
-  name : Ir.Global.t;
-  scheme : Type.scheme;
-  inner : Context.t;
-  signature : Span.t;
-  default : Resolve.Ir.binding option;
-}
-
-type class_ = {
-  class_ : Ir.Global.t;
-  variable : Type.rigid;
-  superclasses : (Ir.class_ * Span.t) list;
-  methods : method_ list;
-}
-
-type instance = {
-  of_class : class_;
-  head : Type.t;
-  scheme : Type.scheme;
-  inner : Context.t;
-  definitions : (Ir.Global.t * Resolve.Ir.binding) list;
-  place : Span.t;
-}
+open Declared_class
 
 (* {1 Classes} *)
 

@@ -46,6 +46,3 @@ type t = {
       (** constructors of the first type that have a field of type [of_], shown with their fields *)
   owner : Ir.variable -> owned option;  (** the construct that introduces this type variable *)
 }
-
-val nowhere : Environment.t -> t
-(** A context without any information about the program. *)

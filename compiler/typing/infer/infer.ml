@@ -267,8 +267,8 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
 (* {1 Classes} *)
 
 (* Checks a method's definition against this type. *)
-let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
-    (scheme : Type.scheme) (b : Resolve.Ir.binding) =
+let method_definition ctx (inner : Context.t) (m : Declared_class.method_) (scheme : Type.scheme)
+    (b : Resolve.Ir.binding) =
   let ctx = in_group ctx in
   Classes.give ctx scheme;
   let expected : Expected.t =
@@ -280,21 +280,21 @@ let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
   check_sizes ctx;
   definition ctx b scheme value
 
-let defaults ctx (c : Class_declarations.class_) =
+let defaults ctx (c : Declared_class.class_) =
   List.filter_map
-    (fun (m : Class_declarations.method_) ->
+    (fun (m : Declared_class.method_) ->
       Option.bind m.default (method_definition ctx m.inner m m.scheme))
     c.methods
 
-let definitions_of_instance ctx (i : Class_declarations.instance) =
-  let definition (m : Class_declarations.method_) =
+let definitions_of_instance ctx (i : Declared_class.instance) =
+  let definition (m : Declared_class.method_) =
     Option.bind
       (List.assoc_opt m.name i.definitions)
       (method_definition ctx i.inner m (Class_declarations.method_of i m))
   in
   List.filter_map definition i.of_class.methods
 
-let check_superclasses ctx (i : Class_declarations.instance) =
+let check_superclasses ctx (i : Declared_class.instance) =
   let ctx = in_group ctx in
   Classes.give ctx i.scheme;
   let by = Instance_fact.Instance (Declared i.of_class.class_, i.head) in
@@ -305,12 +305,12 @@ let check_superclasses ctx (i : Class_declarations.instance) =
   List.iter require_superclass i.of_class.superclasses;
   ignore (Classes.solve ctx Generalize.none)
 
-let class_declaration (c : Class_declarations.class_) : Ir.class_declaration =
-  let method_ (m : Class_declarations.method_) = (m.name, Final.scheme m.scheme) in
+let class_declaration (c : Declared_class.class_) : Ir.class_declaration =
+  let method_ (m : Declared_class.method_) = (m.name, Final.scheme m.scheme) in
   { class_ = c.class_; methods = List.map method_ c.methods }
 
-let instance (i : Class_declarations.instance) : Ir.instance =
-  let implementation (m : Class_declarations.method_) : (Ir.Global.t * Ir.implementation) option =
+let instance (i : Declared_class.instance) : Ir.instance =
+  let implementation (m : Declared_class.method_) : (Ir.Global.t * Ir.implementation) option =
     match (List.assoc_opt m.name i.definitions, m.default) with
     | Some b, _ -> Some (m.name, Given (fst (top b)))
     | None, Some b -> Some (m.name, Default (fst (top b)))
@@ -388,13 +388,13 @@ let program ?(sources = Source.create ()) facts ~real (program : Resolve.Ir.prog
   let definitions =
     List.fold_left (fun reversed c -> List.rev_append (defaults ctx c) reversed) definitions classes
   in
-  let add_instance reversed (i : Class_declarations.instance) =
+  let add_instance reversed (i : Declared_class.instance) =
     let check () = definitions_of_instance ctx i in
     List.rev_append (limited ctx left ~at:i.place ~otherwise:[] Instance check) reversed
   in
   let definitions = List.rev (List.fold_left add_instance definitions instances) in
   List.iter
-    (fun (i : Class_declarations.instance) ->
+    (fun (i : Declared_class.instance) ->
       limited ctx left ~at:i.place ~otherwise:() Instance (fun () -> check_superclasses ctx i))
     instances;
   let report = Annotation.report_declaration reader in

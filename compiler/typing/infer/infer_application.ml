@@ -161,7 +161,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   (* Checks one argument. Returns the result of the application, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
-    let expected = Expected.make because parameter in
+    let expected : Expected.t = { ty = parameter; because } in
     let value =
       match argument.style with
       | Operator _ ->

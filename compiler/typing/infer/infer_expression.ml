@@ -101,7 +101,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
             of_local = None;
           }
       in
-      let operand = check ctx operand (Expected.make because ty) in
+      let operand = check ctx operand { Expected.ty; because } in
       { ty; build = (fun () -> node e.span ty (Negate (operand ()))) }
   | Power { base; exponent } ->
       let typed = infer ctx base in
@@ -116,7 +116,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Annotated { expr; scheme } -> Infer_binding.annotated expressions ctx e expr scheme
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ ->
       let ty = Context.fresh ctx in
-      let build = check ctx e (Expected.make Unknown ty) in
+      let build = check ctx e { Expected.ty; because = Unknown } in
       { ty; build }
 
 and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
@@ -124,7 +124,7 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   In_degrees.warn ctx e expected;
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
-      let condition = check ctx condition (Expected.make Condition Bool) in
+      let condition = check ctx condition { Expected.ty = Bool; because = Condition } in
       let undecided = Infer_binding.undecided expected in
       let yes, held = hold ctx (fun () -> check ctx then_ expected) in
       pass_on ctx held;
@@ -215,8 +215,8 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
       let fit x typed ty =
         match typed with
         | Some (typed : typed) ->
-            Degrees.warn ctx x (Expected.make Unknown ty);
-            In_degrees.warn ctx x (Expected.make Unknown ty);
+            Degrees.warn ctx x { Expected.ty; because = Unknown };
+            In_degrees.warn ctx x { Expected.ty; because = Unknown };
             expect ctx ~subject:x ~at:x.span { expected with ty } typed.ty;
             typed.build
         | None -> check ctx x { expected with ty }
@@ -261,7 +261,7 @@ and array ctx (e : Resolve.Ir.expr) elements =
   if elements = [] then tell ctx (Empty_array e.span);
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
-  let elements = array_elements ctx (Expected.make Unknown element) elements in
+  let elements = array_elements ctx { Expected.ty = element; because = Unknown } elements in
   let build () = node e.span ty (Array (Long_list.map (fun build -> build ()) elements)) in
   { ty; build }
 

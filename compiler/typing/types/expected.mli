@@ -70,5 +70,3 @@ type reason =
       (** for the output of a signal function: the reason that applies to the signal function *)
 
 type t = { ty : Type.t; because : reason }
-
-val make : reason -> Type.t -> t

@@ -9,15 +9,13 @@ open Advice
 let in_proc value =
   Printf.sprintf "main :: SF Float Float\nmain = proc i -> y where\n  y = %s\n" value
 
-let applied (row : Phrasebook.row) = String.concat " " (row.word :: row.arguments)
+let applied (row : Phrase.t) = String.concat " " (row.word :: row.arguments)
+let in_function ty (row : Phrase.t) = Printf.sprintf "f :: %s -> %s\nf x = %s g x\n" ty ty row.word
 
-let in_function ty (row : Phrasebook.row) =
-  Printf.sprintf "f :: %s -> %s\nf x = %s g x\n" ty ty row.word
-
-let as_field (row : Phrasebook.row) =
+let as_field (row : Phrase.t) =
   Printf.sprintf "import Robot\nmain :: SF RobotInput Float\nmain = proc i -> i.%s\n" row.word
 
-let program (row : Phrasebook.row) =
+let program (row : Phrase.t) =
   match row.place with
   (* Directly after `=`, this word begins a loop of another language. *)
   | Value when row.word = "while" -> in_proc "(while)"
@@ -36,7 +34,7 @@ let program (row : Phrasebook.row) =
   | Unit -> in_proc (Printf.sprintf "3[%s]" row.word)
 
 (* A part of the hint. *)
-let expected (row : Phrasebook.row) =
+let expected (row : Phrase.t) =
   let replacement = Option.value row.replacement ~default:"" in
   match row.place with
   | Value | Robot | Constructor | Type | Class | Qualifier | Module -> Phrasebook.hint row
@@ -89,17 +87,17 @@ let has_hint row program =
   in
   List.exists (contains (expected row)) hints
 
-let is_without_effect (row : Phrasebook.row) =
+let is_without_effect (row : Phrase.t) =
   not (has_hint row (program row) || (row.place = Robot && has_hint row (as_field row)))
 
 let has_effect () =
   let rows = List.filter is_without_effect (Lazy.force Phrasebook.rows) in
-  let show (row : Phrasebook.row) = Printf.sprintf "%s%s\n" (program row) (expected row) in
+  let show (row : Phrase.t) = Printf.sprintf "%s%s\n" (program row) (expected row) in
   Alcotest.(check (list string)) "rows without an effect" [] (List.map show rows)
 
 let is_unique () =
   let seen = Hashtbl.create 1024 in
-  let again (row : Phrasebook.row) =
+  let again (row : Phrase.t) =
     let key = (row.word, row.place, List.length row.arguments) in
     let known = Hashtbl.mem seen key in
     Hashtbl.replace seen key ();

@@ -89,7 +89,7 @@ let loop (t : Unknown.t) =
   | Values, Some { word; hint; _ } when String.equal word t.name.text -> Some (explained t hint)
   | _ -> None
 
-let place (t : Unknown.t) : Phrasebook.place option =
+let place (t : Unknown.t) : Phrase.place option =
   match t.namespace with
   | Values -> Some Value
   | Constructors -> Some Constructor

@@ -128,7 +128,7 @@ let of_a_container (t : Unknown.t) =
       ~some:(fun line ->
         String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') line))
   in
-  let containers = [ ("Array", Phrasebook.In_array); ("Event", In_event); ("Task", In_task) ] in
+  let containers = [ ("Array", Phrase.In_array); ("Event", In_event); ("Task", In_task) ] in
   let of_the_argument =
     match application t with
     | Some (_, [ _; argument ]) ->

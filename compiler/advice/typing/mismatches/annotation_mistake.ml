@@ -1,7 +1,7 @@
 open Basis
 open Typing
 
-let words environment = Wording.of_surroundings (Surroundings.nowhere environment)
+let words environment = Wording.of_surroundings (Annotation.nowhere environment)
 
 let scaled_power ~at (unit_ : Ir.Global.t) exponent =
   Diagnostic.error ~code:"E0322" ~at

@@ -98,7 +98,7 @@ let is_within ~(outer : Span.t) (inner : Span.t) =
 
 let shown words (e : Resolve.Ir.expr) = Option.value (Formula.text words e) ~default:"it"
 
-let suggest words ~elsewhere ~subject ~(expected : Expected.t) units =
+let suggest ~elsewhere words ~subject ~(expected : Expected.t) units =
   if is_open units then None
   else
     let sides = Lacking_unit_mistake.sides words ~subject ~expected units in

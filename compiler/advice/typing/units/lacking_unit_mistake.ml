@@ -76,7 +76,7 @@ let is_unit_of_a_gain u =
 
 (* `0.5 * e` or `v / 0.3`: the unit that the literal should have. Excludes a divisor of 2 and
    formulas that contain `pi`, `time` or `sqrt`, because their numbers usually have no unit. *)
-let of_a_literal words ~likely ~subject ~expected (wanted, given) =
+let of_a_literal ~likely words ~subject ~expected (wanted, given) =
   let all = sides words ~subject ~expected (wanted, given) in
   (* in a sum, the literal is a gain if the other operand is right or has a gain with a unit *)
   let is_gain e unit_ =

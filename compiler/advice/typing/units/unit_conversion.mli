@@ -11,7 +11,7 @@ val is_of_a_signal : Wording.t -> Expected.t -> bool
     a proc? *)
 
 val of_the_other_operand :
-  Wording.t -> expected:Expected.t -> Units.t * Units.t -> (Diagnostic.t -> Diagnostic.t) option
+  Wording.t -> expected:Expected.t -> Units.t * Units.t -> Unit_rule.complete option
 (** For [way < 2[m]], where [way] is a velocity: suggests the integral of [way], or the derivative
     in the opposite case. *)
 
