@@ -1,7 +1,6 @@
-(** Bindings to the runtime's elementary functions ([frob/elementary.h]), so
-    that the interpreter and compiled
-    programs compute the same bits on every machine. That header documents errors, special cases and
-    sources. Angles are in radians. *)
+(** Bindings to the runtime's elementary functions ([frob/elementary.h]), so that the interpreter
+    and compiled programs compute the same bits on every machine. That header documents errors,
+    special cases and sources. Angles are in radians. *)
 
 module type S = sig
   val exp : float -> float

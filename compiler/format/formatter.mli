@@ -13,5 +13,5 @@ type result =
   | Refused of Laws.t  (** the formatter has a bug: its result breaks this law *)
 
 val text : Syntax.Fact.t Facts.t -> file:string -> string -> result
-(** [text facts ~file text]: [file] is the file name to use in messages. Accepts any bytes. All lines get the
-    same line ending as the first line. *)
+(** [text facts ~file text]: [file] is the file name to use in messages. Accepts any bytes. All
+    lines get the same line ending as the first line. *)

@@ -29,8 +29,8 @@ type kind =
 
 type frame = {
   kind : kind;
-  mutable base : int;  (** the column of the line from which continuation lines in this frame are
-                           indented *)
+  mutable base : int;
+      (** the column of the line from which continuation lines in this frame are indented *)
   mutable bar : (int * int) option;
       (** the columns, in the source and in the result, of the last [|], or of the [=] of a data
           declaration if there is no [|] yet *)

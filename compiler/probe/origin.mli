@@ -14,16 +14,17 @@ type back =
   | First
       (** the source matters only in the first instant of the signal function that contains the
           signal *)
-  | Entry  (** the signal is a parameter of a mode, and the source matters only when that mode is
-               entered *)
+  | Entry
+      (** the signal is a parameter of a mode, and the source matters only when that mode is entered
+      *)
 
 type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
       (** the innermost mode in which the source matters, as the column of a machine and the number
-          of its mode. For [Entry], this is the previous mode: {!any}, or {!before} if the machine itself was
-          starting *)
+          of its mode. For [Entry], this is the previous mode: {!any}, or {!before} if the machine
+          itself was starting *)
 }
 
 val any : int

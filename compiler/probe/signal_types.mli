@@ -5,9 +5,9 @@ type t
 val of_program : Typing.Ir.program -> t
 
 val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
-(** The type of a signal; for a part of a record or tuple, the type of that
-    part. In a polymorphic signal function the
-    type contains the function's type variables. [None] for signals that the compiler introduced. *)
+(** The type of a signal; for a part of a record or tuple, the type of that part. In a polymorphic
+    signal function, the type contains the function's type variables. [None] for signals that the
+    compiler introduced. *)
 
 val type_of_signal : t -> name:string -> Basis.Span.t -> Typing.Ir.ty option
 (** Like {!type_of}, for a signal of Flow. [name] includes the path of a leaf; the span is the

@@ -3,10 +3,11 @@
     - [program]
     - [entry]: [name], [file], [line]
     - [state_bytes]
-    - [structs], beginning with the root's struct: each has [name], [file], [line], [bytes] and [members]. A member
-      has [name], [line], [offset], [bytes] and [holds], which is [value] (with [purpose]), [struct]
-      (with [struct], an index into [structs]), [structs] (an array: with [struct] and [count]), or
-      [mode] or [modes] (with [modes], each having [name], [bytes], [members])
+    - [structs], beginning with the root's struct: each has [name], [file], [line], [bytes] and
+      [members]. A member has [name], [line], [offset], [bytes] and [holds], which is [value] (with
+      [purpose]), [struct] (with [struct], an index into [structs]), [structs] (an array: with
+      [struct] and [count]), or [mode] or [modes] (with [modes], each having [name], [bytes],
+      [members])
     - [step_operations]: the operations by kind, with [calls] by elementary function
     - [reset_stack_bytes], [step_stack_bytes]
     - [library]: the functions of the C library that the program calls

@@ -32,7 +32,8 @@ let number n = if n >= Basis.Saturating_int.most then "2^53 or more" else string
 
 (* {1 The state} *)
 
-(* Builds the rows in reverse order. The members of a struct are listed where the struct first occurs. *)
+(* Builds the rows in reverse order. The members of a struct are listed where the struct first
+   occurs. *)
 let state_rows (t : State.t) =
   let shown = Hashtbl.create 16 in
   let rec members depth ~bytes:whole ~place rows list =
@@ -194,8 +195,8 @@ let assertions = function
         Printf.sprintf
           "\n\
            assertions: %d; checking them adds %d operations to a step (%.2f times the operations \
-           without checks) and \
-           %d bytes to the state; if checking is off, the generated C does not contain them\n"
+           without checks) and %d bytes to the state; if checking is off, the generated C does not \
+           contain them\n"
           j.count j.operations j.share j.bytes;
       ]
 
@@ -230,7 +231,7 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | [] -> []
     | transitions ->
         [
-          "\nswitching events, at the first instant of their mode\n";
+          "\nswitching events in the first instant of their mode\n";
           table (List.map transition_row transitions);
         ]
   in
@@ -245,8 +246,9 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | n ->
         [
           Printf.sprintf
-            "\nmaximum number of marks drawn in an instant: %d; the generated \
-             C does not draw them\n" n;
+            "\n\
+             maximum number of marks drawn in an instant: %d; the generated C does not draw them\n"
+            n;
         ]
   in
   let foreign =

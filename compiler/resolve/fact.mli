@@ -22,8 +22,8 @@ type unresolved =
           (** the enclosing right-hand sides that have a [where], innermost first, followed by the
               outermost right-hand side *)
     }
-  | Unknown_qualifier of { qualifier : name; name : name }  (** the qualifier does not refer to an
-                                                                imported module *)
+  | Unknown_qualifier of { qualifier : name; name : name }
+      (** the qualifier does not refer to an imported module *)
   | Unknown_in_module of {
       space : Interface.any_space;
       qualifier : name;
@@ -36,8 +36,8 @@ type unresolved =
       (** [(k * x)[m/s]]; [at]: the brackets *)
   | Unit_apart of { head : expr; unit_ : expr; at : Span.t }
       (** [3 [m/s]]; [head] is the number, or an application of a function to it *)
-  | Field_as_function of { whole : Span.t; field : name; record : name }  (** [x p] instead of
-                                                                              [p.x] *)
+  | Field_as_function of { whole : Span.t; field : name; record : name }
+      (** [x p] instead of [p.x] *)
   | Not_exported of { name : name; module_ : string; known : string list Lazy.t }
   | Not_in_import of { name : name; module_ : string; known : string list Lazy.t }
       (** an import list contains a name that the module does not export *)
@@ -115,7 +115,7 @@ type in_types =
       tycon : Interface.tycon;
       of_units : bool;
           (** true if the number of unit arguments is wrong; false if the number of type arguments
-              is *)
+              is wrong *)
       expected : int;
       found : int;
       text : string;  (** the text of the file *)
@@ -185,8 +185,8 @@ type warning =
   | Unused_equation of {
       at : Span.t;
       name : string option;  (** [None] for a pattern *)
-      circle : string list;  (** the names of a cycle that nothing else uses; empty if there is no
-                                 cycle *)
+      circle : string list;
+          (** the names of a cycle that nothing else uses; empty if there is no cycle *)
       zero : Span.t option;  (** see {!variable} *)
     }
   | Unused_variables of variable * variable list  (** variables of the same pattern *)

@@ -174,8 +174,8 @@ and declarations known scope (ds : Ir.declarations) =
   in
   let scope = List.fold_left binder scope bindings in
   let signature ((l : Ir.Local.t), s) =
-    if not (Int_set.mem l.id scope) then broken "the signature is for %s@%d, which is out of \
-                                                 scope" l.name l.id;
+    if not (Int_set.mem l.id scope) then
+      broken "the signature is for %s@%d, which is out of scope" l.name l.id;
     scheme known s
   in
   List.iter signature ds.signatures;

@@ -35,7 +35,7 @@ type token = {
   stop : Lexing.position;
       (** the span of the token; for an inserted token, an empty span at the end of the preceding
           token *)
-  made : bool; (** whether layout inserted it *)
+  made : bool;  (** whether layout inserted it *)
   column : int;  (** 0 if inserted by layout *)
   first : bool;  (** whether it is the first token on its line *)
   around : entry list;

@@ -13,8 +13,8 @@ type t = {
           for modes *)
   known : (int * instant * Range.t list * Range.t list, Range.t list) Hashtbl.t;
       (** cached ranges of outputs, by node, instant, static parameters and inputs *)
-  steps : int list Lazy.t;  (** widening thresholds: the bounds of Ints are first widened to these
-                                values *)
+  steps : int list Lazy.t;
+      (** widening thresholds: the bounds of Ints are first widened to these values *)
   mutable budget : int;
       (** number of node evaluations left; when it reaches 0, everything is assumed to be
           possible *)

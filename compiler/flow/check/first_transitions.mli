@@ -34,8 +34,7 @@ type state = {
 
 val from_running : t -> int -> (Ir.transition * state) list
 (** The possible transitions of this node, which is a mode that may have been running for any length
-    of time.
-*)
+    of time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
 (** Those of the given transitions that are possible. They must belong to the start or the controls

@@ -102,8 +102,9 @@ let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
       match (ours, theirs) with
       | ours :: _, theirs :: _ when theirs == t -> ours
       | _ :: ours, _ :: theirs -> find ours theirs
-      | [], _ | _, [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a transition has no \
-                                                counterpart in the original program"
+      | [], _ | _, [] ->
+          Diagnostic.bug ~stage:"Flow.Instantaneous_loops"
+            "a transition has no counterpart in the original program"
     in
     let node = List.nth m.Ir.modes mode in
     find program.nodes.(node).transitions expanded.nodes.(node).transitions

@@ -21,8 +21,7 @@ val arguments : t -> string list
 
 val header : t -> string list -> (int * string list, string) result
 (** The index of the time column in the recording, and the program's names for the columns, with
-    [time] first. The
-    error names the missing column. *)
+    [time] first. The error names the missing column. *)
 
 val to_front : int -> 'a list -> 'a list
 (** Moves the element at this index to the front of the list. *)

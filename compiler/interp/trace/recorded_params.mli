@@ -1,5 +1,5 @@
-(** Reads a recording's parameter values, which are in lines before its header, such as [# param
-    kTurn=4[1/m]]. *)
+(** Reads a recording's parameter values from the lines before its header, for example
+    [# param kTurn=4[1/m]]. *)
 
 type settings = (Core.Ir.Global.t * Value.t) list
 

@@ -46,8 +46,7 @@ val assemble : t -> Value.t list -> Value.t
 
 val drawings : t -> Value.t -> Value.thunk list list
 (** The marks of each drawing in the value, bottommost first. Skips drawings in values that fill a
-    single cell, such as events.
-*)
+    single cell, such as events. *)
 
 val count_drawings : t -> int
 (** The number of drawings that {!drawings} returns. *)

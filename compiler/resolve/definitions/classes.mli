@@ -7,7 +7,9 @@ val classes :
   Syntax.Ir.program ->
   Ir.class_ list
 (** The classes, superclasses before subclasses. Reports a class that is its own superclass, and a
-    definition whose name is not a method of the class. *) val instances :
+    definition whose name is not a method of the class. *)
+
+val instances :
   Env.t ->
   expr:Syntax.Ir.expr Bindings.resolver ->
   command:Syntax.Ir.command Bindings.resolver ->

@@ -11,8 +11,7 @@ val check_type : Scope.t -> Syntax.Ir.name -> unit
 val check_includes : Scope.t -> Syntax.Ir.program -> unit
 (** Reports a module that declares a copyable foreign type or a foreign signal function but does not
     include a header. A C compiler must know the size of everything that a program keeps in its
-    state.
-*)
+    state. *)
 
 val check_header : Scope.t -> Syntax.Ir.name -> unit
 (** Checks the path of a header, which must be inside the module's folder. *)

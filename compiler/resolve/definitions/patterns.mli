@@ -7,7 +7,8 @@ val variables : Ir.pattern -> Ir.Local.t list
 (** The variables bound by a pattern, in source order. *)
 
 val bind : Env.t -> Syntax.Ir.pattern list -> Env.t * Ir.pattern list
-(** Resolves patterns whose variables come into scope together, such as the parameters of a function. *)
+(** Resolves patterns whose variables come into scope together, such as the parameters of a
+    function. *)
 
 val number : Scope.t -> Syntax.Ir.number -> Ir.number
 

@@ -17,8 +17,7 @@ val program_or_self : string -> string
 
 val module_ : string -> string
 (** Turns the name of a program's module into the name of its test module, which cannot occur in
-    source code.
-*)
+    source code. *)
 
 val is_module_of : string -> main:string -> bool
 (** Is this the module [main], or the program that [main] tests? *)

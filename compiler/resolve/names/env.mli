@@ -26,8 +26,10 @@ type owner = { group : Groups.t; index : int; signed : bool }
 (** The definition of a local variable: its index in the group analysis, and whether it has a
     signature. *)
 
-type variable = { local : Ir.Local.t; owner : owner option  (** [None] for a variable that is not
-                                                                defined, such as a parameter *) }
+type variable = {
+  local : Ir.Local.t;
+  owner : owner option;  (** [None] for a variable without a definition, such as a parameter *)
+}
 
 val bind : t -> variable list -> t
 (** Adds variables that come into scope together. Reports two with the same name, and warns if one

@@ -163,9 +163,9 @@ val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 
 val with_variables : t -> by:Surroundings.construct -> Resolve.Ir.scheme -> Type.scheme * t
 (** Converts the scheme. Also returns the state for inferring the code that has this type. In this
-    state, the scheme's variables are in scope, one level deeper. [by]: the construct that introduces the
-    variables. Reports a constraint on something other than a variable ([E0365]) and on a variable
-    that the type does not mention ([E0364]). *)
+    state, the scheme's variables are in scope, one level deeper. [by]: the construct that
+    introduces the variables. Reports a constraint on something other than a variable ([E0365]) and
+    on a variable that the type does not mention ([E0364]). *)
 
 val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Like {!with_variables}, for the signature of a definition. *)

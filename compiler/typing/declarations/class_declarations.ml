@@ -164,5 +164,6 @@ let method_of instance (m : method_) : Type.scheme =
         context = instance.scheme.context @ List.map (fun (c, t) -> (c, substitute t)) context;
         body = substitute m.scheme.body;
       }
-  | _, _ -> Diagnostic.bug ~stage:"Typing.Class_declarations" "the scheme of a method does not \
-                                   begin with its class"
+  | _, _ ->
+      Diagnostic.bug ~stage:"Typing.Class_declarations"
+        "the scheme of a method does not begin with its class"

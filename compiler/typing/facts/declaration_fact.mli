@@ -1,4 +1,4 @@
-(** The facts that the checks of declarations report. *)
+(** Facts that the checks of declarations report. *)
 
 open Basis
 
@@ -8,7 +8,7 @@ type obstacle =
   | Text
   | Compile_time  (** its values exist only at compile time *)
   | Type_of_c of string  (** a type variable with the name of a C type *)
-  | Several_types (** any other type variable *)
+  | Several_types  (** any other type variable *)
 
 (** Reasons why C code cannot be imported with its declared type. *)
 type refusal =
@@ -33,14 +33,14 @@ type t =
       (** the method's type does not contain the class's variable *)
   | Constrained_variable of { constraint_ : Resolve.Ir.constraint_; variable : Ir.variable }
       (** the context of a method constrains the class's variable *)
-  | Built_in_class of Resolve.Ir.instance  (** an instance of a built-in class, which cannot have
-                                               instances *)
+  | Built_in_class of Resolve.Ir.instance
+      (** an instance of a built-in class, which cannot have instances *)
   | Instance_head of { instance : Resolve.Ir.instance; head : Type.t }
       (** the instance head is not a type constructor applied to distinct variables *)
   | Second_instance of { instance : Resolve.Ir.instance; head : Type.t; first : Span.t }
   | Missing_methods of {
       instance : Resolve.Ir.instance;
       head : Type.t;
-      missing : (Ir.Global.t * Span.t) list;  (** each missing method, with the place of its
-                                                  signature *)
+      missing : (Ir.Global.t * Span.t) list;
+          (** each missing method, with the place of its signature *)
     }

@@ -6,7 +6,7 @@ open Basis
 type refusal =
   | Function_as_output of { output : Ir.ty; at : Span.t }
       (** its output is a function that sets the output of a robot *)
-  | Not_a_robot_output of Span.t (** the place of its output *)
+  | Not_a_robot_output of Span.t  (** the place of its output *)
   | Type_variables of {
       is_program : bool;  (** a [Program], not a signal function *)
       size : string option;

@@ -36,7 +36,7 @@ type t =
       at : Span.t;  (** the first parameter that the type does not allow *)
       parameters : Resolve.Ir.pattern list;
       expected : Expected.t;  (** the definition's type *)
-      result : Type.t;  (** the type after the parameters that it allows *)
+      result : Type.t;  (** the type that remains after the parameters it allows *)
       allowed : int;
     }
   | Parameters_in_a_tuple of {
@@ -54,15 +54,16 @@ type t =
   | Variable_like_a_type of {
       at : Span.t;  (** the signature *)
       variable : Ir.variable;
-      type_ : string;  (** the type whose name the variable's name resembles *)
+      type_ : string;  (** the type that the programmer probably meant *)
     }  (** a warning *)
   | Matched_twice of {
       constructor : Ir.Global.t;
       first : Resolve.Ir.pattern;
       second : Resolve.Ir.pattern;
       missing : string;  (** a constructor that no branch matches *)
-    }  (** two branches of a [case] match the same constructor, and the second branch contains an
-           error *)
+    }
+      (** two branches of a [case] match the same constructor, and the second branch contains an
+          error *)
   | Parameters_in_other_order of {
       head : Resolve.Ir.expr;
       name : string;  (** [foldl] or [scanl] *)

@@ -43,7 +43,7 @@ type t =
       function_ : Ir.Global.t;
       head : Ir.expr;  (** place where the program mentions the function *)
       angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
-      scaled : bool; (** whether [angle] is a multiple *)
+      scaled : bool;  (** whether [angle] is a multiple *)
       instead : string;  (** name of the function to use for angles that wrap *)
       module_ : string;  (** the module of that function *)
       same_arguments : bool;  (** whether it takes the same arguments *)

@@ -15,8 +15,8 @@ val exchanged :
   position:int ->
   int option
 (** The position of an argument that could be swapped with the argument at [position], whose type is
-    wrong. Both positions are counted from 1. [given]: the types of the arguments. [parameters]: the parameter types
-    from the function's scheme. [unfit]: see {!pair_exchanged}. *)
+    wrong. Both positions are counted from 1. [given]: the types of the arguments. [parameters]: the
+    parameter types from the function's scheme. [unfit]: see {!pair_exchanged}. *)
 
 val may_be : wanted:Type.t -> Type.t -> bool
 (** Could an argument of this type be intended where [wanted] is expected? *)

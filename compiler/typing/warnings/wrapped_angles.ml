@@ -8,8 +8,8 @@ type facts = {
   program : program;
   docs : Doc_facts.t;
   origins : Angle_origins.t;
-  plain_uses : unit Int_table.t;  (** variables with at least one use whose result changes if full
-                                      turns are added *)
+  plain_uses : unit Int_table.t;
+      (** variables with at least one use whose result changes if full turns are added *)
   mutable differences : (Local.t * Warning_fact.t) list;
       (** variables defined as a difference, each with the fact to report *)
 }
