@@ -10,5 +10,5 @@ val some : string list -> more:int -> string
 (** [a, b and 2 more]; like {!all} if [more] is 0. *)
 
 val circle : string list -> string
-(** [`a → b → a`] for [a; b]. Only the beginning and the end of a very long cycle are shown. A part
-    that repeats is shown once. *)
+(** [`a → b → a`] for [a; b]. Only the beginning and the end of a very long cycle are shown. If the
+    list repeats a shorter cycle, that cycle is shown once. *)

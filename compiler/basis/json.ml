@@ -76,7 +76,7 @@ let is_too_deep text =
 
 let finite x = if Float.is_finite x then Float x else raise Malformed
 
-(* Yojson also reads some values that are not JSON. *)
+(* Yojson also accepts some values that are not JSON. *)
 let rec of_yojson : Yojson.Safe.t -> t = function
   | `Null -> Null
   | `Bool b -> Bool b

@@ -6,4 +6,4 @@ val of_text : string -> t
 (** The kind of the text's first line ending. *)
 
 val write : t -> string -> string
-(** Converts all line endings of the text. *)
+(** Converts all line endings of the text to this kind. *)

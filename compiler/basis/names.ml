@@ -1,4 +1,4 @@
-(* For each name already returned, the suffix to try at its next request. *)
+(* Maps each name already returned to the suffix to try when it is requested again. *)
 type t = int String_table.t
 
 let create () = String_table.create 64

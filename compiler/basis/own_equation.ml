@@ -42,8 +42,8 @@ let of_line text =
       if name = "" || (not (String.for_all Character.is_name name)) || written = "" then None
       else Some (name, written, i + 1 + String.index right written.[0])
 
-(* The right-hand side of the equation [name = …] at this place, which is on one line, and its place.
-   *)
+(* The right-hand side of the equation [name = …] at this place, and its span. [None] if the
+   equation is not on one line. *)
 let right_side sources ~name ~(at : Span.t) =
   let line = Span.line at.start in
   match Source.line sources at.file line with
@@ -58,7 +58,7 @@ let right_side sources ~name ~(at : Span.t) =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* The operands of the sums and differences outside brackets, each with the sign before it. *)
+(* The terms of a sum or difference, split outside brackets, each with its sign. *)
 let terms text =
   let n = String.length text in
   let add sign from until found =
@@ -77,7 +77,7 @@ let terms text =
   in
   go 0 0 '+' 0 []
 
-(* Is it a time step, such as `0.02[s]` or `dt`? *)
+(* Is the text a time step, such as `0.02[s]` or `dt`? *)
 let is_a_step text =
   let is_number text = float_of_string_opt text <> None in
   let of_unit unit_ =
@@ -110,7 +110,8 @@ let integral ~name text =
   | [ ('+', product); ('+', x) ] when String.equal x name -> of_rate '+' product
   | _ -> None
 
-(* Replaces the name by this text, in parentheses where it is an argument. *)
+(* Replaces the name [read] by the text [by], in parentheses where it is an argument or a
+   function. *)
 let replaced ~read ~by text =
   let n = String.length text in
   let is_part c = Character.is_name c || c = '.' in
@@ -156,7 +157,7 @@ let has_a_branch text =
   List.exists (fun word -> List.mem word [ "if"; "case"; "let" ]) (words text)
   || String.contains text '\\'
 
-(* The equation for the previous value, inserted before the equation at this place. *)
+(* Inserts an equation for the previous value before the equation at this place. *)
 let with_equation ~at:(place : Span.t) ~right ~read ~start text =
   let name =
     if List.mem "before" (words text) || String.equal read "before" then "earlier" else "before"

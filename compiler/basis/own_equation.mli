@@ -16,11 +16,12 @@ val of_line : string -> (string * string * int) option
     the name, the right-hand side, and the index at which the right-hand side begins. *)
 
 val integral : name:string -> string -> string option
-(** [integral v] for the right-hand side [x + v * 0.02[s]] or [v * dt + x] of the equation for [x],
-    which is the [name]. *)
+(** Returns [integral v] for the right-hand side [x + v * 0.02[s]] or [v * dt + x], where [x] is the
+    name. *)
 
 val fix : Source.t -> name:string -> at:Span.t -> read:string -> start:string -> t option
-(** The equation for [name], whose name is at [at], with [delay start read] in place of [read], or
-    with an integral if it adds a product with a time step to its own value. If [read] occurs in a
-    choice, the [delay] gets a separate equation, because a branch must not run it. [None] if the
-    equation is not [name = …] on one line. *)
+(** Rewrites the equation for [name], which begins at [at], so that it contains [delay start read]
+    in place of [read]. If the equation adds the product of a rate and a time step to its own value,
+    it becomes an integral. If it contains a branch or a function, the [delay] gets a separate
+    equation, because a branch or a function must not run it. [None] if the equation is not
+    [name = …] on one line. *)

@@ -72,8 +72,9 @@ and statement_desc =
   | For of { index : string; count : int; body : statement list }
       (** the index is an Int32 that starts at 0 *)
   | Repeat of { rounds : string; most : int; body : statement list }
-      (** a [do] loop: runs the body once, and again after its end or a [Continue], at most [most]
-          times in total. [rounds] is an Int32 variable that has been declared with the value 0 *)
+      (** a [do] loop: the end of the body, or a [Continue], starts the next iteration, up to [most]
+          iterations in total. [rounds] is an Int32 variable that has been declared with the value 0
+      *)
   | Continue
       (** continues the enclosing [For] or [Repeat] with the next iteration, if there is one *)
   | Break  (** leaves the enclosing [For] or [Repeat]; not allowed in a [Switch] *)

@@ -206,7 +206,7 @@ let without_marks text =
   let text' = " " ^ text in
   String.concat "" (List.init (String.length text) (fun i -> after text'.[i] text.[i]))
 
-(* The further lines of a comment that has already been opened. *)
+(* Lines that continue a comment that is already open. *)
 let comment_lines = function
   | [] -> ""
   | lines ->

@@ -1,5 +1,6 @@
-(** Translates Step to C: chooses names and structs, and arranges both files. The functions of the
-    root are external and have the program's name; those of all other nodes are static. *)
+(** Translates Step to C: chooses the names and the structs, and composes the header and the source
+    file. The functions of the root are external and have the program's name; those of all other
+    nodes are static. *)
 
 type t = {
   name : string;  (** name in C *)

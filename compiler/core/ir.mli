@@ -76,7 +76,7 @@ and control_kind =
 
 and foreign = {
   headers : header list;
-  types : foreign_type list;  (** including those without constructors *)
+  types : foreign_type list;  (** including opaque types, which have no constructors *)
   values : (Primitive.foreign * ty) list;
       (** [Function]s or a [Signal_function] over closed first-order types *)
 }
@@ -84,7 +84,9 @@ and foreign = {
 
 and header = {
   header : string;
-  of_file : string;  (** its path is relative to the folder of that file *)
+  of_file : string;
+      (** the file that declares the header; the header's path is relative to the folder of this
+          file *)
 }
 
 and foreign_type = {
@@ -133,9 +135,9 @@ and expr_desc =
   | Global of Global.t * ty list
   | Primitive of Primitive.t * ty list
   | Method of { class_ : Global.t; name : string; ty : ty; types : ty list }
-      (** the method of the instance for [ty], which is a type variable: if the type constructor is
-          known, the instance's definition is used directly, as a [Global]. [types]: the arguments
-          for the method's own parameters *)
+      (** the method of the instance for [ty], which is a type variable. (For a known type
+          constructor, a [Global] refers directly to the instance's definition.) [types]: the
+          arguments for the method's own parameters *)
   | Number of Exact.t  (** has type Int, Float or a representation variable *)
   | Boolean of bool
   | String of string

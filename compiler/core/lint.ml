@@ -112,7 +112,7 @@ let primitive s (e : expr) p types =
       | Some ty -> is e ty
       | None -> fail e.span "`%s` is not imported" f.foreign_name)
   | None, _ ->
-      fail e.span "primitive `%s` has %d type arguments" (Primitive_table.name p)
+      fail e.span "primitive `%s` does not take %d type arguments" (Primitive_table.name p)
         (List.length types)
 
 let method_ s (e : expr) ty types =
@@ -121,13 +121,13 @@ let method_ s (e : expr) ty types =
   | Variable _ -> ()
   | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
   | Size _ ->
-      fail e.span "a method of the known type %a" Print.ty ty
+      fail e.span "a method is used at the known type %a" Print.ty ty
 
 let number (e : expr) =
   match e.ty with
   | Int | Float | Variable _ -> ()
   | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
-      fail e.span "a number of type %a" Print.ty e.ty
+      fail e.span "a number cannot have type %a" Print.ty e.ty
 
 let application (e : expr) (f : expr) (a : expr) =
   match f.ty with
@@ -136,29 +136,31 @@ let application (e : expr) (f : expr) (a : expr) =
       is e result
   | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
   | Size _ ->
-      fail f.span "a value of type %a is applied" Print.ty f.ty
+      fail f.span "a value of type %a cannot be applied" Print.ty f.ty
 
 let array (e : expr) elements =
   match e.ty with
   | Array (Size n, element) when n = List.length elements ->
       List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
-  | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty
+  | _ ->
+      fail e.span "an array of %d elements cannot have type %a" (List.length elements) Print.ty e.ty
 
 let index (e : expr) (array : expr) k =
   match array.ty with
-  | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
+  | Array (Size n, _) when k < 0 || k >= n ->
+      fail e.span "there is no element %d in an array of %d" k n
   | Array (_, element) -> is e element
-  | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty
+  | _ -> fail e.span "there is no element %d in a value of type %a" k Print.ty array.ty
 
 let component (e : expr) (value : expr) index =
   match value.ty with
   | Tuple types when index >= 0 && index < List.length types -> is e (List.nth types index)
-  | _ -> fail e.span "component %d of a value of type %a" index Print.ty value.ty
+  | _ -> fail e.span "there is no component %d in a value of type %a" index Print.ty value.ty
 
 let construct s (e : expr) (data : Global.t) constructor arguments =
   (match e.ty with
   | Data (tycon, _) when tycon = data -> ()
-  | _ -> fail e.span "a `%s` of type %a" data.name Print.ty e.ty);
+  | _ -> fail e.span "a `%s` cannot have type %a" data.name Print.ty e.ty);
   let fields = field_types s e.span e.ty constructor in
   if List.compare_lengths fields arguments <> 0 then
     fail e.span "%d arguments for %d fields" (List.length arguments) (List.length fields);

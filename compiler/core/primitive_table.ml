@@ -108,7 +108,8 @@ let name t =
   | Power_literal k, _ -> Printf.sprintf "^%d" k
   | Foreign f, _ -> f.foreign_name
   | _, Some (name, _, _) -> name
-  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "a primitive without a row"
+  | _, None ->
+      Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "the primitive is not in the table"
 
 let key t =
   match t with Foreign f -> Printf.sprintf "foreign %s.%s" f.module_ f.foreign_name | _ -> name t
@@ -119,4 +120,5 @@ let arity t =
   | Foreign { kind = Stateless arity; _ }, _ -> arity
   | Foreign { kind = Stateful; _ }, _ -> 0
   | _, Some (_, _, arity) -> arity
-  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "a primitive without a row"
+  | _, None ->
+      Basis.Diagnostic.bug ~stage:"Core.Primitive_table" "the primitive is not in the table"

@@ -270,7 +270,7 @@ let definition c (d : definition) =
       expr c 0 d.body);
   cut c
 
-(* Prints [frontDistance = frontDistance@Big]. *)
+(* Prints each method, for example as [frontDistance = frontDistance@Big]. *)
 let instance c (i : instance) =
   let implementation (name, implementation) =
     match implementation with
@@ -284,7 +284,7 @@ let instance c (i : instance) =
       lines c implementation i.methods);
   cut c
 
-(* The module of an instance is the one of the methods that it defines. If it defines none, it is
+(* The module of an instance is the module of the methods that it defines. If it defines none, it is
    the module of its class. *)
 let belongs_to own (i : instance) =
   let given (_, implementation) =

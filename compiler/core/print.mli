@@ -10,4 +10,4 @@ val program : Format.formatter -> Ir.program -> unit
 val ty : Format.formatter -> Ir.ty -> unit
 
 val type_name : Ir.ty -> string
-(** The type on one line, in source syntax: without units, and without the modules of names. *)
+(** The type on one line, in source syntax, without units and without module qualifiers. *)

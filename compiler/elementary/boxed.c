@@ -1,6 +1,6 @@
-/* OCaml wrappers for the elementary functions. They take and return doubles, because OCaml has
- * no other floating-point type. The bytecode versions take boxed doubles. A single is a double
- * whose value a C float can represent exactly. */
+/* OCaml wrappers for the elementary functions. They take and return doubles, because OCaml has no
+ * other floating-point type. The bytecode versions take boxed doubles. A single is a double whose
+ * value a C float can represent exactly. */
 #include <caml/alloc.h>
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>

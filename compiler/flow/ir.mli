@@ -1,9 +1,9 @@
 (** Flow: the program as first-order nodes of equations over signals.
 
     The only types are Bool, Int, Float, foreign types, and sums and arrays of these. Functions,
-    signal functions, tuples and records are not values. A tuple or record is the list of its
-    leaves, in order. A sum value is one leaf. An array of tuples or records is one array for each
-    leaf of its elements.
+    signal functions, tuples and records are not values. A tuple or record is represented by the
+    list of its leaves, in order. A sum value is one leaf. An array of tuples or records is
+    represented by one array for each leaf of its elements.
 
     Invariants (see {!Lint}): a signal has exactly one equation, in the node that owns it; callees
     precede their callers in [program.nodes]; all operations are total, so an equation whose value
@@ -39,7 +39,7 @@ type sum = {
 
 and sum_constructor = {
   constructor : string;
-  fields : (string * shape) list;  (** the name is [""] if positional *)
+  fields : (string * shape) list;  (** the name of a positional field is [""] *)
 }
 
 (** The structure of a source-language value in terms of its leaves. *)
@@ -49,7 +49,7 @@ and shape =
   | Repeated of int * shape  (** an array *)
 
 and product = {
-  product_name : string;  (** [""] for a tuple, otherwise the record's type *)
+  product_name : string;  (** the name of the type; [""] for a tuple *)
   product_module : string;
   constructor : string;  (** [""] for a tuple *)
   record : bool;  (** whether the constructor's fields have names *)
@@ -116,12 +116,12 @@ and rhs =
       (** [init] in the first instant, afterwards the previous value of [next]; [init] is static *)
   | Elements of atom list  (** an array with these elements *)
   | Fill of atom  (** an array of equal elements *)
-  | Index of atom * int  (** the index is inside the array *)
+  | Index of atom * int  (** the index is within bounds *)
   | At of { array : atom; index : atom; default : atom }
-      (** [default] if the index is outside the array *)
+      (** [default] if the index is out of bounds *)
   | Replace of { array : atom; index : atom; value : atom }
-      (** the array with one element replaced; unchanged if the index is outside *)
-  | Param of int  (** an element of [program.params], which is constant during a run *)
+      (** the array with one element replaced; unchanged if the index is out of bounds *)
+  | Param of int  (** index into [program.params]; the parameter is constant during a run *)
   | Absent  (** a placeholder for a missing foreign value; it is never read *)
   | Time of { restart : atom }
       (** local time in seconds, a Float. Starts again at 0 whenever [restart] is true. The state
@@ -133,7 +133,8 @@ and rhs =
           previous instant and not after the current local time. The number is truncated to an
           integer. Always true if it is below 1, never if it is NaN *)
   | Integral of atom
-      (** 0 in the first instant, then adds dt times the previous value of the argument *)
+      (** 0 in the first instant; each later instant adds dt times the previous value of the
+          argument *)
   | Derivative of atom
 
 type instance = {
@@ -167,7 +168,7 @@ and argument =
 
 and trial = {
   gives : signal list;  (** some of the instance's outputs, in order *)
-  given : atom option list;  (** for each input; [None] if the input does not matter *)
+  given : atom option list;  (** the value of each input; [None] if the input does not matter *)
 }
 (** A trial step: computes some outputs of the instance and leaves its state unchanged. It is needed
     if some outputs must be known before all inputs are, and the node cannot be split, for example
@@ -178,9 +179,9 @@ type kind =
   | Signal_function
 
 type import = {
-  symbol : string;  (** its name in C, or the prefix of its names *)
+  symbol : string;  (** its name in C; for a signal function, the prefix of its names in C *)
   kind : kind;
-  arguments : shape list;  (** a single one for a signal function *)
+  arguments : shape list;  (** a signal function has exactly one *)
   result : shape;
 }
 (** A declaration that imports C code. The user's own imports are listed even if the program does
@@ -218,13 +219,13 @@ and at_entry =
 
 type machine = {
   modes : int list;
-      (** nodes before this one, with the same [inputs] and [outputs] as the machine, and with
-          [transitions]; the statics of a mode are its parameters *)
+      (** indices of nodes that come before this one. They have the same [inputs] and [outputs] as
+          the machine, and may have [transitions]. The statics of a mode are its parameters *)
   start : transition list;
       (** these read static signals of this node; the last transition is unconditional *)
   active : atom option;
-      (** if present, the machine only runs in the instants in which this is true. dt is then the
-          time since its own previous instant; in other instants its outputs are unspecified *)
+      (** if present, the machine runs only in instants in which this is true, and dt is the time
+          since the machine last ran. In other instants its outputs are unspecified *)
   controls : transition list;  (** these read signals of this node *)
   inputs : atom list;
   outputs : signal list;  (** signals defined here *)
@@ -239,7 +240,8 @@ type machine = {
     occurs, the machine enters the target of the first such transition, and that mode takes a step;
     this repeats until none occurs. A delayed control is taken after that. When the machine enters a
     mode, it assigns all parameters of the mode simultaneously, and the mode's local time starts at
-    0. After a delayed transition, the outputs of the new mode are dropped, but its events count. *)
+    0. After a delayed transition, the outputs of the new mode are dropped, but its events take
+    effect. *)
 
 type node = {
   name : string;  (** from the source; unique in the program *)
@@ -247,7 +249,7 @@ type node = {
   kind : kind;
   statics : signal list;  (** known when the node starts, and constant from then on *)
   inputs : signal list;
-  outputs : (string * atom) list;  (** its outputs: name and value of each leaf *)
+  outputs : (string * atom) list;  (** the name and value of each leaf of the output *)
   equations : equation list;
   instances : instance list;
   foreign : foreign option;
@@ -270,13 +272,13 @@ type param = {
   doc : string option;
   declared : Span.t;
 }
-(** A parameter that is fixed when a run starts. *)
+(** A parameter whose value is fixed when a run starts. *)
 
 type claim = {
-  column : string;  (** one of the [probes], which contains the verdict *)
+  column : string;  (** the name of the probe that contains the verdict *)
   is_assumption : bool;
   label : string;
-  shown : bool;  (** whether it is a column of traces, like other probes *)
+  shown : bool;  (** whether traces contain this column, as they do for other probes *)
   claimed_at : Span.t;
   margin : string option;
       (** the margin by which the assertion is satisfied, as a formula over other [probes]; see
@@ -295,9 +297,9 @@ type program = {
       (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id may
           be an array of this size *)
   imports : import list;
-      (** imports from the user's C, and imports of the library that a node calls; each one once, by
-          symbol *)
-  headers : header list;  (** headers of the user's C *)
+      (** the user's imports of C code, and those of the library's imports that a node calls. Each
+          symbol occurs once *)
+  headers : header list;  (** headers of the user's C code *)
   input : shape;  (** the root's inputs *)
   console : Core.Ir.control list;
       (** the controls on the operator's console, which is a record somewhere in [input] *)
@@ -308,9 +310,9 @@ type program = {
   rate : float option;
       (** the steps per second of a ROS 2 node with topics of its own; [None] for other programs *)
   probes : (string * shape) list;
-      (** inner signals to show, with their names. The root returns their leaves after those of
+      (** internal signals to show, with their names. The root returns their leaves after those of
           [output] *)
-  claims : claim list;  (** the [probes] that are verdicts of assertions *)
+  claims : claim list;  (** the assertions whose verdicts are among the [probes] *)
   marks : int;
       (** maximum number of marks drawn in an instant, including marks that are not shown *)
   params : param list;

@@ -56,12 +56,12 @@ let operator scope operator arguments =
 
 let check_all scope what expected atoms =
   if List.compare_lengths expected atoms <> 0 then
-    bug "%s in `%s`: %d where %d are needed" what scope.node.name (List.length atoms)
+    bug "%s in `%s`: %d values where %d are needed" what scope.node.name (List.length atoms)
       (List.length expected);
   List.iter2 (fun ty atom -> expect scope what ty (type_of scope atom)) expected atoms
 
 let stateful scope what =
-  if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
+  if scope.node.kind = Function then bug "the function `%s` has state: %s" scope.node.name what
 
 (* Checks that values of this type may be stored in the state. *)
 let lasting scope ty =
@@ -72,7 +72,7 @@ let lasting scope ty =
 let array scope a =
   match type_of scope a with
   | Array (n, element) -> (n, element)
-  | other -> bug "a %s is taken for an array in `%s`" (show scope other) scope.node.name
+  | other -> bug "a %s is used as an array in `%s`" (show scope other) scope.node.name
 
 let equation scope (eq : Ir.equation) =
   let ty = eq.defines.ty in
@@ -99,15 +99,17 @@ let equation scope (eq : Ir.equation) =
         | Array (n, element) when List.length atoms = n ->
             List.iter (fun a -> expect scope "an element" element (type_of scope a)) atoms;
             ty
-        | _ -> bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name
-        )
+        | _ ->
+            bug "%d elements do not form a %s in `%s`" (List.length atoms) (show scope ty)
+              scope.node.name)
     | Fill a -> (
         match ty with
         | Array (n, _) -> Array (n, type_of scope a)
-        | _ -> bug "a %s is filled in `%s`" (show scope ty) scope.node.name)
+        | _ -> bug "a %s is filled like an array in `%s`" (show scope ty) scope.node.name)
     | Index (a, k) ->
         let n, element = array scope a in
-        if k < 0 || k >= n then bug "element %d of %d in `%s`" k n scope.node.name;
+        if k < 0 || k >= n then
+          bug "index %d is out of bounds for an array of size %d in `%s`" k n scope.node.name;
         element
     | At { array = a; index; default } ->
         expect scope "an index" Int (type_of scope index);
@@ -124,7 +126,9 @@ let equation scope (eq : Ir.equation) =
     | Absent -> (
         match ty with
         | Foreign _ -> ty
-        | _ -> bug "a %s is absent in `%s`" (show scope ty) scope.node.name)
+        | _ ->
+            bug "a %s, which is not a foreign type, is absent in `%s`" (show scope ty)
+              scope.node.name)
     | Delay { init; next } ->
         stateful scope "delay";
         lasting scope ty;
@@ -132,7 +136,7 @@ let equation scope (eq : Ir.equation) =
         type_of scope next
     | Time { restart } ->
         stateful scope "time";
-        expect scope "when a time starts again" Bool (type_of scope restart);
+        expect scope "the restart condition of a time" Bool (type_of scope restart);
         Float
     | Step_time ->
         stateful scope "a step's time";
@@ -172,7 +176,8 @@ let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
         output :: given arguments inputs outputs
     | Accumulator :: _, _, _ -> bug "`%s` has no output for an accumulator" i.name
     | arguments, _, _ ->
-        if List.mem Ir.Accumulator arguments then bug "an accumulator of `%s` is not first" i.name;
+        if List.mem Ir.Accumulator arguments then
+          bug "the accumulators of `%s` do not come first" i.name;
         List.map (fun ty : Ir.ty -> Array (l.count, ty)) outputs
   in
   (List.map2 taken l.arguments inputs, given l.arguments inputs outputs)
@@ -180,20 +185,21 @@ let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
 let instance scope names (i : Ir.instance) =
   if i.node < 0 || i.node >= scope.index then
     bug "`%s` calls node %d, which does not come before it" scope.node.name i.node;
-  if Hashtbl.mem names i.name then bug "`%s` has two instances `%s`" scope.node.name i.name;
+  if Hashtbl.mem names i.name then bug "`%s` has two instances named `%s`" scope.node.name i.name;
   Hashtbl.add names i.name ();
   let callee = scope.program.nodes.(i.node) in
   if callee.kind = Signal_function then stateful scope "signal function";
   check_all scope "a static" (signal_types callee.statics) i.statics;
   List.iter (lasting scope) (signal_types callee.statics);
-  (* A node's outputs may be constants; their types are the callee's. *)
+  (* Takes the output types from the callee's atoms, because an output may be a constant. *)
   let inputs = signal_types callee.inputs and outputs = List.map output_type callee.outputs in
   let inputs, outputs =
     match i.loop with
     | None -> (inputs, outputs)
     | Some l ->
         if l.count < 1 || List.compare_lengths l.arguments inputs <> 0 then
-          bug "the loop `%s` in `%s` has the wrong form" i.name scope.node.name;
+          bug "the loop `%s` in `%s` has no iterations or the wrong number of arguments" i.name
+            scope.node.name;
         loop scope i l inputs outputs
   in
   check_all scope "an input" inputs i.inputs;
@@ -209,7 +215,7 @@ let instance scope names (i : Ir.instance) =
 
 let transition scope (modes : Ir.node array) (t : Ir.transition) =
   if t.target < 0 || t.target >= Array.length modes then
-    bug "a transition in `%s` leads to mode %d" scope.node.name t.target;
+    bug "a transition in `%s` leads to mode %d, which does not exist" scope.node.name t.target;
   expect scope "the condition of a transition" Bool (type_of scope t.occurs);
   check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments;
   List.iter (lasting scope) (signal_types modes.(t.target).statics)
@@ -221,7 +227,8 @@ let machine scope modes_of (m : Ir.machine) =
       (fun mode ->
         if mode < 0 || mode >= scope.index then
           bug "a mode of `%s` does not come before it" scope.node.name;
-        if Hashtbl.mem modes_of mode then bug "`%s` is a mode twice" scope.program.nodes.(mode).name;
+        if Hashtbl.mem modes_of mode then
+          bug "`%s` is a mode of two machines" scope.program.nodes.(mode).name;
         scope.program.nodes.(mode))
       m.modes
   in
@@ -235,12 +242,14 @@ let machine scope modes_of (m : Ir.machine) =
         (List.map output_type mode.outputs)
         (List.map (fun s -> Ir.Signal s) m.outputs))
     modes;
-  Option.iter (fun a -> expect scope "when a machine runs" Bool (type_of scope a)) m.active;
+  Option.iter
+    (fun a -> expect scope "the condition for running a machine" Bool (type_of scope a))
+    m.active;
   List.iter (transition scope all) m.start;
   List.iter (transition scope all) m.controls;
   match List.rev m.start with
   | { occurs = Bool true; delayed = false; _ } :: _ -> ()
-  | _ -> bug "the machine of `%s` may not start" scope.node.name
+  | _ -> bug "the last start transition of `%s` is conditional or delayed" scope.node.name
 
 (* Checks that a node with a machine has no other state. *)
 let only_machine scope =
@@ -258,7 +267,7 @@ let foreign scope (f : Ir.foreign) =
     || node.transitions <> [] || node.statics <> []
   then bug "`%s` is foreign and has a body" node.name;
   if f.import.kind <> node.kind || not (List.mem f.import scope.program.imports) then
-    bug "`%s` is not as it is imported" node.name;
+    bug "`%s` does not match its import" node.name;
   check_all scope "an argument"
     (List.concat_map Shape.leaves f.import.arguments)
     (List.map (fun s -> Ir.Signal s) node.inputs);
@@ -266,11 +275,12 @@ let foreign scope (f : Ir.foreign) =
   check_all scope "a result" (Shape.leaves f.import.result) results
 
 let node program owners names modes_of index (node : Ir.node) =
-  if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
+  if Hashtbl.mem names node.name then bug "there are two nodes named `%s`" node.name;
   Hashtbl.add names node.name ();
   let scope = { program; index; node; defined = Hashtbl.create 16 } in
   Signals.iter (define owners scope) node;
-  if node.kind = Function && node.statics <> [] then bug "the function `%s` has statics" node.name;
+  if node.kind = Function && node.statics <> [] then
+    bug "the function `%s` has static parameters" node.name;
   List.iter (equation scope) node.equations;
   let instance_names = Hashtbl.create 8 in
   List.iter (instance scope instance_names) node.instances;
@@ -294,13 +304,14 @@ let program (p : Ir.program) =
   let check index n =
     let scope = node p owners names modes_of index n in
     if index = Array.length p.nodes - 1 then (
-      if n.statics <> [] then bug "the root `%s` has statics" n.name;
+      if n.statics <> [] then bug "the root `%s` has static parameters" n.name;
       check_all scope "a root input" (Shape.leaves p.input)
         (List.map (fun s -> Ir.Signal s) n.inputs);
       let leaves = List.concat_map Shape.leaves (p.output :: List.map snd p.probes) in
       check_all scope "a root output" leaves (List.map snd n.outputs));
     (index, scope)
   in
-  if Array.length p.nodes = 0 then bug "there is no node";
-  if Signals.next_id p.nodes > p.next_id then bug "an id is not below the next one";
+  if Array.length p.nodes = 0 then bug "the program has no nodes";
+  if Signals.next_id p.nodes > p.next_id then
+    bug "the id or group of a signal is not less than `next_id`";
   Array.iter (transitions modes_of) (Array.mapi check p.nodes)

@@ -1,6 +1,6 @@
-(** Checks the invariants of {!Ir}: one equation for each signal, in the node that uses it; callees
-    before callers; types of operations and instances; constructors that exist; absence of state in
-    functions; unique names. *)
+(** Checks the invariants of {!Ir}: each signal has one equation, in the node that uses it; callees
+    come before callers; operations and instances have the right types; constructors exist;
+    functions have no state; names are unique. *)
 
 val program : Ir.program -> unit
 (** Raises {!Basis.Diagnostic.Bug}. *)

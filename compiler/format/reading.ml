@@ -70,7 +70,7 @@ let column place text at =
   place.counted <- at;
   place.characters
 
-(* The comments between two offsets, where the text contains only comments and spaces. *)
+(* Reads the comments between two offsets. The text there contains only comments and white space. *)
 let comments place text start stop =
   let found = ref [] and at = ref start in
   while !at < stop do
@@ -217,7 +217,7 @@ let close_bracket r index =
     r.partner.(index) <- opener);
   pop r.state
 
-(* The effect of a word on the words after it. *)
+(* Updates the state for the words after this one. *)
 let open_after r index (token : Lexer.token) frame =
   let { number; units; opener; types; cases = _ } = frame in
   match token.token with

@@ -99,7 +99,7 @@ let rec expr env (e : expr) : Value.t =
       let types = List.map (closed env.types) types in
       match Instance.method_ env.program.instances ~class_ ~name (closed env.types ty) with
       | Some (definition, first) -> Thunk.force (global env.program definition (first @ types))
-      | None -> bug "no instance of `%s` has `%s`" class_.name name)
+      | None -> bug "no instance of `%s` for this type has the method `%s`" class_.name name)
   | Number value -> number env e.ty value
   | Boolean b -> Bool b
   | String text -> Text text
@@ -184,7 +184,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   | Ending, [ signal_function ] -> (
       match List.map (closed env.types) types with
       | [ _; _; result ] -> Ending { signal_function; result }
-      | _ -> bug "`ending` has three types")
+      | _ -> bug "`ending` needs three type arguments")
   | _, _ -> (
       let arity = Core.Primitive_table.arity p in
       if List.length arguments < arity then
@@ -276,7 +276,7 @@ and started env signal_function =
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ | Ending _ ->
-      bug "a value that is run is not a signal function"
+      bug "an equation runs a value that is not a signal function"
 
 let definition program name = global program name []
 

@@ -8,7 +8,7 @@
 type program
 
 val program : ?params:(Core.Ir.Global.t * Value.thunk) list -> Core.Ir.program -> program
-(** [params] replaces the values of these definitions. *)
+(** [params] lists definitions with the values that replace theirs. *)
 
 val definition : program -> Core.Ir.Global.t -> Value.thunk
 (** The value of a definition without parameters. *)

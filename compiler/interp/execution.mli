@@ -17,6 +17,6 @@ val ended : t -> Core.Ir.ty option
 
 val instant : ?precision:Basis.Real.t -> t -> seconds:float -> Value.t -> Value.t
 (** Runs one instant and returns the output, completely evaluated. [seconds] is the time since the
-    previous instant; the first instant ignores it. [precision] is the precision of [seconds], by
-    default double: hosts pass doubles whatever the precision of the program, and only the function
-    [NAME_step] of a single-precision program takes a float. *)
+    previous instant; the first instant ignores it. [precision] is the precision of [seconds]. The
+    default is double, because hosts pass doubles whatever the precision of the program; only the
+    function [NAME_step] of a single-precision program takes a float. *)

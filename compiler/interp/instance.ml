@@ -7,7 +7,7 @@ let table instances =
   List.iter (fun (i : instance) -> Hashtbl.add table i.class_ i) instances;
   table
 
-(* The types of the head's variables, in order, if this is the instance for [ty]. *)
+(* If this is the instance for [ty], returns the types of the head's variables, in order. *)
 let matches (head : ty) (ty : ty) =
   match (head, ty) with
   | Data (tycon, _), Data (other, arguments) when tycon = other -> Some arguments

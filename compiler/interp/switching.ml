@@ -41,8 +41,7 @@ let enter nesting value input =
   let instance = started nesting value in
   { instance; output = instance.output Clock.first input }
 
-(* Runs [active] until it is replaced by [next], which is computed in each instant. [visible]:
-   whether the output in this instant already comes from the new instance. *)
+(* [active] runs until [next], which is computed in each instant, replaces it. *)
 type running = {
   mutable active : Value.instance;
   mutable switched : bool;
@@ -51,6 +50,7 @@ type running = {
 
 let nothing = Thunk.known None
 
+(* [visible]: whether the output in this instant already comes from the new instance. *)
 let output nesting running ~visible old =
   if not visible then old
   else

@@ -15,7 +15,7 @@ let by_side output : (Value.thunk, Value.thunk) Either.t =
   match Thunk.force output with
   | Value.Data { constructor = 0; arguments = [| shown |] } -> Left shown
   | Data { constructor = 1; arguments = [| result |] } -> Right result
-  | _ -> bug "an output that is neither left nor right"
+  | _ -> bug "an output that is neither `Left` nor `Right`"
 
 let make signal_function = Value.Task (Runs { signal_function; ended = by_event })
 let until_right signal_function = Value.Task (Runs { signal_function; ended = by_side })
@@ -23,7 +23,7 @@ let until_right signal_function = Value.Task (Runs { signal_function; ended = by
 let started nesting signal_function =
   match Thunk.force signal_function with
   | Value.Signal_function start -> Thunk.afresh nesting start
-  | _ -> bug "a task from a value that is not a signal function"
+  | _ -> bug "a task made from a value that is not a signal function"
 
 let next_task continuation result =
   match Thunk.force continuation with

@@ -19,8 +19,9 @@ val equation : nesting -> name:string -> (unit -> 'a) -> 'a t
     deeply, {!force} abandons it, and {!demand} first evaluates the thunk that was reached. *)
 
 val force : 'a t -> 'a
-(** The value. Only a thunk that {!demand} evaluates may call this. A thunk that needs its own value
-    is a loop within one instant. That is a compiler bug, because causality has been checked. *)
+(** The value. May only be called while {!demand} evaluates a thunk. A thunk that needs its own
+    value is a loop within one instant. That is a compiler bug, because causality has been checked.
+*)
 
 val demand : 'a t -> 'a
 (** The value. Must be called outside of any evaluation. *)

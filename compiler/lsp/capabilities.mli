@@ -1,3 +1,3 @@
-(** The server's capabilities, in the form in which it announces them to the editor. *)
+(** The server's capabilities, as JSON for the reply to [initialize]. *)
 
 val all : encoding:string -> Basis.Json.t

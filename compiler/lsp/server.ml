@@ -52,8 +52,8 @@ let publish t (doc : Document.t) =
 (* {2 Slow texts}
 
    The server checks a text itself if the check is so short that other requests can wait for it.
-   Otherwise, a worker checks the text. An edit ends the worker. Requests about the text wait for
-   the worker's result, and requests about other texts do not. *)
+   Otherwise, a worker checks the text. An edit stops the worker. Requests about the text wait for
+   the worker's result, but requests about other texts do not. *)
 
 (* More concurrent workers would only slow each other down. *)
 let most_workers = 4
@@ -121,7 +121,7 @@ let advance t ready =
         looked t doc found
     | Lost ->
         t.looks <- List.remove_assq doc t.looks;
-        let reason = "frobc could not check this: it ran out of memory, or was stopped" in
+        let reason = "frobc could not check this text: it ran out of memory or was killed" in
         let analysis = Analysis.given_up ~path:doc.path (Text.contents doc.text) reason in
         looked t doc { analysis; whole_view = None; partial_view = None }
   in
@@ -137,7 +137,7 @@ let advance t ready =
         | Error (code, fault) when code = internal_error -> log fault
         | Ok _ | Error _ -> ());
         end_with result
-    | Lost -> end_with (Error (internal_error, "frobc ran out of memory, or was stopped"))
+    | Lost -> end_with (Error (internal_error, "frobc ran out of memory or was killed"))
   in
   List.iter (fun (doc, w) -> if is_ready w && is_looked_at t doc then end_of_look doc w) t.looks;
   List.iter (fun (id, w) -> if is_ready w then end_of_request id w) t.asked
@@ -347,7 +347,7 @@ let give_answer t id method_ params =
 let ask t message id method_ params =
   let doc = Workspace.document t.ws (uri params) in
   let needs_look (doc : Document.t) = doc.changed in
-  (* A request may arrive directly after the edit that it refers to. *)
+  (* A request may arrive directly after an edit, before the changed text has been checked. *)
   Option.iter (fun doc -> if needs_look doc then look t doc) doc;
   match doc with
   | Some doc when needs_look doc -> t.later <- (doc, message) :: t.later
@@ -384,12 +384,12 @@ let cancel t id =
 (* Processes cancellations when they arrive, ahead of the requests that they cancel. *)
 let rec receive t body =
   match of_string body with
-  | None -> answer Null (Error (parse_error, "this is not JSON"))
+  | None -> answer Null (Error (parse_error, "the message is not valid JSON"))
   | Some (List batch) -> List.iter (fun m -> receive t (Json.to_string m)) batch
   | Some message when member "method" message = String "$/cancelRequest" ->
       cancel t (at [ "params"; "id" ] message)
   | Some (Object _ as message) -> Queue.add message t.waiting
-  | Some _ -> answer Null (Error (invalid_request, "a message must be an object"))
+  | Some _ -> answer Null (Error (invalid_request, "the message must be a JSON object"))
 
 let ready_now t =
   match descriptors t with

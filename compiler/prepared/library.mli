@@ -7,6 +7,6 @@
     stages run for each program. *)
 
 val tree : file:string -> string -> Syntax.Ir.program option
-(** The tree of a library module. It equals the result of {!Syntax.Parse.program} for this file and
-    text; parsing them would report no errors. [None] unless the file and text are identical to
-    those of a library module when the compiler was built. Each call creates a new tree. *)
+(** The tree that {!Syntax.Parse.program} would return for this file and text, without errors.
+    [None] unless the file and text are identical to those of a library module when the compiler was
+    built. Each call creates a new tree. *)

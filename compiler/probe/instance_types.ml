@@ -54,8 +54,8 @@ let types_at t (d : Ir.definition) ~only_head (place, around) =
   |> List.map (fun (_, ty) -> Substitution.apply around ty)
   |> List.sort_uniq compare
 
-(* Like {!types_at}, but searches the definitions that a place uses: for example, that of [f] in [f
-   x], where [f = lowPass 1[s]]. *)
+(* Like {!types_at}, but searches the definitions that a place uses: for example, the definition
+   [f = lowPass 1[s]] for a place with [f x]. *)
 let rec types_behind t d ~depth (place, around) =
   let behind ((name : Ir.Global.t), span, ty) =
     if not (is_inside span place) then []

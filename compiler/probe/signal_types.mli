@@ -6,7 +6,7 @@ val of_program : Typing.Ir.program -> t
 
 val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
 (** The type of a signal; for a part of a record or tuple, the type of that part. In a polymorphic
-    signal function the type contains the function's type variables. [None] for signals that the
+    signal function, the type contains the function's type variables. [None] for signals that the
     compiler introduced. *)
 
 val type_of_signal : t -> name:string -> Basis.Span.t -> Typing.Ir.ty option

@@ -1,7 +1,7 @@
 (** Costs of the library's vision kernels ([runtime/include/frob/vision.h]). *)
 
-(** How to compute the number of pixels that a call reads. Except for [samples], the fields are
-    indices into the leaves of the call's arguments.
+(** How to compute the number of pixels that a call reads. Except for the numbers of samples, the
+    fields are indices into the leaves of the call's arguments.
 
     - [Region]: width times height.
     - [Line]: length times width.

@@ -286,8 +286,7 @@ let function_ c k ~results (code : M.code) =
   { bytes = Saturating_int.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
 (* The user's C functions take and return structs that contain the leaves, with all numbers as
-   doubles.
-   The stack usage of the functions themselves is known only for the library's kernels. *)
+   doubles. The stack usage of the functions themselves is known only for the library's kernels. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =

@@ -32,7 +32,8 @@ let number n = if n >= Basis.Saturating_int.most then "2^53 or more" else string
 
 (* {1 The state} *)
 
-(* Builds the rows in reverse order. The members of a struct are listed where the struct first occurs. *)
+(* Builds the rows in reverse order. The members of a struct are listed where the struct first
+   occurs. *)
 let state_rows (t : State.t) =
   let shown = Hashtbl.create 16 in
   let rec members depth ~bytes:whole ~place rows list =
@@ -230,7 +231,7 @@ let to_string ?judged ?wire (t : Bounds.t) =
     | [] -> []
     | transitions ->
         [
-          "\nswitching events, at the first instant of their mode\n";
+          "\nswitching events in the first instant of their mode\n";
           table (List.map transition_row transitions);
         ]
   in

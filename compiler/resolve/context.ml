@@ -5,7 +5,7 @@ type t = {
   mutable has_errors : bool;
   mutable next_local : int;
   mutable depth : int;
-  mutable too_deep : bool;  (** whether {!Fact.Too_deep} has been reported *)
+  mutable too_deep : bool;  (** whether excessive nesting has been reported *)
   mutable unresolved : Fact.unresolved list;  (** undefined names of this module, newest first *)
 }
 

@@ -115,7 +115,7 @@ type in_types =
       tycon : Interface.tycon;
       of_units : bool;
           (** true if the number of unit arguments is wrong; false if the number of type arguments
-              is *)
+              is wrong *)
       expected : int;
       found : int;
       text : string;  (** the text of the file *)

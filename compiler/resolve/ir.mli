@@ -78,8 +78,7 @@ and type_definition =
   | Alias of ty
   | Data of constructor list  (** at least one constructor *)
   | Builtin
-      (** Float, Int, Bool, String, Array, SF, Task and Program, which source code does not declare
-      *)
+      (** Float, Int, Bool, String, Array, SF, Task and Program; not declared in source code *)
   | Foreign of { c_type : string; copyable : bool }
 
 and constructor = {

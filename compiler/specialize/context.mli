@@ -24,7 +24,7 @@ val from_here : trail -> trail
 val calls : trail -> Calls.t
 
 val since : trail -> trail -> Calls.t
-(** The calls in the second trail that are not in the first, each with its place, in reverse order.
+(** The calls in the second trail that are not in the first, each with its place, innermost first.
 *)
 
 (** {1 The context} *)
@@ -48,7 +48,7 @@ type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
 (** A type with many leaves, and the number of equations and calls that define a value of it. *)
 
 (** The controls that the program requests from its operator: either this specialization collects
-    them, or an earlier one has done so. *)
+    them, or an earlier one has collected them. *)
 type console =
   | Sought of { mutable found : Core.Ir.control list  (** newest first *) }
   | Declared of Core.Ir.control list
@@ -96,13 +96,13 @@ val known_by_name : Core.Ir.Global.t list
     of them identifies the file of the prelude. *)
 
 val in_prelude : t -> Span.t -> bool
-(** Is the place in the prelude, that is, not in the program's own modules or the rest of the
-    library? *)
+(** Is the place in the prelude, rather than in the rest of the library or the program's own
+    modules? *)
 
 val in_library : t -> Span.t -> bool
 
 exception Stopped
-(** Raised after reporting an error from which specialization cannot continue. *)
+(** Raised after reporting an error after which specialization cannot continue. *)
 
 exception Postponed of (unit -> unit)
 (** Raised if the stack has become too deep. Its argument is a function that evaluates the part that

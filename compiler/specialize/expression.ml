@@ -46,7 +46,7 @@ let number real ty value : Flow.Ir.atom =
   | Float -> Float (Real.of_exact real value)
   | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
   | Size _ ->
-      bug "a number of type %s" (Types.to_string ty)
+      bug "a number literal of type %s" (Types.to_string ty)
 
 (* The name of a definition outside the prelude. *)
 let own_name (g : Ir.Global.t) = if g.module_ = "Prelude" then None else Some g.name
@@ -70,7 +70,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       let types = List.map (Types.close s.types) types in
       match Core.Instance.find c.instances ~class_ ~name (Types.close s.types ty) types with
       | Some (definition, types) -> global c s target e definition types
-      | None -> bug "the method `%s` at an open type" name)
+      | None -> bug "the method `%s` is used at an open type" name)
   | Primitive (Blank, _) ->
       let result = Types.close s.types e.ty in
       Drawing.apply (position c s e.span) target Blank ~result []
@@ -139,7 +139,8 @@ and exprs (c : Context.t) s target (e : Ir.expr) parts =
   | Named _ | Defines _ -> (
       match (Types.layout c.types (Types.close s.types e.ty)).kind with
       | Product layout -> List.map2 (expr c s) (Node.parts target c.types layout) parts
-      | Scalar | Sum _ | Array _ | Opaque -> bug "a product of type %s" (Types.to_string e.ty))
+      | Scalar | Sum _ | Array _ | Opaque ->
+          bug "a product of type %s, which is not a product type" (Types.to_string e.ty))
 
 and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   match f.desc with
@@ -395,7 +396,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Signal_function { code = Lambda _; _ }
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
   | Program _ ->
-      bug "a value that is run is not a signal function"
+      bug "the value to run is not a signal function"
 
 (* [Left] with the output, or [Right] with the task's result. *)
 and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
@@ -454,7 +455,7 @@ and evaluator s : Evaluator.t =
         expr p.context { (scope p) with locals; types; owner } Unnamed e);
   }
 
-(* Like {!evaluator}, but for the node of a loop's iteration: evaluates functions in that node
+(* Like {!evaluator}, but for the node of a loop iteration: evaluates functions in that node
    itself. *)
 and evaluator_of_rounds s =
   let plain = evaluator s in

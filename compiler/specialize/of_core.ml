@@ -24,8 +24,8 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
 
 exception Unlike_ends
 
-(* A program: its signal function, the type of its result if it ends, and the rate of a node with
-   the place of the rate. *)
+(* A program: its signal function, the type of its result if it can end, and, for a node, the rate
+   and the place that sets it. *)
 type in_program = {
   signal_function : Value.t;
   ended : Ir.ty option;
@@ -94,7 +94,7 @@ let drawings = function
   | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
 
 (* Builds the root node. Returns the type of the program's result (if the program ends), the names
-   of its drawings, and the rate of a node. *)
+   of its drawings, and the rate (if the program is a node). *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =

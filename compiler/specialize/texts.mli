@@ -1,6 +1,7 @@
 (** The distinct label texts of a program.
 
-    They become the constructors of a data type, named by the string literals: ["goal"]. *)
+    They become the constructors of a data type, each named after its string literal, such as
+    ["goal"]. *)
 
 type t
 

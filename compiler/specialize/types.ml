@@ -7,8 +7,8 @@ and kind = Scalar | Product of part list | Sum of part list array | Array of int
 and part = { part : string; ty : Ir.ty }
 and leaf = { path : string list; leaf : Flow.Ir.ty }
 
-(* Not polymorphic comparison and hashing, which would traverse the whole type, including the
-   characters of names. *)
+(* Polymorphic comparison and hashing would traverse the whole type, including the characters of
+   names. *)
 module Types = Hashtbl.Make (struct
   type t = Ir.ty
 
@@ -306,7 +306,7 @@ and single_leaf table ty : Flow.Ir.shape =
   match (layout table ty).leaves with
   | [ { leaf; _ } ] -> Leaf leaf
   | [] | _ :: _ :: _ ->
-      Diagnostic.bug ~stage:"Specialize.Types" "%s has no single leaf" (to_string ty)
+      Diagnostic.bug ~stage:"Specialize.Types" "%s does not have exactly one leaf" (to_string ty)
 
 let shape_of_output table ty =
   let rec without_drawings (shape : Flow.Ir.shape) : Flow.Ir.shape =

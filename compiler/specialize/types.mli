@@ -1,7 +1,7 @@
 (** Closed types of Core, and their representation in Flow.
 
     Type variables in scope are replaced by closed types, through a substitution. For each closed
-    type, the table caches whether Flow can represent its values, and with which leaves. *)
+    type, the table caches whether Flow can represent its values, and which leaves they have. *)
 
 type table
 
@@ -33,7 +33,7 @@ and part = { part : string;  (** the field name, or the position from 1 *) ty : 
 
 and leaf = {
   path : string list;
-      (** for example [position; x], outermost first; empty for a scalar. The leaves of nested
+      (** for example [position; x], outermost first; empty for a scalar. The paths in nested
           records share their tails *)
   leaf : Flow.Ir.ty;
 }

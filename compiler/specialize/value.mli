@@ -6,7 +6,7 @@
 
 type t =
   | Atom of Flow.Ir.atom  (** one leaf: a number, a Bool or a whole sum *)
-  | Text of string  (** labels have no run-time form *)
+  | Text of string  (** the text of a label, which has no run-time form *)
   | Product of t array  (** a tuple, or data with one constructor *)
   | Constructed of { constructor : int; arguments : t list }  (** a sum with a known constructor *)
   | Array of Flow.Ir.atom list

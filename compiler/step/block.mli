@@ -8,7 +8,8 @@ type t = { bytes : int; alignment : int }
 val of_value : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> t
 
 val foreign : t
-(** A struct declared in the user's C code. Its alignment is assumed to be the largest one. *)
+(** A struct declared in the user's C code. Its alignment is assumed to be the largest possible one.
+*)
 
 val scalars : Flow.Ir.sum array -> Ir.ty -> int
 (** The number of scalars in a value: numbers, Bools and tags. *)
@@ -23,4 +24,4 @@ val of_members : t list -> int list * t
 (** The offsets of a struct's members, and the size and alignment of the whole struct. *)
 
 val of_alternatives : t list -> t
-(** The union of these members. *)
+(** The size and alignment of a union of these members. *)

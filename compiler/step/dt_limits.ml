@@ -4,11 +4,11 @@ type t = { seconds : seconds array; nanoseconds : bool array }
 let seconds t = Array.get t.seconds
 let nanoseconds t = Array.get t.nanoseconds
 
-(* One of the two times of a step. *)
+(* One of the two times of a step: dt in seconds or dt in nanoseconds. *)
 type time = {
   expr : Ir.expr;
   is_read : Ir.node -> bool;  (** whether the step or one of its callees reads it *)
-  is_safe : Ir.node -> bool;  (** the step's own code limits the time wherever it uses it *)
+  is_safe : Ir.node -> bool;  (** whether the step's own code limits the time wherever it uses it *)
 }
 
 (* How a step uses one of its two times. *)

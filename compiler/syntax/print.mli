@@ -4,5 +4,3 @@
     columns more than the line that opens them. Comments other than doc comments are lost. *)
 
 val program : Format.formatter -> Ir.program -> unit
-
-(** {1 Single-line printing for messages} *)

@@ -10,8 +10,7 @@ val separated : Buffer.t -> string -> ('a -> unit) -> 'a list -> unit
 (** Prints the elements, separated by this text. *)
 
 val between : Buffer.t -> string -> string -> (unit -> unit) -> unit
-(** Prints the first text, calls the function, and prints the second text. The texts may be
-    parentheses. *)
+(** Prints the first text, calls the function, and prints the second text. *)
 
 val words : Buffer.t -> (Buffer.t -> 'a -> unit) -> 'a list -> unit
 (** Prints the elements, with a space before each. *)

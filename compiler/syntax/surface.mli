@@ -23,7 +23,8 @@ and term_desc =
   | Braces of { before : term; fields : (Ir.name * term) list }
       (** record construction or pattern ([before] is a constructor), or a record update *)
 
-(** A part of an operator expression such as [a + - b * c], before its last operand. *)
+(** A part of [a + - b * c] before the last operand: an operand with the operator that follows it,
+    or a minus sign. *)
 type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
 (** A statement of a [do] that has not been processed yet. *)

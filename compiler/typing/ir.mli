@@ -82,7 +82,7 @@ and foreign = {
 
 and header = {
   header : string;
-  of_file : string;  (** its path is relative to the folder of that file *)
+  of_file : string;  (** the path in [header] is relative to the folder of this file *)
 }
 
 and foreign_type = { tycon : Global.t; c_type : string; copyable : bool }
@@ -92,8 +92,8 @@ and foreign_value = {
   kind : Syntax.Ir.foreign_kind;
   symbol : string;  (** the C name *)
   ty : ty;
-      (** a [Function] of at least one argument or a [Signal_function], over first-order types
-          without variables other than units *)
+      (** a [Function] with at least one argument or a [Signal_function]; its first-order parts
+          contain no variables except unit variables *)
   span : Span.t;
 }
 
@@ -144,7 +144,7 @@ and definition = {
 
 and need = { place : Span.t; by : string }
 (** The code outside the library that first requires a class, as close to the class's method as
-    possible. [by]: its name in backticks. *)
+    possible. [by]: the name or the instance that requires the class, in backticks. *)
 
 (** {1 Expressions} *)
 
@@ -159,8 +159,8 @@ and expr_desc =
   | Constructor of constructor * Global.t
       (** the constructor as a function of its fields, with the type of this function *)
   | Number of Exact.t
-      (** the exact value in base units, which specialization rounds once, to the representation of
-          its type (if the type is [Int] or a variable, the value is an integer in range) *)
+      (** the exact value in base units. Specialization rounds it once, to the representation of its
+          type. If the type is [Int] or a variable, the value is an integer in range *)
   | String of string
   | Tuple of expr list
   | Array of expr list  (** at least one element *)

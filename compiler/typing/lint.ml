@@ -60,7 +60,7 @@ let rec same units (a : ty) (b : ty) =
 and all_same units ts us = List.compare_lengths ts us = 0 && List.for_all2 (same units) ts us
 
 let agree ?(units = Exactly) span what ~expected ~found =
-  if not (same units expected found) then fail span "%s does not have the type expected" what
+  if not (same units expected found) then fail span "%s does not have the expected type" what
 
 let in_scope s span (v : variable) =
   if not (Hashtbl.mem s.parameters v.id) then
@@ -127,7 +127,7 @@ let field_types s span (ty : ty) (c : constructor) =
           List.map (fun (_, t) -> substitute { types; representations = [] } t) c.fields
       | None -> fail span "no data type `%s`" tycon.name)
   | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
-      fail span "the constructor `%s` makes no such type" c.constructor.name
+      fail span "the constructor `%s` does not build a value of this type" c.constructor.name
 
 (* {1 Scopes} *)
 
@@ -151,7 +151,7 @@ let leave s entered = List.iter (fun (x : Local.t) -> Hashtbl.remove s.locals x.
 let element span (array : ty) parts =
   match array with
   | Data { arguments = [ Size n; element ]; _ } when n = List.length parts -> element
-  | _ -> fail span "an array of %d of another type" (List.length parts)
+  | _ -> fail span "the type is not that of an array of %d elements" (List.length parts)
 
 let rec pattern s entered (p : pattern) =
   closed s p.span p.ty;
@@ -165,7 +165,7 @@ let rec pattern s entered (p : pattern) =
       match p.ty with
       | Number _ -> entered
       | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
-          fail p.span "a number of no numeric type")
+          fail p.span "a number whose type is not numeric")
   | Tuple_of ps ->
       let types = List.map (fun (p : pattern) -> p.ty) ps in
       agree p.span "a pattern" ~expected:p.ty ~found:(Tuple types);
@@ -177,7 +177,7 @@ let rec pattern s entered (p : pattern) =
   | Constructed (c, ps) ->
       let fields = field_types s p.span p.ty c in
       if List.compare_lengths fields ps <> 0 then
-        fail p.span "`%s` has another number of fields" c.constructor.name;
+        fail p.span "`%s` has a different number of fields" c.constructor.name;
       List.iter2
         (fun expected (p : pattern) ->
           agree p.span "a pattern" ~units:But_for_units ~expected ~found:p.ty)
@@ -220,12 +220,12 @@ let number (e : expr) =
   match e.ty with
   | Number _ -> ()
   | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
-      fail e.span "a number of no numeric type"
+      fail e.span "a number whose type is not numeric"
 
 let index (e : expr) (array : expr) k =
   match array.ty with
   | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
-      fail e.span "element %d of an array of %d" k n
+      fail e.span "index %d in an array of %d elements" k n
   | Data { arguments = [ _; element ]; _ } -> is e "an element" element
   | _ -> fail e.span "an element of a value that is not an array"
 
@@ -316,7 +316,8 @@ and branch s e (scrutinee : expr) (b : branch) =
   is e "a branch" b.value.ty;
   leave s entered
 
-(* Recursive bindings are in scope in all bindings, the others only after their own value. *)
+(* Recursive bindings are in scope in all bindings of the list, other bindings only after their own
+   definition. *)
 and let_ s e bindings (body : expr) =
   let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
   let entered = List.fold_left (enter true) [] bindings in
@@ -377,7 +378,9 @@ let instance s (i : instance) =
           if
             List.map (fun (v : variable) -> v.id) first
             <> List.map (fun (v : variable) -> v.id) parameters
-          then fail i.span "`%s` does not begin with its instance's parameters" definition.name)
+          then
+            fail i.span "the type parameters of `%s` do not begin with those of its instance"
+              definition.name)
     i.methods
 
 (* {1 Programs} *)

@@ -2,7 +2,7 @@ open Basis
 open Pretty
 open Ir
 
-(* What a printer needs besides {!Pretty} is the name of the main module. *)
+(* The printer's own data is the name of the main module. *)
 
 let global c (g : Global.t) =
   if String.equal g.module_ c.own || is_infix g.name then operator g.name
@@ -154,7 +154,7 @@ and lambda c depth patterns body =
       space c;
       expr c 0 body)
 
-(* An expression with a line for each branch or equation. *)
+(* Prints an expression with each branch or equation on its own line. *)
 and block c (e : expr) =
   match e.desc with
   | Case (scrutinee, branches) ->

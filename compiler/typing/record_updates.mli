@@ -8,5 +8,5 @@ val most_fields : int
 (** The maximum number of fields, added up over the records of all updates. *)
 
 val check : Fact.t Basis.Facts.t -> Ir.program -> unit
-(** Reports [E0413] at the update with which the total exceeds {!most_fields}. Takes time linear in
+(** Reports [E0413] at the update where the total first exceeds {!most_fields}. Takes time linear in
     the size of the program. *)

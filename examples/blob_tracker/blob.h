@@ -1,4 +1,4 @@
-/* blob.h -- finds a bright blob in small pictures, and keeps finding it.
+/* blob.h -- finds a bright blob in small pictures and tracks it.
  *
  * A picture has BLOB_HEIGHT rows of BLOB_WIDTH pixels, row by row, each from 0 (black) to 255.
  * The functions do not allocate memory; each instance has its own state.

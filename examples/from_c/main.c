@@ -1,4 +1,4 @@
-/* main.c -- two wheels, each with its own controller, from C.
+/* main.c -- runs two wheels from C, each with its own controller.
  *
  * The caller owns the states and the time: it resets each state once, then calls a step at each
  * instant with the seconds since the previous one. The two wheels share no data, so each could

@@ -1,4 +1,4 @@
-// main.cc -- the same two wheels from C++. A controller is an object, and its state
+// main.cc -- runs the same two wheels from C++. A controller is an object, and its state
 // is a member that can be copied like any other.
 #include "wheel.h"
 

@@ -13,7 +13,7 @@
 
 enum { RANGERS = 3, SIDES = 2 };
 
-/* At 50 degrees to each side, and straight ahead. */
+/* The range sensors point 50 degrees to each side, and straight ahead. */
 static const struct frob_seat rangers[RANGERS] = {
     { 0.642787609686539 * RADIUS_M, 0.766044443118978 * RADIUS_M, 50.0 * DEGREES },
     { RADIUS_M, 0.0, 0.0 },
@@ -26,7 +26,7 @@ static const struct frob_seat photocells[SIDES] = {
     { 0.04, -0.02, -45.0 * DEGREES },
 };
 
-/* 19 mm apart, which is the width of ordinary tape. */
+/* The floor sensors are 19 mm apart, which is the width of ordinary tape. */
 static const struct frob_spot floor_sensors[SIDES] = {
     { 0.05, 0.0095 },
     { 0.05, -0.0095 },

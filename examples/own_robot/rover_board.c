@@ -1,9 +1,9 @@
 /* rover_board.c -- a Rover's onboard computer, for `frobc serve` and for tests.
  *
  * This code was written from the command table in README.md, independently of the driver. Commands
- * are lines that end with a carriage return. The answer to `p` is sent when the echo would have come
- * back; commands that arrive in the meantime have to wait. If no `m` command arrives within the time
- * set with `w` (initially two seconds), the wheels stop. */
+ * are lines that end with a carriage return. The answer to `p` is sent when the echo would have
+ * come back; commands that arrive in the meantime have to wait. If no `m` command arrives within
+ * the time set with `w` (initially two seconds), the wheels stop. */
 #include <frob/board.h>
 
 #include "rover.h"

@@ -1,8 +1,8 @@
 (** Compiler messages as values.
 
     A pass builds diagnostics, emits them into a sink, and continues if it can. {!Render_text} and
-    {!Render_json} print them. A page in [compiler/explain/] explains each code. Messages are in
-    lower case, without a full stop, with names from the program in backticks. *)
+    {!Render_json} print them. A page in [compiler/explain/] explains each code. Messages start in
+    lower case, do not end with a full stop, and put names from the program in backticks. *)
 
 type severity = Error | Warning
 
@@ -28,15 +28,15 @@ type fix = {
   title : text;  (** the effect of the fix, as an imperative: [write `speed`] *)
   edits : edit list;  (** non-overlapping edits in one file *)
   safe : bool;
-      (** whether a tool may apply the fix without asking: only if there is no alternative and the
-          fix does not change what the program computes; editors only offer the other fixes *)
+      (** whether a tool may apply the fix without asking: true only if there is no alternative and
+          the fix does not change what the program computes; editors only offer the other fixes *)
 }
 (** A correction that a tool can apply. *)
 
 type t = {
   severity : severity;
   code : string;  (** for example [E0401]; codes of warnings start with [W] *)
-  at : Span.t;  (** the main place, to look at first *)
+  at : Span.t;  (** the main place, where the user should look first *)
   message : text;
   here : text option;  (** printed next to the main place *)
   labels : label list;
@@ -65,7 +65,7 @@ val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
 (** [fix title edits] replaces the text at each place. Not safe by default. *)
 
 val write : Span.t -> string -> t -> t
-(** The fix that replaces the text at this place. *)
+(** Adds a fix that replaces the text at this place, with the title [write `…`]. *)
 
 (** {1 Topics} *)
 
@@ -101,7 +101,7 @@ val emit : sink -> t -> unit
 val has_errors : sink -> bool
 
 val errors : sink -> sink
-(** A sink with the errors of this one, but without its warnings. *)
+(** A new sink with the errors of this sink, but without its warnings. *)
 
 val all : sink -> t list
 (** All diagnostics, sorted by place, without duplicates (same code and place). *)

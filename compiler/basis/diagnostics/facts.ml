@@ -3,7 +3,7 @@ type 'fact held = { fact : 'fact; diagnostics : Diagnostic.t list }
 type 'fact t = {
   sink : Diagnostic.sink;
   advise : 'fact -> Diagnostic.t list;
-  mutable held : 'fact held list option;  (** newest first; [None] if facts are passed on *)
+  mutable held : 'fact held list option;  (** newest first; [None] while facts are not held *)
 }
 
 let into_several sink advise = { sink; advise; held = None }

@@ -1,13 +1,13 @@
 (** The facts that a stage of the compiler reports.
 
-    Each stage has a type of facts. A fact says what is wrong, with the spans, trees and types
-    involved, but without any text. The library [advice] turns each fact into a diagnostic. It does
-    this as soon as the fact is reported, so the diagnostic describes the state of the compiler at
-    that time. For example, type inference need not copy the types in its facts, although it later
-    changes their variables. *)
+    Each stage defines its own type of facts. A fact says what is wrong, with the spans, trees and
+    types involved, but without any text. The library [advice] turns each fact into a diagnostic. It
+    does this as soon as the fact is reported, so the diagnostic describes the state of the compiler
+    at that time. For example, type inference does not have to copy the types in its facts, although
+    it later changes their variables. *)
 
 type 'fact t
-(** The place to which a stage reports its facts. *)
+(** A sink for the facts that a stage reports. *)
 
 val into : Diagnostic.sink -> ('fact -> Diagnostic.t) -> 'fact t
 (** Emits the diagnostic of each fact into the sink. *)
@@ -25,8 +25,8 @@ val map : ('a -> 'b) -> 'b t -> 'a t
 val report : 'fact t -> 'fact -> unit
 
 val report_warning : 'fact t -> 'fact -> unit
-(** Reports a fact that is not a mistake. It is never held, because a caller holds facts to explain
-    a mistake better, and a warning stays right whatever the explanation is. *)
+(** Reports a warning. Warnings are never held: a caller holds facts to explain an error better, and
+    a warning is valid whatever that explanation is. *)
 
 val has_errors : 'fact t -> bool
 (** Does the sink contain an error? Facts that are held do not count. Always false for {!ignored}.
@@ -39,20 +39,20 @@ val has_errors : 'fact t -> bool
     The new fact may contain the held one. *)
 
 type 'fact held
-(** A reported fact that is not passed on yet, with the diagnostic that was made from it when it was
+(** A reported fact that has not been passed on yet, with the diagnostic that was built when it was
     reported. *)
 
 val hold : 'fact t -> (unit -> 'a) -> 'a * 'fact held list
-(** Runs the function, and returns the facts that it reported, in this order, instead of passing
-    them on. If the function raises an exception, passes them on. *)
+(** Runs the function, and returns the facts that it reported, in order, instead of passing them on.
+    If the function raises an exception, its facts are passed on. *)
 
 val fact : 'fact held -> 'fact
 
 val is_within : Span.t list -> 'fact held -> bool
-(** Are the diagnostics of this fact about these places? *)
+(** Is each diagnostic of this fact located within one of these spans? False if it has none. *)
 
 val pass_on : 'fact t -> 'fact held -> unit
 (** Reports the held fact, with the diagnostic that it already has. *)
 
 val diagnostic : 'fact held -> Diagnostic.t
-(** The diagnostic of the held fact. Only [advice] uses it, to extend it. *)
+(** The diagnostic of the held fact. Only [advice] uses this function, to extend the diagnostic. *)

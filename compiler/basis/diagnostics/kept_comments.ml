@@ -2,7 +2,7 @@ let starts_at text k word =
   let n = String.length word in
   k + n <= String.length text && String.equal (String.sub text k n) word
 
-(* The offset after the end of the comment that begins at [k]. *)
+(* The offset just after the comment that begins at [k]. *)
 let stop text k =
   let n = String.length text in
   if starts_at text k "--" then Option.value (String.index_from_opt text k '\n') ~default:n
@@ -24,7 +24,7 @@ let without_end line =
   let n = String.length line in
   if n > 0 && line.[n - 1] = '\r' then String.sub line 0 (n - 1) else line
 
-(* The offset of the first comment from [k] on, or of the end of the text. *)
+(* The offset of the first comment at or after [k], or of the end of the text. *)
 let rec next text k =
   if k >= String.length text || starts_at text k "--" || starts_at text k "{-" then
     min k (String.length text)

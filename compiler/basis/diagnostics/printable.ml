@@ -23,7 +23,7 @@ let is_plain = function
   | '_' | '-' | '.' | '/' | '+' | ':' | ',' | '%' | '@' | '=' -> true
   | _ -> false
 
-(* Quotes a word with control characters: shells replace [\ooo] within [$'...']. *)
+(* Quotes a word that contains control characters: shells interpret [\ooo] within [$'...']. *)
 let with_escapes text =
   let quoted = Buffer.create (2 * String.length text) in
   let octal c = Printf.bprintf quoted "\\%03o" (Char.code c) in

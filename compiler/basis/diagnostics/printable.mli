@@ -12,7 +12,8 @@ val word : string -> string
     become octal escapes within [$'...']. *)
 
 val operand : string -> string
-(** A file path as a command-line argument: [./-a] for [-a], which would be read as an option. *)
+(** A file path as a command-line argument: [./-a] for [-a], which would otherwise be read as an
+    option. *)
 
 val path : string -> string
 (** A file path for a command that a user may copy: {!operand}, quoted by {!word}. *)

@@ -98,7 +98,7 @@ let diagnostic source (d : Diagnostic.t) =
 
 let most_shown = 1_000
 
-(* An additional object, if some diagnostics are not shown. *)
+(* The contents of an additional object, if some diagnostics are not shown. *)
 let rest list =
   let count severity =
     List.length (List.filter (fun (d : Diagnostic.t) -> d.severity = severity) list)

@@ -19,7 +19,7 @@ let mark_colour paint main text = if main then main_colour paint text else frame
 
 (* {1 Selecting lines} *)
 
-(* The lines of one place, with the byte range to mark in each line. For a place of several lines,
+(* The lines of one place, with the byte range to mark in each line. If a place spans several lines,
    only the first and the last are marked. *)
 let lines_of source ~main ((at : Span.t), text) =
   let line n = Option.value ~default:"" (Source.line source at.file n) in
@@ -54,8 +54,8 @@ let lines_of source ~main ((at : Span.t), text) =
 
 (* {1 A line with its marks} *)
 
-(* Writes [text] into a row of cells from [column] on. A cell consists of a displayed character and
-   a flag that is set if it belongs to the main mark. *)
+(* Writes [text] into a row of cells, starting at [column]. A cell consists of a displayed character
+   and a flag that is set if it belongs to the main mark. *)
 let put row column main text = String.iteri (fun i c -> row.(column + i) <- (c, main)) text
 
 let row_text paint row =

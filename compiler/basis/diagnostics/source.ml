@@ -44,7 +44,7 @@ let quote t (span : Span.t) =
       else None
   | _ -> None
 
-(* Is the bracket at the start closed by the last character? *)
+(* Does the last character close the bracket at the start? *)
 let in_brackets text =
   let last = String.length text - 1 in
   let rec closes depth i =

@@ -16,17 +16,19 @@ val all : t -> (string * string) list
 val text : t -> string -> string option
 
 val line : t -> string -> int -> string option
-(** [line t file n]: line [n] from 1, without its line ending; [None] if the file is unknown or has
-    fewer lines. *)
+(** [line t file n] is line [n], counted from 1, without its line ending; [None] if the file is
+    unknown or has fewer lines. *)
 
 val quote : t -> Span.t -> string option
-(** The text of the span, if the span is within one line. *)
+(** The text of the span; [None] if the span is not within one line. *)
 
 val with_opening : string -> string
-(** Adds the parenthesis in front of a signature whose span starts inside its context. *)
+(** Adds an opening parenthesis if one is missing, because the span of a signature may start inside
+    the parentheses of its context. *)
 
 val grouped : string -> string
-(** Adds parentheses around an expression if it needs them as an argument. *)
+(** Adds parentheses around an expression if it would need them as an argument. *)
 
 val offset : t -> string -> Span.position -> int
-(** The byte offset of the position in the text, at most its length; 0 if the file is unknown. *)
+(** The byte offset of the position in the text, at most the length of the text; 0 if the file is
+    unknown. *)

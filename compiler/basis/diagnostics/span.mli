@@ -4,7 +4,7 @@
     exclusive. A span lies within one file. *)
 
 type position = private int
-(** Within one file, positions are ordered like these integers. *)
+(** Comparing these integers compares positions within one file. *)
 
 val position : line:int -> column:int -> position
 (** Line and column must not be negative. Columns from 2{^ 28} on are indistinguishable. *)
@@ -33,4 +33,4 @@ val start_of_file : string -> t
 (** An empty span at line 1, column 1, for errors that concern a file as a whole. *)
 
 val pp : Format.formatter -> t -> unit
-(** Prints [file:line:column] of the start. *)
+(** Prints the start as [file:line:column]. *)

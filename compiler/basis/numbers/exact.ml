@@ -1,5 +1,5 @@
-(* Natural numbers in base 10^4, least significant digit first, without leading zeros. Slow but
-   small, which suffices for a few literals. *)
+(* Natural numbers in base 10^4, least significant digit first, without leading zeros. The code is
+   slow but short, which suffices for a few literals. *)
 module Natural = struct
   let base = 10_000
 
@@ -90,7 +90,7 @@ module Natural = struct
     (((digit (length - 1) *. base) +. digit (length - 2)) *. base) +. digit (length - 3)
 
   (* Schoolbook division: each digit of the quotient is estimated from the leading digits and then
-     corrected by at most one or two steps. *)
+     corrected in one or two steps at most. *)
   let divide a b =
     if compare a b < 0 then (zero, a)
     else if Array.length b = 1 then (
@@ -279,8 +279,9 @@ let pi =
 
 let negate t = if Natural.is_zero t.numerator then t else { t with negative = not t.negative }
 
-(* Cancels common factors before multiplying. They occur only between one numerator and the other
-   denominator, and one of the two is usually small. The result is in lowest terms. *)
+(* Cancels common factors before multiplying. They occur only between the numerator of one number
+   and the denominator of the other, and one of these is usually small. The result is in lowest
+   terms. *)
 let multiply a b =
   if Natural.is_zero a.numerator || Natural.is_zero b.numerator then zero
   else
@@ -352,8 +353,8 @@ let binary64 = { bits = 53; smallest = -1074; largest = 1023 }
 let binary32 = { bits = 24; smallest = -149; largest = 127 }
 
 (* Scales by a power of two until the quotient has one bit more than the format, and records whether
-   there is a remainder (the sticky bit). Then rounds once, on an integer; below the normal range,
-   it rounds to fewer bits. *)
+   there is a remainder (the sticky bit). Then rounds this integer quotient once, to fewer bits if
+   the result is below the normal range. *)
 let rounded_by_bits format t =
   if Natural.is_zero t.numerator then 0.
   else

@@ -2,7 +2,7 @@
 
     The value of a literal is its exact decimal value times the exact scale of its unit, rounded
     once (language reference, section 4). Pi is represented with 100 decimal places, far more than
-    the rounding of any literal can distinguish. *)
+    the rounding of any literal needs. *)
 
 type t
 
@@ -34,7 +34,7 @@ val compare : t -> t -> int
 val equal : t -> t -> bool
 
 val to_int32 : t -> int32 option
-(** [None] unless it is an integer in range. *)
+(** [None] unless the number is an integer in range. *)
 
 val to_float : t -> float
 (** The nearest double, ties to even; infinity beyond the range. *)

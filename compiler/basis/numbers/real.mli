@@ -18,7 +18,7 @@ val of_exact : t -> Exact.t -> float
 (** Converts to this precision, with one rounding; infinity beyond the range. *)
 
 val bytes : t -> int
-(** The size in memory, which is also the alignment. *)
+(** The size in bytes, which is also the alignment. *)
 
 val shortest : t -> float -> string
 (** The number in the format of [%g], with the fewest decimal digits that read back as the same

@@ -146,8 +146,8 @@ let convert out program sums shape side ~own ~host ~inward =
 
 (* {1 The step} *)
 
-(* How the table's functions handle their argument [params], which hosts always pass: a statement
-   that ignores it, and the text that passes it on. *)
+(* Hosts always pass [params] to the table's functions. Returns the statement that ignores it, and
+   the text that passes it on; one of the two is empty. *)
 let passed = function
   | None -> ("    (void)params;\n", "")
   | Some params -> ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))

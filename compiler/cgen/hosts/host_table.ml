@@ -1,7 +1,7 @@
 module F = Flow.Ir
 open Printf
 
-(* Tables are written bottom-up and named by numbers. *)
+(* Tables are written bottom-up, and their names are numbered. *)
 type context = {
   out : Buffer.t;
   sums : F.sum array;
@@ -126,8 +126,7 @@ and leaf c (ty : F.ty) location =
   | Foreign f, Scalar { path; _ } when is_image f -> scalar "FROB_IMAGE" path
   | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
-      Basis.Diagnostic.bug ~stage:"Cgen.Host_table"
-        "the location does not match the type of the leaf"
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "the location does not match the leaf's type"
 
 and sum c k ~tag ~base ~first ~number =
   let sum = c.sums.(k) in

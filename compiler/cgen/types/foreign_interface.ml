@@ -45,7 +45,7 @@ let of_import types ~fresh (f : F.import) =
           match f.arguments with
           | [ shape ] -> interface "_input" shape
           | [] | _ :: _ :: _ ->
-              Basis.Diagnostic.bug ~stage:"Cgen.Foreign_interface" "a component of several inputs"
+              Basis.Diagnostic.bug ~stage:"Cgen.Foreign_interface" "a component must have one input"
         in
         Component { input; output = interface "_output" f.result }
   in

@@ -10,7 +10,7 @@ type types = {
   foreign : F.foreign_type -> Ir.ty;
   of_record : F.product -> Units.value;
   known : (key, string * Ir.member list) Hashtbl.t;
-  mutable definitions : Ir.declaration list;  (** last one first *)
+  mutable definitions : Ir.declaration list;  (** newest first *)
 }
 
 type t = { struct_name : string; leaves : step list list; unused : step list list }
@@ -90,8 +90,7 @@ let paths (shape : F.shape) (members : Ir.member list) member_list_of =
     | Leaf _, _ -> leaves := List.rev path :: !leaves
     | Product product, _ -> inside path product (member_list_of product ty)
     | Repeated (n, element), Array (ty, _) -> at (Element n :: path) element ty
-    | Repeated _, _ ->
-        Basis.Diagnostic.bug ~stage:"Cgen.Interface" "an array that is not an array in C"
+    | Repeated _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "expected an array type in C"
   and inside path (product : F.product) (members : Ir.member list) =
     match (product.parts, members) with
     | [], member :: _ -> unused := List.rev (Member member.name :: path) :: !unused
@@ -110,7 +109,7 @@ let with_paths types ~name members (shape : F.shape) =
     | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members
-        | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
+        | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "the record has no struct")
   in
   let leaves, unused = paths shape members member_list_of in
   { struct_name = name; leaves; unused }
@@ -171,5 +170,5 @@ let of_type types ~name (shape : F.shape) =
       let name = record types product in
       match Hashtbl.find_opt types.known (key product) with
       | Some (_, members) -> with_paths types ~name members shape
-      | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
+      | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "the record has no struct")
   | Product _ | Leaf _ | Repeated _ -> of_shape types ~units:Units.unknown ~name:(name ()) shape

@@ -43,10 +43,11 @@ val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
 (** Like {!of_shape}, but all uses of a record share one struct. *)
 
 val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
-(** Splits the output of a program: the robot's command, and the result if the program can end. *)
+(** Splits the output of a program into the robot's command and, if the program can end, its result.
+*)
 
 val record_of : (string * Flow.Ir.shape) list -> Flow.Ir.shape
-(** A record of the signals that a program with probes outputs. *)
+(** A record of the signals that a program outputs as probes. *)
 
 val with_others : types -> name:string -> first:string -> t -> (string * Flow.Ir.shape) list -> t
 (** A struct whose member [first] is a struct defined elsewhere, followed by other members, such as

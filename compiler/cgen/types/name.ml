@@ -24,8 +24,8 @@ let rec is_taken_in scope name =
 
 let is_taken scope name = is_reserved scope.kind name || is_taken_in scope name
 
-(* Removes underscores at the start and end, and duplicate ones, because C and C++ reserve some of
-   these names. *)
+(* Removes leading, trailing and repeated underscores, because C and C++ reserve some names that
+   contain them. *)
 let tidy text =
   String.concat "_" (List.filter (fun part -> part <> "") (String.split_on_char '_' text))
 

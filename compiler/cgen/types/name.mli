@@ -6,8 +6,8 @@
 
 type scope
 
-(** The scope of a struct's members which, unlike other identifiers, may have the names of functions
-    of the C library. *)
+(** The kind of names in a scope. Members of a struct, unlike other identifiers, may have the names
+    of C library functions. *)
 type kind = Identifiers | Members
 
 val scope : ?within:scope -> ?taken:string list -> kind -> scope
@@ -17,7 +17,7 @@ val fresh : scope -> string -> string
 (** A new name for something that has this name in the source. For [""], returns names like [t1]. *)
 
 val identifier : string -> string
-(** The identifier that {!fresh} makes unique. *)
+(** Converts a name to a C identifier, which {!fresh} then makes unique. *)
 
 val snake : string -> string
 (** Converts the name of a type: [Maybe Float] becomes [maybe_float], [PioneerInput] becomes

@@ -55,7 +55,8 @@ let literal real : F.atom -> string = function
   | Bool b -> string_of_bool b
   | Int n -> if Int32.equal n Int32.min_int then "INT32_MIN" else Int32.to_string n
   | Float x -> Print.float_literal real x
-  | Signal _ -> Basis.Diagnostic.bug ~stage:"Cgen.Param_struct" "a default that is not known"
+  | Signal _ ->
+      Basis.Diagnostic.bug ~stage:"Cgen.Param_struct" "the default of a parameter is not a constant"
 
 let values t (program : Step.Ir.program) =
   let value k (p : F.param) =

@@ -6,8 +6,8 @@ type passed = Leaf of int  (** in all calls, this leaf of the input *) | Differe
 type node = {
   passed : (int, passed) Hashtbl.t;  (** arguments, by the id of the parameter *)
   mutable refused : bool;
-      (** other arguments, a caller without a pointer to the input, or a call that is not a separate
-          statement *)
+      (** whether the node cannot receive the pointer: a caller does not have it, or a call is in a
+          loop, in an expression or on trial *)
   mutable given : bool;
 }
 
@@ -64,7 +64,7 @@ let reads_only_elements body (variable : M.variable) steps ~by_pointer =
 let decide t k (node : M.node) =
   let own = t.nodes.(k) in
   (* An array can only be read through the pointer if the node never needs it as a whole, because
-     its C type differs from that of local arrays. *)
+     arrays in the input have a different C type from local arrays. *)
   let check (v : M.variable) =
     match Hashtbl.find_opt own.passed v.id with
     | Some (Leaf leaf)

@@ -3,7 +3,7 @@
 
 type mode = {
   constant : string;  (** its number *)
-  member : string;  (** names of the union of the modes' structs *)
+  member : string;  (** name of the mode's struct in the union of all modes *)
 }
 
 type member = {
@@ -14,7 +14,7 @@ type member = {
 (** A member of a state struct. *)
 
 type node = {
-  state : string;  (** its struct; [""] if it has no struct of its own *)
+  state : string;  (** name of its state struct; [""] if it has no struct of its own *)
   reset : string;
   step : string;
   members : member list;  (** the members of its struct *)
@@ -56,7 +56,7 @@ type t = {
   imports : Foreign_interface.t list;
   robots : Robot.t list;  (** robots whose headers are included *)
   helpers : (helper, string) Hashtbl.t;
-  mutable pending : Ir.function_ list;  (** helpers not yet emitted, last one first *)
+  mutable pending : Ir.function_ list;  (** helpers not yet emitted, newest first *)
   absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
       (** variables whose addresses are placeholders for missing values *)
   constants : (Named_constants.constant, string * float) Hashtbl.t;

@@ -10,8 +10,8 @@ type t = {
 
 let robot module_ name steps = { module_; name; header = "frob/" ^ name ^ ".h"; file = None; steps }
 
-(* The resolution of protocols that send the speeds of the wheels. A single step of one wheel's
-   speed also changes the turn rate. *)
+(* The resolution of a protocol that sends wheel speeds. If the speed of one wheel changes by one
+   step, the turn rate changes, too. *)
 let wheels mm_s ~separation_mm =
   let turning = mm_s /. separation_mm *. 180. /. Float.pi in
   [
@@ -33,7 +33,7 @@ let all =
     default;
     robot "Scout" "scout" (wheels 2.54 ~separation_mm:345.2);
     robot "Create" "create" (wheels 1. ~separation_mm:235.);
-    (* Messages contain doubles. *)
+    (* ROS messages contain doubles, so there is no fixed resolution. *)
     robot "Ros" "ros" [];
   ]
 

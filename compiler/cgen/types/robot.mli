@@ -3,7 +3,7 @@
     others in their own modules. *)
 
 type step = { quantity : string; size : float; unit_ : string }
-(** The smallest change of a quantity that the robot's protocol can express. *)
+(** The smallest change in a quantity that the robot's protocol can express. *)
 
 type t = {
   module_ : string;  (** for example [Pioneer], which declares [PioneerInput] and [PioneerOutput] *)

@@ -99,7 +99,8 @@ let rec zero real sums ~absent (ty : Step.Ir.ty) : Ir.expr =
       Aggregate (Integer 0l :: List.map (fun zero -> zero ()) slots)
   | Array (_, element) -> Aggregate [ Aggregate [ zero real sums ~absent element ] ]
 
-(* The values, in the order of the members. They are lazy because [absent] declares a variable. *)
+(* The initial values of the slots, in the order of the members. They are lazy because [absent]
+   declares a variable. *)
 and zeros real sums ~absent (slots : Step.Layout.slots) =
   let of_kind kind () : Ir.expr =
     match kind with

@@ -18,16 +18,17 @@ val name :
   slots:Step.Layout.slots ->
   arrays:(Flow.Ir.ty * Ir.ty) list ->
   t
-(** Uses names of the file's scope. *)
+(** Chooses names that are unused in the file's scope. *)
 
 (** The place of a payload's leaf. *)
 type slot =
   | Scalar of string  (** a member, which may be an array *)
   | Inner of { sum : int; tag : string; first : Step.Layout.slots }
-      (** the member with its tag; its slots start after [first] *)
+      (** [tag]: the member for the inner sum's tag. [first]: the slots that precede those of the
+          inner sum *)
 
 val payload : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
-(** The places of all leaves, after [first] slots that are in use. *)
+(** The places of all leaves of a payload that follows the slots [first]. *)
 
 val zero :
   Basis.Real.t ->
@@ -47,7 +48,7 @@ type kind =
 
 val kinds :
   Flow.Ir.sum array -> ?first:Step.Layout.slots -> Step.Layout.slots -> (string * kind) list
-(** The members of a struct for these slots, after [first] slots that are in use. *)
+(** The members of a struct for these slots, which follow the slots [first]. *)
 
 val members : Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list
 (** The members with their types. *)

@@ -1,4 +1,4 @@
-(** Units of the members of generated structs, for their comments.
+(** The units that comments state for the members of generated structs.
 
     Step has no units. Callers that have the types of the program supply the units in this form;
     units only change comments. A unit is a text like [m/s]. It is [""] if the value is not a
@@ -15,7 +15,7 @@ type t = {
   input : value;  (** the program's input *)
   output : value;
   record : Flow.Ir.product -> value;
-      (** a record's declaration, in which all its uses have the same units *)
+      (** the units in a record's declaration, which all uses of the record share *)
   field : Step.Ir.field -> string;  (** the unit of a member of the state *)
 }
 

@@ -16,7 +16,7 @@ type t = {
   scope : Name.scope;
   sums : Sum_type.t array;
   names : (M.ty, string) Hashtbl.t;  (** names of array structs *)
-  mutable met : M.ty list;  (** arrays in use, last one first *)
+  mutable met : M.ty list;  (** arrays in use, newest first *)
   beside : t option;  (** the program's own table, if this table is for the user's C *)
 }
 
@@ -58,11 +58,11 @@ let marked t (ty : M.ty) =
 
 let differ t ty = t.real = Single && Step.Block.numbers t.known.program ty > 0
 
-(* Whether this table contains the type, rather than the program's own table. *)
+(* Whether the type belongs to this table rather than to the program's own table. *)
 let is_here t ty =
   match t.beside with None -> true | Some own -> marked t ty <> Program && differ own ty
 
-(* Other owners only use doubles, so types of floats belong to the program. *)
+(* Robots and foreign code only use doubles, so types that contain floats belong to the program. *)
 let owner t ty = if differ t ty then Program else marked t ty
 
 (* {1 Names} *)
@@ -140,11 +140,12 @@ let shared_once owner struct_name declarations =
 
 type definition = {
   struct_name : string;
-  parts : string list;  (** structs that it contains, or whose constructors name its tags *)
+  parts : string list;  (** the structs that it contains, and those of the sums in its payload *)
   declarations : Ir.declaration list;
 }
 
-(* A sum in the payload is flattened into the struct, but readers need the names of its tags. *)
+(* A sum in the payload is flattened into the struct, but code that reads the payload needs the
+   names of the sum's tags. *)
 let inner_sums t (sum : F.sum) =
   let inner : F.ty -> string option = function
     | Sum k -> Some t.sums.(k).struct_name

@@ -111,7 +111,8 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
-(* The interfaces of the user's C functions, and for each node that of the function it calls. *)
+(* The interfaces of the user's C functions and, for each node, the interface of the function that
+   it calls. *)
 let foreign_interfaces scope shared (program : M.program) =
   let fresh = Name.fresh scope in
   let imports = List.map (Foreign_interface.of_import shared ~fresh) program.imports in
@@ -132,7 +133,8 @@ type parts = {
 
 let parts_of_robots ?own known (program : M.program) =
   (* Robots' structs contain doubles. In single precision, the program's own structs differ from
-     them, and the table for hosts converts; but the user's C may use types of the robot. *)
+     them, and the table for hosts converts between them. However, the user's C may use types of the
+     robot. *)
   let robot_of shape =
     match (program.real, program.imports) with
     | Single, [] -> None
@@ -154,7 +156,7 @@ let parts_of_robots ?own known (program : M.program) =
   { sensed; console; input_robot; command; result; output_robot }
 
 (* The struct of a value, part of which may belong to a robot. [whole] is the shape of the value,
-   and [part] that of the robot's part. *)
+   and [part] is the shape of the robot's part. *)
 let interface (structs : structs) robot ~name ~units ~whole ~(part : F.shape) result =
   let robots =
     match (robot, part) with

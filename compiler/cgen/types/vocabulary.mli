@@ -1,4 +1,4 @@
-(** Chooses the {!Program_names}, and finds the name and the type of a part of the program. *)
+(** Chooses the {!Program_names}, and looks up the names and the types of parts of the program. *)
 
 val of_program :
   ?own:Robot.t -> ?units:Units.t -> ?named:Named_constants.t -> Step.Ir.program -> Program_names.t
@@ -35,8 +35,8 @@ val call : Program_names.t -> string -> Ir.expr list -> Ir.expr
 (** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
 
 val elementary : Core.Primitive.elementary -> string
-(** The C function for doubles. The square root is the one from [<math.h>], which is exact on every
-    machine. *)
+(** The C function for doubles. The square root is the one from [<math.h>], which is correctly
+    rounded on every machine. *)
 
 val maker : Program_names.t -> sum:int -> constructor:int -> string
 val projection : Program_names.t -> sum:int -> constructor:int -> leaf:int -> string

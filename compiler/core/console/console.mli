@@ -2,8 +2,8 @@
     labels.
 
     In the library, the type [Console] has one constructor without fields. The controls that a
-    program requests are known after all static code has been run ({!Specialize.Operator}).
-    {!declare} then turns them into the fields of that type, and from there on a console is an
+    program requests are known only after all static code has run ({!Specialize.Operator}).
+    {!declare} then turns them into the fields of that type, and from then on a console is an
     ordinary record. *)
 
 val asks : Ir.program -> bool
@@ -47,4 +47,4 @@ val simulated : Ir.control -> string option
     `lidar`" *)
 
 val describe : Ir.control_kind -> string
-(** A description for messages: "a knob from 0 to 1, at first 0.5" *)
+(** A description for messages: "a knob from 0 to 1, initially 0.5" *)

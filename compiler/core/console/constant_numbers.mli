@@ -7,6 +7,7 @@
 type t
 
 val of_program : Ir.program -> t
-(** All these variables, traced through functions and definitions in any order. *)
+(** All these variables, traced through functions and definitions, regardless of the order of
+    definitions. *)
 
 val has : t -> Ir.Local.t -> bool

@@ -7,5 +7,5 @@ val program :
   input:Ir.ty ->
   output:Ir.ty ->
   Ir.program * Ir.Global.t
-(** Adds a definition that specializes the open one (of type [Program i o] or [SF i o]) to these
-    types. Its name is the name of the open definition, followed by the suffix. *)
+(** Adds a definition that specializes the given one (of type [Program i o] or [SF i o]) to these
+    types. Its name is the name of the given definition, followed by the suffix. *)

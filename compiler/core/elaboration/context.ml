@@ -58,4 +58,4 @@ let field_types t (ty : Ir.ty) ~constructor =
         (List.nth d.constructors constructor).fields
   | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
   | Size _ ->
-      Diagnostic.bug ~stage:"Core.Context" "the fields of a type that is not a data type"
+      Diagnostic.bug ~stage:"Core.Context" "a type that is not a data type has no fields"

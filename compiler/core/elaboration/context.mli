@@ -17,7 +17,7 @@ val fresh : t -> string -> Span.t -> Ir.Local.t
 val define : t -> Ir.definition -> unit
 
 val definitions : t -> Ir.definition list
-(** The added definitions, in the order of {!define}. *)
+(** The definitions that {!define} added, oldest first. *)
 
 val field_types : t -> Ir.ty -> constructor:int -> Ir.ty list
 (** The field types of a constructor, for this instance of its data type. *)

@@ -1,5 +1,5 @@
-(** Collects the equations of one proc: the equations of the program, and the ones that elaboration
-    adds for instances inside expressions and for the parts of patterns. *)
+(** Collects the equations of one proc: those in the source, and those that elaboration adds for
+    instances inside expressions and for the parts of patterns. *)
 
 type t
 

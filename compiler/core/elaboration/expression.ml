@@ -3,8 +3,9 @@ module T = Typing.Ir
 
 type place = Every_instant | Elsewhere
 
-(* [equations]: the equations of the enclosing proc, to which instances are added. [name]: the
-   nearest enclosing definition. [fall]: the expression to use if all guards of a branch fail. *)
+(* [equations]: the equations of the enclosing proc, to which instances are added. [name]: the name
+   of the nearest enclosing definition. [fall]: the expression to use if all guards of a branch
+   fail. *)
 type env = {
   ctx : Context.t;
   lifted : Lifting.table;
@@ -102,7 +103,7 @@ and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
   | Bool -> Boolean (c.index = 1)
   | Data { tycon; _ } -> Construct { data = tycon; constructor = c.index; arguments }
   | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
-      bug "`%s` constructs a value that is not data" c.constructor.name
+      bug "`%s` constructs a value whose type is not a data type" c.constructor.name
 
 (* {2 Application} *)
 
@@ -115,7 +116,7 @@ and application env (e : T.expr) arguments =
   | _ ->
       List.fold_left
         (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
-          (* already known, as the result type of [f] *)
+          (* the result type of [f] is already known *)
           let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
           Term.apply f (expr env argument) ty whole.span)
         (expr env e) arguments
@@ -202,7 +203,7 @@ and guards env guarded last span =
     match (last, fall) with
     | Some last, _ -> expr env last
     | None, Some fall -> fall
-    | None, None -> bug "guards at %a that may all fail" Span.pp span
+    | None, None -> bug "all guards at %a may fail" Span.pp span
   in
   List.fold_left (fun rest (guard, value) -> Term.if_ guard value rest span) last alternatives
 
@@ -221,8 +222,8 @@ and lambda env patterns body =
       Term.make (Ir.Function (b.ty, body.ty)) p.span (Ir.Lambda (b, body)))
     (expr env body) parameters
 
-(* The bindings other than those that are lifted to definitions. The bindings of a [let] inside an
-   equation become separate equations. *)
+(* The bindings that are not lifted to definitions. The bindings of a [let] inside an equation
+   become separate equations. *)
 and local_bindings env bindings =
   let at_every_instant = env.place = Every_instant in
   let rec flat (b : T.binding) =

@@ -34,7 +34,7 @@ let table instances =
     (fun (i : Ir.instance) ->
       match split i.head with
       | Some (head, _) -> Hashtbl.replace table (i.class_, head) i
-      | None -> bug "an instance of `%s` for a variable" i.class_.name)
+      | None -> bug "the instance of `%s` is for a type variable" i.class_.name)
     instances;
   table
 
@@ -42,7 +42,7 @@ let find table ~class_ ~name ty types =
   match split ty with
   | None -> None
   | Some (head, arguments) -> (
-      let missing () = bug "no `%s` of `%s` for a type" name class_.Ir.Global.name in
+      let missing () = bug "no method `%s` of class `%s` for a type" name class_.Ir.Global.name in
       match Hashtbl.find_opt table (class_, head) with
       | None -> missing ()
       | Some (i : Ir.instance) -> (

@@ -34,7 +34,7 @@ let variable t scope (e : T.expr) (x : Ir.Local.t) types =
         match f.ty with
         | Function (_, result) ->
             Term.apply f (Term.make b.ty span (Ir.Local (renamed scope b.local))) result span
-        | _ -> Diagnostic.bug ~stage:"Core.Lifting" "`%s` lacks a parameter" x.name
+        | _ -> Diagnostic.bug ~stage:"Core.Lifting" "`%s` has too few parameters" x.name
       in
       let whole = match pattern.desc with Bound _ -> ty | _ -> Erasure.ty pattern.ty in
       let types = List.map (fun v -> Ir.Variable v) around @ types in

@@ -133,4 +133,4 @@ let case ctx ~root span branches =
   in
   match chain with
   | Some e -> e
-  | None -> Diagnostic.bug ~stage:"Core.Matching" "a case without branches"
+  | None -> Diagnostic.bug ~stage:"Core.Matching" "a case has no branches"

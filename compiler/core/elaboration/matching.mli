@@ -8,7 +8,7 @@ val binder : Context.t -> Typing.Ir.pattern -> Ir.binder
 
 val variables : Typing.Ir.pattern -> root:Ir.expr -> (Ir.binder * Ir.expr) list
 (** The values of the pattern's variables, in source order. Empty if the pattern is a variable,
-    because that is the {!binder}. *)
+    because that variable is the {!binder}. *)
 
 val part : Typing.Ir.pattern -> root:Ir.expr -> Ir.Local.t -> Ir.expr
 (** The value of one of the pattern's variables. *)
@@ -17,8 +17,8 @@ type branch = {
   pattern : Typing.Ir.pattern;
   falls : bool;  (** whether all its guards may fail *)
   value : fall:Ir.expr option -> Ir.expr;
-      (** a function that takes the expression for the case that all guards fail; if [falls] is
-          true, it uses this expression exactly once *)
+      (** returns the value, given the expression to use if all guards fail; if [falls] is true,
+          that expression is used exactly once *)
 }
 
 val case : Context.t -> root:Ir.expr -> Basis.Span.t -> branch list -> Ir.expr

@@ -1,19 +1,19 @@
 (** The margin of a condition, as a formula over the columns of a recorded run.
 
     The value of the formula is a number at each instant. If it is positive, the condition is True;
-    if it is negative, False. Its distance from 0 says how close the condition is to changing. This
+    if it is negative, False. Its distance from 0 tells how close the condition is to changing. This
     is the robustness of signal temporal logic: a comparison is a difference, [And] is the minimum,
     [Or] the maximum, [Not] the negation, and an operator on the past is the minimum or maximum over
     the instants that it refers to.
 
-    The formula is evaluated after the run, when all instants are available, and not by the program:
-    a time window would need memory for all the instants in it. *)
+    The formula is evaluated after the run, when all instants are available. The program does not
+    evaluate it, because a time window would need memory for all the instants in it. *)
 
 type t =
   | Constant of bool
   | Column of int
-      (** a column number, from 1. A Float column is the margin itself; a Bool column is True or
-          False, without a degree *)
+      (** a column number, from 1. A Float column is the margin itself; a Bool column is only True
+          or False, without a distance *)
   | Not of t
   | And of t * t
   | Or of t * t

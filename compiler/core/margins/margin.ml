@@ -189,7 +189,7 @@ and timed c (g : Global.t) env given { env = of_input; expr = input } =
     | _ -> None
   else Some (timed [ formula c of_input input ])
 
-(* Whether the condition fails is determined by the verdict itself. *)
+(* The condition is that the verdict does not have the constructor [fails]. *)
 let of_verdict c env (e : expr) =
   Formula.not_ (is c env e fails ~otherwise:(fun () -> has c env e fails))
 

@@ -4,7 +4,7 @@ module Global_table = Resolve.Global_table
 
 exception Too_large
 
-(* Limit on the steps of reading and copying. Hand-written programs need a few dozen. *)
+(* Maximum number of steps for reading and copying. Handwritten programs need a few dozen. *)
 let most_steps = 10_000
 
 type t = {

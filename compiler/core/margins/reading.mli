@@ -29,7 +29,8 @@ val input : t -> env -> Ir.Local.t -> head option
 (** The input of that instance. *)
 
 val enter : env -> Ir.proc -> input:head -> env
-(** The environment inside a proc that runs at this place on this input. *)
+(** The environment inside a proc that runs on this input. The first argument is the environment of
+    the proc expression. *)
 
 val ty : env -> Ir.ty -> Ir.ty
 (** Converts a type from this environment to the types of the analysed proc. *)
@@ -41,5 +42,5 @@ val copy : t -> env -> Ir.expr -> Ir.expr
 val fresh : t -> string -> Basis.Span.t -> Ir.Local.t
 
 val added : t -> Ir.equation list
-(** The equations that copies have required since the last call: instances of signal functions in
+(** The equations that the copies made since the last call need: instances of signal functions in
     procs that were entered. *)

@@ -14,11 +14,11 @@ type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
 
 type t =
   | Cycle of { cycle : (Ir.definition * Span.t) list; cause : cause }
-      (** Each definition needs the next one, and the last one needs the first. Each has the place
-          of that use. *)
+      (** Each definition needs the next one, and the last one needs the first. Each comes with the
+          place of that use. *)
   | Growing_types of { definition : Ir.definition; at : Span.t }
-      (** the definition uses itself through methods at ever larger types, for example at this one
-      *)
+      (** the definition uses itself through methods at ever larger types; [at] is the place of such
+          a use *)
   | Too_many_types of { definition : Ir.definition; combinations : int }
       (** definitions that use methods are needed at more than this number of combinations of types
       *)

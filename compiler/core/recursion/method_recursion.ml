@@ -60,7 +60,8 @@ let most_parts = 20_000
 
 exception Large
 
-(* A type may share its parts, so it may have far more paths than parts. *)
+(* Parts of a type may be shared in memory, so a traversal may visit far more parts than there
+   are. *)
 let is_large ty =
   let parts = ref 0 in
   let rec visit depth (ty : Ir.ty) =
@@ -81,7 +82,8 @@ let report g fact = g.facts <- fact :: g.facts
 (* Maximum number of steps for building the graph; each step visits a part of a type. *)
 let most_steps = 5_000_000
 
-(* The number of the instantiated definition, if it may reach a method. *)
+(* The number of the instantiated definition; [None] if it cannot reach a method, or if one of the
+   types is too large. *)
 let vertex g name types ~span =
   match Global_table.find_opt g.program name with
   | None -> None

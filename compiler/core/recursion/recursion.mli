@@ -1,4 +1,4 @@
-(** Reports definitions that are needed to evaluate themselves.
+(** Reports definitions that cannot be evaluated because they depend on themselves.
 
     All functions and signal functions are evaluated at compile time. That terminates only if none
     of them calls itself, directly or through others. Uses in a continuation happen later and do not

@@ -195,8 +195,8 @@ let has_zero least most = least <= 0. && most >= 0.
 let has_infinity least most = least = neg_infinity || most = infinity
 
 (* Rounding is monotonic, so applying the operation to the operands' bounds yields the bounds of the
-   result. The result can be NaN if the ranges allow inf - inf, 0 * inf or inf / inf. It cannot be 0
-   / 0, because ranges of divisors that contain 0 are not handled here. *)
+   result. The result can be NaN if the ranges allow inf - inf, 0 * inf or inf / inf. The
+   division 0 / 0 cannot occur, because divisors whose ranges contain 0 are not handled here. *)
 let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
   let sum (bl, bh) =

@@ -27,7 +27,7 @@ val join : t -> t -> t
 
 val widen : steps:int list -> t -> t -> t
 (** A join that widens the bounds that change: bounds of Floats become infinite, and bounds of Ints
-    move to the next value in [steps], if there is one. *)
+    move to the next value in [steps], or to the end of the Int range if there is none. *)
 
 val meet : t -> t -> t option
 (** The intersection; [None] if it is empty. *)
@@ -45,4 +45,4 @@ val payload : t -> int -> int -> t option
     any value. *)
 
 val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
-(** The range of the result of an operation. The type is that of the result. *)
+(** The range of the result of an operation. The last argument is the type of the result. *)

@@ -46,7 +46,8 @@ let needed_by_machine (passages : passage array) (machine : Ir.machine) =
   List.rev_append (List.rev inputs)
     (Option.to_list machine.active @ Transitions.atoms (not_delayed machine.controls))
 
-(* All signals of the node with their definitions, in source order. *)
+(* All signals of the node with their definitions: parameters first, then equations, then
+   outputs. *)
 let definitions passages (node : Ir.node) =
   let all = ref [] in
   let add definition s = all := (s, definition) :: !all in

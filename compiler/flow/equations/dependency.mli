@@ -3,16 +3,17 @@
     Leaves that the causality check treats as one ([signal.group]) share one vertex. An instance is
     transparent: each of its outputs needs those inputs from which its node computes that output in
     the same instant, and the static parameters. A loop is a black box: each of its outputs needs
-    all its inputs. A machine is also a black box: each of its outputs needs everything that any of
-    its modes needs for any output or for a transition that is not delayed, and the controls that
-    are not delayed. *)
+    all its inputs. A machine is also a black box. Each of its outputs needs the controls that are
+    not delayed, and everything that any mode needs for an output or for a transition that is not
+    delayed. *)
 
 type definition =
   | Parameter  (** a static parameter or an input of the node *)
   | Equation of Ir.equation
-  | Output of Ir.instance * int  (** an output of this instance, by number *)
+  | Output of Ir.instance * int  (** an output of this instance, by index *)
   | Box of Ir.atom list
-      (** an output of the machine or a result of C, with everything it needs in the same instant *)
+      (** an output of the machine or a result of foreign C code, with everything it needs in the
+          same instant *)
 
 module Inputs : Set.S with type elt = int
 

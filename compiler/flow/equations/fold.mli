@@ -3,4 +3,4 @@
     return the same bits on every machine and are also part of the compiler. *)
 
 val operation : Basis.Real.t -> Ir.operator -> Ir.atom list -> Ir.atom option
-(** The result of an operation, if all its arguments are constants and the result is determined. *)
+(** The result of an operation, if all its arguments are constants of types that it accepts. *)

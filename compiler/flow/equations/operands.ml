@@ -27,7 +27,7 @@ let same_instant = function
     ->
       all rhs
 
-(* Optimized for short lists. The payload of a constructor may be long. *)
+(* Handles short lists, which are common, separately. The payload of a constructor may be long. *)
 let map_list f atoms =
   match atoms with
   | [ a ] -> [ f a ]
@@ -56,8 +56,7 @@ let with_operands rhs (operands : atom list) =
   | Delay _, [ init; next ] -> Delay { init; next }
   | rhs, _ -> rhs
 
-(* Most passes change nothing. The right-hand side is then returned physically unchanged, which
-   allocates no memory. *)
+(* Most passes change nothing. Returning the same right-hand side then saves an allocation. *)
 let map f rhs =
   let before = all rhs in
   let after = map_list f before in

@@ -7,7 +7,8 @@ val parameters : Ir.node -> Ir.signal array
 (** The static parameters, then the inputs. *)
 
 val places : Ir.program -> Ir.atom -> (int * int) option
-(** If the atom is a parameter, returns its node and its index in that node. *)
+(** If the atom is a parameter, returns the index of its node and its index among the parameters of
+    that node. *)
 
 val settle : Ir.program -> (call -> bool) -> unit
 (** Visits all calls, in an order in which callers come before callees. The visitor returns whether

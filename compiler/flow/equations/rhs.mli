@@ -1,4 +1,4 @@
-(** Properties of equations' right-hand sides; {!Operands} lists what they read. *)
+(** Properties of equations' right-hand sides; {!Operands} lists their operands. *)
 
 val is_stateful : Ir.rhs -> bool
 (** Whether the value depends on earlier instants or on the start of the node. Otherwise it is a

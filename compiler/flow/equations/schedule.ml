@@ -6,8 +6,9 @@ type item =
   | Trial of Ir.instance * Ir.trial
   | Machine of Ir.machine
 
-(* Merges equations in their order with instances; each instance comes before the first equation
-   that is written after it. Only equations from the same file as the instance are compared. *)
+(* Merges the equations, in their order, with the instances. Each instance comes before the first
+   equation that is written after it. An instance is only compared with equations from the same
+   file. *)
 let in_source_order (node : Ir.node) =
   let precedes (instance : Ir.instance) (equation : Ir.equation) =
     String.equal instance.span.file equation.span.file
@@ -57,7 +58,8 @@ let needs = function
       Operands.signals (List.rev_append (List.rev i.statics) (List.filter_map Fun.id trial.given))
   | Machine m -> Operands.signals (Transitions.read_in_step m)
 
-(* Also includes the signals needed at the start. They are static, so they add no cycles. *)
+(* Like [needs], but includes the signals needed at the start. They are static, so they add no
+   cycles. *)
 let needs_from_start item =
   match item with
   | Equation { rhs = Delay { init; _ }; _ } -> Operands.signals [ init ]

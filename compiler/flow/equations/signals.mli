@@ -5,5 +5,5 @@ val iter : (Ir.signal -> unit) -> Ir.node -> unit
     the machine. *)
 
 val next_id : Ir.node array -> int
-(** The smallest number larger than every id and group. The program's own [next_id] is at least
-    that. *)
+(** The smallest number larger than every id and group. The program's own [next_id] is at least that
+    large. *)

@@ -14,7 +14,7 @@ val replace : t -> Ir.signal -> Ir.atom -> unit
 val atom : t -> Ir.atom -> Ir.atom
 
 val is_empty : t -> bool
-(** Whether no signal is replaced. *)
+(** Whether no replacement has been recorded. *)
 
 val node : t -> Ir.node -> Ir.node
 (** Removes the equations of replaced signals and replaces the operands of the others. Keeps all

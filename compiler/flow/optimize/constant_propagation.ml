@@ -5,7 +5,7 @@ let of_atom : Ir.atom -> passed = function
   | Signal _ -> Different
   | (Bool _ | Int _ | Float _) as literal -> Always literal
 
-(* The join. Returns the first argument physically if the second adds nothing to it. *)
+(* The join. Returns the first argument itself if the second adds nothing to it. *)
 let join passed other =
   match (passed, other) with
   | _, Nothing | Different, (Always _ | Different) -> passed

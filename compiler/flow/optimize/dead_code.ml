@@ -1,7 +1,7 @@
 open Basis
 
-(* For each node, the maximum number of accumulators in the loops over it. This number of its first
-   inputs may come from the outputs with the same index. *)
+(* For each node, the maximum number of accumulators in the loops over it. That many of its first
+   inputs may be fed back from the outputs with the same index. *)
 let accumulators (program : Ir.program) =
   let most = Array.make (Array.length program.nodes) 0 in
   let is_accumulator argument = argument = Ir.Accumulator in

@@ -10,8 +10,8 @@ let firsts keys =
   in
   Array.mapi first keys
 
-(* Nodes that keep all their parameters: foreign C functions, the program itself, and nodes with
-   trial steps, which get some arguments later. *)
+(* Nodes that keep all their parameters: foreign C functions, the root, and nodes with trial steps,
+   because a trial step does not receive all arguments. *)
 let apart (program : Ir.program) =
   let apart = Array.map (fun (node : Ir.node) -> Option.is_some node.foreign) program.nodes in
   apart.(Array.length apart - 1) <- true;
@@ -40,7 +40,8 @@ let representatives (program : Ir.program) parameters =
   in
   let split { Passed.callee; arguments } =
     let before = representatives.(callee) in
-    (* Each accumulator of a loop gets a separate value in each iteration. *)
+    (* Accumulators of a loop are never equivalent, because each of them gets its own value in each
+       iteration. *)
     let passed j (how, atom) = (before.(j), how, key atom, if how = Ir.Accumulator then j else 0) in
     representatives.(callee) <- firsts (Array.mapi passed arguments);
     representatives.(callee) <> before

@@ -17,7 +17,7 @@ let costly (e : Ir.equation) =
 
 (* The values that a node computes from inputs alone, with their equations. Some arguments may be
    literals, but not all: a value computed only from literals is known before the program starts,
-   whereas an input is not. *)
+   and would no longer be known if it were an input. *)
 let candidates (node : Ir.node) =
   let is_input (a : Ir.atom) =
     match a with
@@ -101,7 +101,7 @@ let signal ~fresh (like : Ir.signal) : Ir.signal =
   let id = fresh () in
   { like with id; group = id }
 
-(* The node reads a new input in place of each moved value. *)
+(* Replaces each moved value with a new input of the node. *)
 let callee ~fresh moved (node : Ir.node) =
   let inputs = List.map (fun ((e : Ir.equation), _) -> (e, signal ~fresh e.defines)) moved in
   let equation (e : Ir.equation) =

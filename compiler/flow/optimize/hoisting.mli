@@ -1,4 +1,5 @@
-(** Moves calls of elementary functions with unchanged inputs from a node to its callers.
+(** Moves calls of elementary functions from a node to its callers, if their arguments are inputs of
+    the node.
 
     For example, two nodes may compute the cosine of the same heading, or all iterations of a loop
     may compute the cosine of the same angle. If the caller computes the cosine and passes the

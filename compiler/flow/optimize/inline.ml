@@ -67,7 +67,8 @@ let expand context ~signals ~instances (instance : Ir.instance) =
     match Int_table.find_opt copies s.id with
     | Some (Signal copy) -> copy
     | Some (Bool _ | Int _ | Float _) ->
-        Diagnostic.bug ~stage:"Flow.Inline" "a parameter of `%s` is defined in it" callee.name
+        Diagnostic.bug ~stage:"Flow.Inline" "`%s` contains an equation for one of its parameters"
+          callee.name
     | None ->
         let id = fresh_id () in
         let group =
@@ -120,7 +121,7 @@ let without_copies (node : Ir.node) =
     node.equations;
   Substitution.node substitution node
 
-(* Inlines the instances that satisfy [chosen], each at its place. *)
+(* Inlines the instances that satisfy [chosen], each in its place. *)
 let expand_chosen context chosen (node : Ir.node) =
   let signals = names_of (fun f -> Signals.iter (fun (s : Ir.signal) -> f s.name) node) in
   let instances =
@@ -148,7 +149,8 @@ let is_one_operation context (i : Ir.instance) =
        (fun passed -> Dependency.Inputs.cardinal passed = inputs)
        (Lazy.force context.passages).(i.node).passed
 
-(* Adds a trial step for each proper subset of the inputs that some outputs need. *)
+(* Groups the outputs by the inputs that they need, and adds a trial step for each group that does
+   not need all inputs. *)
 let with_trials context (i : Ir.instance) =
   let { Dependency.passed; _ } = (Lazy.force context.passages).(i.node) in
   let all = List.length i.inputs in

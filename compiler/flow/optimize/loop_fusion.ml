@@ -4,8 +4,8 @@ open Basis
 type group = {
   count : int;
   varies : bool;
-      (* whether the group depends on inputs. If not, it must stay separate, because delays may
-         start from its results *)
+      (* whether the group depends on inputs or state. If not, it must not be joined with loops that
+         do, because its results may be the initial values of delays *)
   members : (Ir.instance * Ir.loop) list; (* last one first *)
   arrays : Ir.signal list; (* arrays that members define *)
   after : unit Int_table.t; (* signals that depend on outputs of the group *)
@@ -95,15 +95,14 @@ type joined = {
   context : context;
   callees : Ir.node array;
   mutable statics : (Ir.atom * Ir.signal) list;
-      (* the arguments and parameters so far, in reverse
-                                                   order *)
+      (* the arguments and parameters so far, last one first *)
   mutable given : given list; (* last one first *)
   mutable results : (bool * Ir.signal * Ir.signal) list;
-      (* whether it is the final value of an accumulator, the signal outside the loop, and the
-         signal inside; in reverse order *)
+      (* for each result, last one first: whether it is the final value of an accumulator, the
+         signal outside the loop, and the signal inside it *)
   mutable bodies : Ir.instance list; (* last one first *)
   elements : Ir.signal Int_table.t;
-      (* the current element, within an iteration, of each array that a member defines *)
+      (* for each array that a member defines, the element that the current iteration computes *)
 }
 
 let parameter joined (like : Ir.signal) = signal joined.context ~name:like.name like.ty like.span

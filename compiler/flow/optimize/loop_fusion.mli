@@ -3,10 +3,10 @@
     [foldl min 0 (zipWith max a (map f b))] consists of three loops that pass two arrays between
     them. The joined loop does not need these arrays, and reads each element once. Two loops with
     the same count are joined if one reads the elements that the other computes, or both read the
-    same array. They are not joined if one needs another result of the other loop: the whole array,
-    or the final value of an accumulator. Nor are they joined if only one of them can run at the
-    start, because its result may be the initial value of a delay. The node of the new loop has an
-    instance of each node that the loops ran.
+    same array. They are not joined if one needs more of the other than its current element: the
+    whole array, or the final value of an accumulator. Nor are they joined if only one of them can
+    run at the start, because its result may be the initial value of a delay. The node of the new
+    loop has an instance of each node that the loops ran.
 
     Skips nodes that contain a cycle of items, which {!Inline} breaks later. *)
 

@@ -27,7 +27,7 @@ let tidy =
     Pass.make "unreachable-modes" Unreachable_modes.program
       "after simplification, which shows that a condition is constant";
     Pass.make "single-mode" Single_mode.program
-      "after unreachable modes, because only one mode may be left";
+      "after unreachable modes, because a machine may then have only one mode left";
     dead_code;
   ]
 
@@ -42,13 +42,15 @@ let inline =
 
 let hoisting =
   Pass.make "hoisting" Hoisting.program
-    "after inlining, because what callers and their nodes compute together is then in one node"
+    "after inlining, because a node then contains the computations of its inlined callees"
 
 let inline_machines =
   Pass.make "inline-machines" Inline_machines.program
-    "late, because a node that contains an inlined machine is not inlined any more"
+    "late, because a node that contains an inlined machine can no longer be inlined"
 
-type step = Pass of Ir.program Pass.t | Tidy  (** skipped if nothing has changed *)
+type step =
+  | Pass of Ir.program Pass.t
+  | Tidy  (** skipped if nothing has changed since the last one *)
 
 (* Loop fusion and inlining run twice, because inlining brings loops from several nodes together. *)
 let steps =

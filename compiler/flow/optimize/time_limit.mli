@@ -6,4 +6,4 @@
 val is_limited : Ir.program -> int -> bool
 (** Whether this node is a mode whose local time never restarts, and which ends at the latest when
     this time reaches half of its range. False if the node is inside a machine that does not run in
-    every instant, because any time may pass between its instants. *)
+    every instant, because any amount of time may pass between its instants. *)

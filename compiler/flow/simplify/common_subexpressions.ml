@@ -20,7 +20,7 @@ end)
 
 let without_operand _ : Ir.atom = Bool false
 
-(* [unsigned] returns the key of a number that is equal except for its sign. *)
+(* [unsigned] returns the key of a number that equals the operand except for its sign. *)
 let key_of_equation ~unsigned (e : Ir.equation) rhs =
   let key =
     match rhs with Ir.Op (operator, _) when is_even operator -> unsigned | _ -> Operands.key
@@ -38,7 +38,8 @@ let key_of_equation ~unsigned (e : Ir.equation) rhs =
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
   let duplicates = Hashtbl.create 4 in
-  (* Differences, by their operands, and the numbers of the signals that are their negations. *)
+  (* The differences, by their operands; and for each number that is the negation of another, the
+     key of that other number. *)
   let differences = Hashtbl.create 16 and negated = Hashtbl.create 4 in
   let atom = Substitution.atom substitution in
   let meet key defined =

@@ -14,7 +14,7 @@ let is_int : Ir.atom -> bool = function
   | Signal s -> s.ty = Int
   | Bool _ | Float _ -> false
 
-(* Whether the value is certain to equal itself. A NaN does not. *)
+(* Whether the value certainly equals itself, because it cannot be NaN. *)
 let is_no_float : Ir.atom -> bool = function
   | Int _ | Bool _ -> true
   | Signal s -> s.ty <> Float
@@ -71,7 +71,7 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
       | Some _ | None -> unchanged)
   | _ -> unchanged
 
-(* The value of an atom in the case that the condition has this value. *)
+(* Simplifies an atom under the assumption that the condition has this value. *)
 let given known condition value atom =
   match definition known atom with
   | Some (If c) when same c.condition condition -> if value then c.then_ else c.else_
@@ -96,11 +96,12 @@ let rec choice known condition then_ else_ : Ir.rhs =
    unchanged. *)
 let deepest = 16
 
-(* Adds an equation for a right-hand side that is not an atom. *)
+(* Converts a right-hand side to an atom: adds an equation for it, unless it is a [Copy]. *)
 let atom (add : Ir.ty -> Ir.rhs -> Ir.atom) ty (rhs : Ir.rhs) =
   match rhs with Copy a -> a | rhs -> add ty rhs
 
-(* Whether an atom has a constructor, as a Bool, if that can be decided without reading its tag. *)
+(* A right-hand side that tells whether an atom has a constructor, if that can be decided without
+   reading the atom's tag. *)
 let has_constructor known add value constructor : Ir.rhs option =
   let rec test depth value : Ir.rhs option =
     match definition known value with
@@ -115,8 +116,9 @@ let has_constructor known add value constructor : Ir.rhs option =
   in
   test 0 value
 
-(* The leaf of a payload. For values with a different constructor the leaf is unspecified. If only
-   one branch has the constructor, that branch is used; if neither has, the result is 0. *)
+(* The leaf of a payload. For values with a different constructor, the leaf is unspecified.
+   Therefore, if only one branch of a choice has the constructor, that branch is used, and if
+   neither has it, the result is 0 or False. *)
 let payload known add ty value constructor leaf : Ir.rhs option =
   let rec part depth value =
     match definition known value with
@@ -165,15 +167,15 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Payload { value; constructor; leaf } ->
       Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
   | Delay { init = Bool true; next = Bool false } ->
-      (* Uses the negation of a delay, so that all delays that mark the first instant become the
-         same delay. *)
+      (* Uses the negation of the opposite delay, so that all delays that mark the first instant
+         become identical. *)
       Op (Not, [ add defines Bool (Delay { init = Bool false; next = Bool true }) ])
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static, so the delay is constant. *)
       Copy init
   | Delay { init = Bool first; next } -> (
-      (* Delays the signal inside the negation, which exists in any case, so that several delays of
-         this signal can be merged. *)
+      (* Delays the operand of the negation instead. The operand exists anyway, and several delays
+         of it can be merged. *)
       match definition (Lazy.force written) next with
       | Some (Op (Not, [ next ])) ->
           Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])

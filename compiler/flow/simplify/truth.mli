@@ -10,12 +10,12 @@ val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
     result to values any number of times. *)
 
 val while_running : Ir.node -> (Ir.signal * bool) list -> t
-(** Like {!consequences}, for an instant in which a mode continues to run, so none of its
+(** Like {!at_an_instant}, for an instant in which a mode continues to run, so none of its
     transitions occurs. *)
 
 val at_first_instant : Ir.node -> t
-(** Derives the values in the node's first instant from the initial values of delays; no time has
-    passed. *)
+(** Derives the values in the node's first instant from the initial values of delays, and from the
+    fact that no time has passed. *)
 
 val value : t -> Ir.atom -> bool option
 (** The value of an atom, if it is known. *)

@@ -66,7 +66,7 @@ let start signal_function : Value.instance =
   | Signal_function start -> start ()
   | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
   | Function _ | Task _ | Ending _ ->
-      bug "a value that is run is not a signal function"
+      bug "a primitive runs a value that is not a signal function"
 
 let side_by_side instances : Value.instance =
   {

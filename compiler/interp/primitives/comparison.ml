@@ -1,4 +1,4 @@
-let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
+let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values that are not comparable are compared"
 
 (* Pairs the corresponding parts of two values of the same type, from first to last. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
@@ -38,8 +38,8 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
       _ ) ->
       refuse ()
 
-(* For the last parts, the result of the comparison is final, without a test for equality, because a
-   NaN is not [<=] another NaN. *)
+(* Compares the last parts directly, without testing them for equality first, because a NaN is not
+   [<=] another NaN. *)
 and ordered_parts ~numbers ~equals = function
   | [] -> equals
   | [ (a, b) ] -> ordered ~numbers ~equals (Thunk.force a) (Thunk.force b)

@@ -25,7 +25,7 @@ let rec layout (program : Core.Ir.program) (ty : Core.Ir.ty) =
           let close = Core.Erasure.substitute (List.combine parameters arguments) in
           let part (_, ty) = layout program (close ty) in
           Parts { record = true; parts = List.map part fields }
-      | _, _ -> bug "a kernel of a sum, `%s`" tycon.name)
+      | _, _ -> bug "a kernel takes or returns the sum type `%s`" tycon.name)
   | Variable _ | String | Function _ | Signal_function _ | Array _ | Size _ ->
       bug "a kernel argument that is not a plain value"
 

@@ -19,7 +19,7 @@ end
 
 module Float : sig
   val nan : float
-  (** The only NaN, which is quiet. Before version 5.1, OCaml's [nan] is a signaling NaN, for which
+  (** The only NaN, which is quiet. Before version 5.1, OCaml's [nan] was a signaling NaN, for which
       the C library's [pow nan 0] is not 1. *)
 
   val signum : float -> float

@@ -15,7 +15,7 @@ let label (kind : Core.Primitive.console) ~size (arguments : Value.thunk list) =
       | Text text -> text
       | _ -> bug "a label that is not a string")
   | (Button | Hold | Knob | Toggle | Camera | Tags | Lidar | Imu), [] ->
-      bug "a console without a label"
+      bug "a console primitive without a label"
 
 let apply controls kind ~size arguments =
   match (last arguments : Value.t) with

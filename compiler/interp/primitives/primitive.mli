@@ -1,7 +1,7 @@
 (** The meaning of the primitives that are pure functions. *)
 
 exception Foreign_code of string
-(** Raised when evaluation would have to call this C function of the user. *)
+(** Raised when evaluation would have to call this function from the user's C code. *)
 
 val apply : Basis.Real.t -> Core.Primitive.t -> Value.thunk list -> Value.t
 (** Applies a primitive to all its arguments, in the given precision. Their number must be the

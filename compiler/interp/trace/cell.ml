@@ -60,7 +60,7 @@ let write shape value =
         let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
         record { Shape.name = "Console"; fields } (List.combine fields (Array.to_list arguments))
     | (Bool | Int | Float _ | Text | Drawing | Image | Tuple _ | Array _ | Data _ | Console _), _ ->
-        bug "a value that is not of its type"
+        bug "a value that does not match its shape"
   and record (c : Shape.constructor) fields =
     put (c.name ^ " {");
     separated

@@ -16,7 +16,7 @@ val read : ?frames:Kernels.frames -> Shape.t -> string -> (Value.t, string) resu
     finds the images. *)
 
 val overflows : string -> bool
-(** Is the text a number whose digits would be rounded to infinity, such as [1e400]? *)
+(** Whether the text is a number that would be rounded to infinity, such as [1e400]. *)
 
 val largest : Basis.Real.t -> string
-(** The range of numbers that the error message states for a number that {!overflows}. *)
+(** The range of numbers, as stated in the error message for a number that {!overflows}. *)

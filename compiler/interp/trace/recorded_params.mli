@@ -1,4 +1,4 @@
-(** Reads a recording's parameter values, which are in lines before its header, such as
+(** Reads a recording's parameter values from the lines before its header, for example
     [# param kTurn=4[1/m]]. *)
 
 type settings = (Core.Ir.Global.t * Value.t) list

@@ -1,5 +1,5 @@
-(** [textDocument/codeAction]: fixes for the messages at a place, a type signature for a definition
-    without one, and lifting a local definition to the top level. *)
+(** [textDocument/codeAction]: offers fixes for the messages at a place, a type signature for a
+    definition without one, and a refactoring that lifts a local definition to the top level. *)
 
 open Basis
 

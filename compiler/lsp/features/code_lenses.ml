@@ -30,8 +30,8 @@ let bounds ws (doc : Document.t) =
   Option.map Report.Bounds.of_program
     (Build.Queries.step (Diagnostic.sink ()) (Source.create ()) request)
 
-(* A program that leaves its robot open is not complete: it cannot be run, and its costs are not
-   known. *)
+(* A program that does not specify its robot is incomplete: it cannot be run, and its costs are
+   unknown. *)
 let of_main ws (doc : Document.t) view range =
   let report =
     match bounds ws doc with

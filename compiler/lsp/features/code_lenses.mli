@@ -1,6 +1,6 @@
-(** [textDocument/codeLens]: above the entry of a program, the costs of a step and a command that
-    runs it in the simulator; above each test and trial, in programs and test files, a command that
-    runs it. *)
+(** [textDocument/codeLens]: above [main], shows the costs of a step and a command that runs the
+    program in the simulator; above each test and trial, in programs and test files, shows a command
+    that runs it. *)
 
 open Basis
 

@@ -35,7 +35,7 @@ let line_before text offset =
   in
   String.sub text start (offset - start)
 
-(* The names before a dot, the first one first; empty if anything else precedes the dot. *)
+(* The names before a dot, in source order; empty if anything else precedes the dot. *)
 let rec path_before text dot names =
   let start = word_start text dot in
   if start = dot then []

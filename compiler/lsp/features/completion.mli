@@ -1,4 +1,4 @@
-(** [textDocument/completion]: suggests names that fit the context of the cursor. These are fields
+(** [textDocument/completion]: suggests names that fit the context of the cursor, such as fields
     after a record, units in brackets, modules after [import], and types in signatures. *)
 
 open Basis

@@ -1,6 +1,6 @@
 open Basis
 
-(* Writes the explanation of a code to a file, which every editor can open. *)
+(* Writes the explanation of a diagnostic code to a file, because every editor can open files. *)
 let page_uri code =
   let make page ~folder:_ path =
     match open_out_bin path with

@@ -3,9 +3,9 @@
 open Basis
 
 val parameters : Workspace.t -> Document.t -> Json.t
-(** The parameters of the notification for the text that was checked last. *)
+(** The parameters of the notification, with the diagnostics of the last check of the text. *)
 
 val of_diagnostic : Workspace.t -> Analysis.t -> Diagnostic.t -> Json.t
 
 val none : string -> Json.t
-(** Clears the messages of a text, given by its URI, that was closed. *)
+(** The parameters that clear the messages of a closed text, given by its URI. *)

@@ -1,6 +1,6 @@
 open Basis
 
-(* An edit that only replaces the lines from the first to the last change, so that cursors elsewhere
+(* An edit that replaces only the lines from the first to the last change, so that cursors elsewhere
    do not move. *)
 let edit ws (doc : Document.t) before after : Json.t =
   let n = String.length before and m = String.length after in
@@ -11,7 +11,7 @@ let edit ws (doc : Document.t) before after : Json.t =
   let rec suffix i =
     if i < shorter - start && before.[n - 1 - i] = after.[m - 1 - i] then suffix (i + 1) else i
   in
-  (* Back to the start of a line, which is the start of a line in both texts. *)
+  (* Shortens the common suffix until it starts at the beginning of a line in both texts. *)
   let rec whole i = if i > 0 && before.[n - i - 1] <> '\n' then whole (i - 1) else i in
   let behind =
     let i = suffix 0 in

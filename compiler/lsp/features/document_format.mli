@@ -3,5 +3,5 @@
 open Basis
 
 val edits : Workspace.t -> Document.t -> (Json.t, string) result
-(** The edits are empty if the text is not a program. An error means that the formatter has a bug.
-*)
+(** The list of edits is empty if the text is not a program. An error means that the formatter has a
+    bug. *)

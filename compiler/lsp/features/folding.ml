@@ -79,7 +79,7 @@ let without_last_blanks text (start, stop) =
   let rec back i = if i > start && is_blank text.[i - 1] then back (i - 1) else i in
   (start, back stop)
 
-(* Typed trees contain the spans of all expressions. *)
+(* The ranges of the expressions around the offset, taken from the typed tree. *)
 let expressions (doc : Document.t) offset =
   match Document.types doc with
   | None -> []

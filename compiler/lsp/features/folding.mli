@@ -6,5 +6,5 @@ open Basis
 val ranges : Document.t -> Json.t
 
 val selections : Workspace.t -> Document.t -> Json.t -> Json.t
-(** For each position, ranges from the inside out: the word, the contents of brackets, the line, the
-    block, the definition and the text. If the text is a program, expressions are added. *)
+(** For each position, ranges from the inside out: the word, the line, the top-level declaration and
+    the text. If the text is a program, also the expressions around the position. *)

@@ -11,7 +11,7 @@ let hover ws (doc : Document.t) range text : Json.t =
       ("range", Workspace.range ws doc.text range);
     ]
 
-(* Uses the newest analyzed version of the text that contains the symbol. *)
+(* Describes the symbol at this offset in the given version of the text. *)
 let of_symbol ws (doc : Document.t) offset (seen : View.seen) =
   let open Basis.Let_syntax.Option in
   let* position = View.position seen offset in

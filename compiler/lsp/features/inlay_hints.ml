@@ -18,7 +18,7 @@ let begins_line (doc : Document.t) offset =
   let rec back i = i = 0 || text.[i - 1] = '\n' || (text.[i - 1] = ' ' && back (i - 1)) in
   back offset
 
-(* Top-level and local definitions without a signature. *)
+(* The hints for top-level and local definitions without a signature. *)
 let of_version ws (doc : Document.t) (seen : View.seen) facts (start, stop) =
   let index = Index.all (View.index seen.view) in
   let signed = Hashtbl.create 64 in

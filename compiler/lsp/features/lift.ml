@@ -98,7 +98,7 @@ let piece text ~alone (start, stop) =
     let cut = if has_lines then (first, next) else (first - 1, stop) in
     Some { from = first + column; last; cut }
 
-(* Whether an application at this place needs no parentheses; as an argument it would need them. *)
+(* Can an application be inserted at this place without parentheses? An argument would need them. *)
 let is_free_standing text (start, stop) =
   let rec back i = if i > 0 && text.[i - 1] = ' ' then back (i - 1) else i in
   let at = back start in

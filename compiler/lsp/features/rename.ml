@@ -38,7 +38,7 @@ let check_name (symbol : Index.symbol) name =
         (Printf.sprintf "this name must begin with a %s letter, unlike `%s`"
            (if capital then "capital" else "small")
            name)
-  | _ -> Error (Printf.sprintf "`%s` cannot be a name" name)
+  | _ -> Error (Printf.sprintf "`%s` is not a valid name" name)
 
 (* {1 Edits} *)
 
@@ -91,8 +91,7 @@ let check ws files name =
     let after = Analysis.check ~library:ws.library ~read ~path (List.assoc path texts) in
     if errors after <> errors a || meaning ws after <> meaning ws a then
       Error
-        (Printf.sprintf "`%s` already means something else where %s is used" name
-           (Filename.basename path))
+        (Printf.sprintf "`%s` already has a different meaning in %s" name (Filename.basename path))
     else Ok ()
   in
   List.fold_left (fun result file -> Result.bind result (fun () -> one file)) (Ok ()) files
@@ -100,12 +99,12 @@ let check ws files name =
 let answer ws (doc : Document.t) params =
   let open Basis.Let_syntax.Result in
   let name = Option.value Json.(string (member "newName" params)) ~default:"" in
-  (* The places must be those of the current text. *)
+  (* Updates the analysis first, because the places must refer to the current text. *)
   Workspace.look ws doc;
   match (References.of_symbol ws doc params, doc.latest) with
   | None, _ -> Error "there is no name here"
   | Some _, Some { resolved = None; _ } ->
-      Error "this program has errors in its names: fix them first"
+      Error "frobc cannot resolve the names in this program: fix its errors first"
   | Some (symbol, found), _ ->
       let* () = can_be_renamed ws symbol in
       let* () = check_name symbol name in

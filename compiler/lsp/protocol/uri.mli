@@ -7,4 +7,4 @@ val to_path : string -> string
 val of_path : string -> string
 
 val is_file : string -> bool
-(** Whether this URI has a path. *)
+(** Is this a [file:] URI, which has a path? *)

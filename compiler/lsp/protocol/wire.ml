@@ -11,7 +11,7 @@ type event = Message of string | Nothing | End
 let create stream =
   { stream; buffered = Buffer.create 65536; from = 0; chunk = Bytes.create 65536; ended = false }
 
-(* Maximum length of a message. A header with a larger number is damaged. *)
+(* Maximum length of a message. A header with a larger length is assumed to be corrupt. *)
 let longest = 256 * 1024 * 1024
 
 (* Discards processed data from time to time. *)

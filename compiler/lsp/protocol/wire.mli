@@ -7,12 +7,12 @@ type t
 val create : Unix.file_descr -> t
 
 type event =
-  | Message of string  (** the body, not checked to be JSON *)
+  | Message of string  (** the body, which may not be valid JSON *)
   | Nothing  (** no complete message has arrived yet *)
   | End  (** end of the stream *)
 
 val next : t -> timeout:float -> event
-(** Waits for a message for up to [timeout] seconds, without limit if it is negative. *)
+(** Waits up to [timeout] seconds for a message, or without limit if [timeout] is negative. *)
 
 val wait : t -> Unix.file_descr list -> Unix.file_descr list
 (** Waits until a message may be available or one of these descriptors is readable. Returns the

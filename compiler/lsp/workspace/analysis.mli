@@ -34,7 +34,7 @@ val guarded : (unit -> 'a) -> ('a, string) result
     {!patience}. *)
 
 val given_up : path:string -> string -> string -> t
-(** The analysis of a text that could not be checked for this reason. *)
+(** The analysis of a text that could not be checked, for the given reason. *)
 
 val at_once : (unit -> 'a) -> 'a option
 (** The function's result, or [None] if it takes more than 80 ms of processor time, which is as long

@@ -23,4 +23,4 @@ val library : Workspace.t -> (string * entry list) list
 (** All library modules except the prelude, with their exports. *)
 
 val modules : Workspace.t -> directory:string -> string list
-(** The modules that can be imported in this folder. *)
+(** The modules that a program in this folder can import. *)

@@ -1,7 +1,6 @@
 open Basis
 
-(* The local variable of this name that is declared closest before the offset, or else closest after
-   it. *)
+(* The type of the local variable of this name whose declaration is closest to the offset. *)
 let local (seen : View.seen) facts ~offset name =
   let source = (View.analysis seen.view).sources in
   let is_it ((span : Span.t), (l : Place_types.local)) =

@@ -1,4 +1,5 @@
-(** The type of an expression that is being typed, taken from the last version without errors. *)
+(** The type of an expression that the user is entering, taken from the last version without errors.
+*)
 
 val of_name : Document.t -> offset:int -> string -> Typing.Ir.ty option
 (** The type of the variable or definition to which this name most likely refers at this offset. *)

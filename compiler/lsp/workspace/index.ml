@@ -271,7 +271,7 @@ let used lookup space (name : Syntax.Ir.qualified) (within : Span.t) =
   | Unit -> unit_ lookup name.name.text
   | Field -> None
 
-(* The constructor with this field, of this type. *)
+(* The constructor of this type that has this field. *)
 let constructor_with lookup (name : Syntax.Ir.name) tycon =
   let is_it (t : Resolve.Ir.type_declaration) = t.tycon = tycon in
   let has (c : Resolve.Ir.constructor) =

@@ -27,8 +27,9 @@ val of_analysis :
   typed:Typing.Ir.program option ->
   Syntax.Ir.program ->
   t
-(** Builds the index from the analysis and tree of a text. [typed], from the same text, determines
-    the records of fields. The cache contains the declarations of other modules. *)
+(** Builds the index from the analysis and tree of a text. [typed], the typed program of the same
+    text, determines to which record a field belongs. The cache contains the declarations of other
+    modules. *)
 
 val all : t -> occurrence list
 (** In source order. *)

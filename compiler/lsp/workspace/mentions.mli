@@ -9,8 +9,8 @@ type mention =
       (** a top-level declaration or a part of one; for a field, with its constructor *)
   | Binds of name  (** a local variable or definition *)
   | Signs of { name : name; binder : name option }
-      (** a type signature, and the name that it belongs to; [None] if no definition is next to it
-      *)
+      (** a name in a type signature, and the same name in its definition; [None] if the signature's
+          block does not define the name *)
   | Uses of { space : space; name : qualified; within : Basis.Span.t }
       (** [within]: the expression, pattern, type or constraint that starts with the name *)
   | Selects of { field : name; within : Basis.Span.t }
@@ -27,7 +27,7 @@ val patterns : pattern -> name list
 (** The variables in a pattern. *)
 
 type declared = (space * string * string option, Basis.Span.t) Hashtbl.t
-(** Maps the space and name of each declaration to the place of the name. The third part is the
-    constructor of a field. *)
+(** Maps the space and name of each declaration to the place of the name. The third component of the
+    key is the constructor of a field. *)
 
 val declared : mention list -> declared

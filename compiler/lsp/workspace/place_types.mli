@@ -4,7 +4,9 @@ open Basis
 
 type level =
   | Level of Typing.Ir.level
-  | Parameter  (** a parameter of a function; its level is that of the argument *)
+  | Parameter
+      (** a parameter of a function, or a variable of a [case] pattern; it has the level of the
+          argument or the matched value *)
 
 type local = { scheme : Typing.Ir.scheme; level : level }
 type t

@@ -1,4 +1,10 @@
-type step = { before : int; behind : int;  (** equal bytes at both ends *) from : int; to_ : int }
+type step = {
+  before : int;  (** number of equal bytes at the start *)
+  behind : int;  (** number of equal bytes at the end *)
+  from : int;
+  to_ : int;
+}
+
 type t = step list
 
 let none = []

@@ -6,5 +6,5 @@ type 'a t
 val create : unit -> 'a t
 
 val find : 'a t -> path:string -> string -> ('a option -> 'a) -> 'a
-(** The value for this text of the file. If the text has changed, the function computes the value,
-    and its argument is the value for the previous text. *)
+(** The value for this text of the file. If the text has changed, calls the function to compute the
+    value. Its argument is the value for the previous text, if there is one. *)

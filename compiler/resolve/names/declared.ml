@@ -39,8 +39,8 @@ let names_a_number (parameters : Syntax.Ir.type_parameters) (body : Syntax.Ir.ty
       String.equal u.text v.text && List.mem name.name.text [ "Float"; "Int" ]
   | _ -> false
 
-(* The numbers that the module's own aliases represent, such as 25 for `type N = 25` and for `type M
-   = N`. *)
+(* The numbers that the module's own aliases represent, such as 25 for both `type N = 25` and
+   `type M = N`. *)
 let sizes (program : Syntax.Ir.program) =
   let aliases =
     lazy

@@ -28,7 +28,7 @@ type owner = { group : Groups.t; index : int; signed : bool }
 
 type variable = {
   local : Ir.Local.t;
-  owner : owner option;  (** [None] for a variable that is not defined, such as a parameter *)
+  owner : owner option;  (** [None] for a variable without a definition, such as a parameter *)
 }
 
 val bind : t -> variable list -> t

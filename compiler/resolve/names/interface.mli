@@ -75,7 +75,7 @@ val is_operator : string -> bool
 (** Is the name an operator symbol? *)
 
 val builtin_types : file:string -> (string * tycon) list
-(** The built-in types, which have no declaration. They belong to the prelude; [file] is its file.
+(** The built-in types, which have no declaration. They belong to the prelude, whose file is [file].
 *)
 
 val builtin_names : file:string -> names

@@ -6,7 +6,7 @@ type position = Evaluator.position
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Arrays" format
 
-(* Array literals up to this length are treated as separate variables. *)
+(* The elements of array literals up to this length are treated as separate variables. *)
 let short = 4
 
 let size_and_element : T.ty -> int * T.ty = function
@@ -100,8 +100,8 @@ let one_by_one (p : position) ~by count =
   let by = Core.Primitive_table.name by in
   { p with trail = Context.expanding p.context p.trail ~by ~elements:count ~span:p.span }
 
-(* The array of the results of [f] for each element of [arrays]. If [numbered], [f] also receives
-   the index of the element. *)
+(* The array whose elements are the results of [f] for the corresponding elements of [arrays]. If
+   [numbered], [f] also receives the index of the element. *)
 let elementwise (p : position) evaluator target primitive ~result ~numbered f arrays =
   let count, element = size_and_element result in
   let all_first_order =
@@ -211,7 +211,10 @@ let apply (p : position) evaluator target (primitive : Core.Primitive.t) ~result
   | Imap, [ f; array ] -> elementwise ~numbered:true f [ array ]
   | Zip_with, [ f; a; b ] -> elementwise ~numbered:false f [ a; b ]
   | (Foldl | Scanl), [ f; first; array ] -> fold p evaluator primitive target f first array
-  | _ -> bug "`%s` on %d arguments" (Core.Primitive_table.name primitive) (List.length arguments)
+  | _ ->
+      bug "`%s` applied to %d arguments"
+        (Core.Primitive_table.name primitive)
+        (List.length arguments)
 
 let parallel (p : position) (evaluator : Evaluator.t) ~result signal_functions array =
   let count, element = size_and_element result in

@@ -12,8 +12,8 @@ val apply :
   result:Core.Ir.ty ->
   Value.argument list ->
   Value.t
-(** Applies a primitive to all its arguments. The evaluator must be the one for nodes that compute
-    an iteration of a loop. *)
+(** Applies a primitive to all its arguments. The evaluator must be the variant for loops, which
+    evaluates functions in the node of the iteration. *)
 
 val parallel :
   Evaluator.position ->

@@ -55,7 +55,7 @@ let part_pairs parts a b =
 let numbers (p : position) ty a b = List.map (Leaves.atom p.types p.node ~span:p.span ty) [ a; b ]
 
 let refuse ty =
-  Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
+  Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s cannot be compared"
     (Types.to_string ty)
 
 (* Drawings and texts do not affect what a program computes, so they always compare as equal. *)

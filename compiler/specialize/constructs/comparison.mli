@@ -2,7 +2,7 @@
 
     Products are compared part by part, and arrays element by element. Sums are compared by
     constructor, in declaration order, then by payload. Everything reduces to [==] and [<] on
-    numbers. Therefore a product that contains NaN is neither equal to, less than nor greater than
+    numbers. Therefore a product that contains NaN is not equal to, less than or greater than
     another product, unless another component determines the result. *)
 
 type position := Evaluator.position

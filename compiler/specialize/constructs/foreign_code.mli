@@ -16,5 +16,5 @@ val imports : Context.t -> Flow.Ir.import list
     node of the program calls. *)
 
 val check_names : Context.t -> name:string -> unit
-(** [name]: the name of the generated C files. Reports names that the generated C would define and
-    the program imports. *)
+(** [name]: the name of the generated C files. Reports names that the program imports and that the
+    generated C would also define. *)

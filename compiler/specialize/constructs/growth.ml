@@ -80,7 +80,7 @@ let rec head (value : Value.t) =
   | Unspecified ->
       []
 
-(* The latest earlier mode with this head, among at most [steps] modes. *)
+(* The most recent earlier mode with this head, among at most [steps] modes. *)
 let rec before head t steps =
   match t with
   | None -> None

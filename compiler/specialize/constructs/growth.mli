@@ -2,8 +2,7 @@
 
     [go sf = switch sf (\\_ -> go (sf >>> g))] would need a separate mode for each number of [g]s. A
     mode that differs only in its numbers has not grown. If many modes follow each other with the
-    same code but with functions that are nested more and more deeply, the sequence is assumed to be
-    infinite. *)
+    same code but ever more deeply nested functions, the sequence is assumed to be infinite. *)
 
 open Basis
 

@@ -143,9 +143,8 @@ let split_captured request inputs atoms =
   ( List.filteri (fun i _ -> is_captured i) atoms,
     List.filteri (fun i _ -> not (is_captured i)) atoms )
 
-(* Does the iteration have no equations of its own, although it must copy a value? In a loop with
-   accumulators, it must copy every value; otherwise, only values that come from an argument that
-   differs between iterations. *)
+(* Must the iteration copy a value although it has no equations of its own? In a loop with
+   accumulators, it must copy every value; in any other loop, only the index. *)
 let only_hands_on (c : Context.t) node ~span request arguments results values =
   let atoms ty value = Leaves.atoms c.types node ~span ty value in
   let changing_atoms a value =
@@ -213,7 +212,7 @@ let without_call (p : Evaluator.position) request inputs parameters outputs =
   let elements = leaf_types c request.elements in
   match without_node caller ~span ~count:request.count formed outputs elements with
   | Some atoms -> atoms
-  | None -> Diagnostic.bug ~stage:"Specialize.Loop" "a round without equations"
+  | None -> Diagnostic.bug ~stage:"Specialize.Loop" "an iteration without equations needs a node"
 
 let run (p : Evaluator.position) targets request round =
   let { Evaluator.context = c; trail; node = caller; span; _ } = p in

@@ -412,7 +412,7 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
 let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
-  | [] -> bug "a machine is built while it is being built"
+  | [] -> bug "a machine is built again while it is being built"
   | _ :: _ -> Context.stop c (Restart (Inside_itself { at = span; name; is_task; goes_on; calls }))
 
 let is_task : Value.t -> bool = function

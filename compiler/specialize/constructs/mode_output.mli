@@ -10,7 +10,7 @@ open Basis
 type given = {
   node : Node.t;  (** the node of the mode *)
   place : Span.t;
-  value : Value.t;  (** its output, in terms of its node *)
+  value : Value.t;  (** the output of the mode, in terms of the node's signals *)
 }
 
 type leaves

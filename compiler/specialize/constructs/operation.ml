@@ -30,7 +30,7 @@ let extreme (p : position) target primitive ty a b =
 let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =
   let bug () =
-    Diagnostic.bug ~stage:"Specialize.Operation" "`%s` on %d arguments"
+    Diagnostic.bug ~stage:"Specialize.Operation" "`%s` applied to %d arguments"
       (Core.Primitive_table.name primitive)
       (List.length arguments)
   in
@@ -86,7 +86,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
       | _, [ a; b ] -> extreme p target primitive result a.value b.value
       | _, _ -> bug ())
   | And | Or -> (
-      (* The operator requires both operands, even if one would be enough, because the causality
+      (* The operator uses both operands, even if one determines the result, because the causality
          check must see the program as it was written. *)
       let operator : Flow.Ir.operator = if primitive = And then And else Or in
       match List.map atom arguments with

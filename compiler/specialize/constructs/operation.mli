@@ -1,4 +1,4 @@
-(** The meaning of primitives that are functions on values. *)
+(** Evaluates the primitives that are functions on values. *)
 
 type position = Evaluator.position
 

@@ -96,7 +96,7 @@ let control p (kind : Core.Primitive.console) ~result (arguments : Value.argumen
       Some (label, Ir.Imu)
   | Map, _ -> Some (Core.Console.map_label, Ir.Map)
   | (Button | Hold | Knob | Toggle | Camera | Tags | Lidar | Imu), _ ->
-      Diagnostic.bug ~stage:"Specialize.Operator" "a console without a label"
+      Diagnostic.bug ~stage:"Specialize.Operator" "a control without a label"
 
 let note (p : position) (found : Ir.control list) (label, kind) =
   let span = place p in

@@ -11,11 +11,11 @@ val apply :
   Value.argument list ->
   Value.t
 (** Evaluates a control with all its arguments. Emits E0440 for an invalid label, E0441 for invalid
-    limits of a knob, E0442 for two different controls with the same label. *)
+    limits of a knob, and E0442 for two different controls with the same label. *)
 
 val is_looked_for : Context.t -> Core.Ir.expr -> bool
-(** Does the body of the function itself request a control, while requests are being recorded? If
-    so, the body must be evaluated at each call, because each place counts as a request. *)
+(** Whether requests are being recorded and the function's own body requests a control. If so, the
+    body must be evaluated at each call, because the place of each call counts as a request. *)
 
 val at_rest : Context.t -> Value.t
 (** The console with all controls in their initial positions. *)

@@ -14,7 +14,7 @@ type head =
       output : Core.Ir.ty;  (** the type of its output while it runs *)
       result : Core.Ir.ty;  (** the type of its result *)
     }
-  | Ends of Value.argument  (** whether the whole task has ended *)
+  | Ends of Value.argument  (** the whole task has ended with this result *)
   | Passes
       (** the first part has ended, and the task continues immediately. This becomes a separate
           mode, because it is not yet known how often it happens *)

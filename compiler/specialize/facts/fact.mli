@@ -14,8 +14,8 @@ type t =
       (** the index is out of range for an array of this size, which depends on the call *)
   | Stored of { at : Span.t; calls : Calls.t; ty : Core.Ir.ty; by : (string * Span.t) option }
       (** a [delay] of a value that contains a function. [by]: the call in the program's own folder
-          that leads to this [delay], unless the [delay] is also in this folder; [calls]: the calls
-          that lead to [by] *)
+          that leads to this [delay], unless the [delay] itself is in that folder; [calls]: the
+          calls that lead to [by] *)
   | Of_the_instant of { at : Span.t; calls : Calls.t; ty : Flow.Ir.foreign_type }
       (** a value of this type would be stored, although it is valid for only one instant *)
 

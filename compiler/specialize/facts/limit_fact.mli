@@ -8,8 +8,8 @@ type machine = { of_ : string; modes : int }
 type excess =
   | Calls_nested of int  (** nested deeper than this number of levels *)
   | Specializations of { name : string; limit : int; inside : machine option }
-      (** more than [limit] specializations. [inside]: the surrounding machine, if it has most of
-          them as its modes *)
+      (** more than [limit] specializations. [inside]: the surrounding machine, if most of them are
+          its modes *)
   | Elements of { numbers : int list; by : string }
       (** an array of functions. [numbers]: the sizes of nested arrays, outermost first *)
   | Modes of machine

@@ -17,12 +17,13 @@ type t =
       is_task : bool;
       added : string;  (** the function that is added with each restart; [if] for a choice *)
       is_choice : bool;
-      way : (string * Span.t) list;  (** the definitions outside the library that start on the way *)
+      way : (string * Span.t) list;
+          (** the definitions outside the library that start between two restarts *)
     }
   | Inside_itself of {
       at : Span.t;  (** the place where it runs *)
       name : string;
       is_task : bool;
-      goes_on : bool;  (** an [rSwitch], which never ends *)
+      goes_on : bool;  (** whether it is an [rSwitch], which never ends *)
       calls : Calls.t;  (** the calls through which it runs again, outermost first; at least one *)
     }

@@ -46,6 +46,6 @@ let size table = table.size
 let of_code table id =
   match Table.find_opt table.free id with
   | Some set -> set
-  | None -> Diagnostic.bug ~stage:"Specialize.Free" "there is no code with the number %d" id
+  | None -> Diagnostic.bug ~stage:"Specialize.Free" "there is no code with the id %d" id
 
 let uses_binder table id = Table.mem table.used id

@@ -1,7 +1,7 @@
 (** Counts the numbers inside the functions that a closure has captured.
 
-    Numbers that the closure has captured directly do not count: the count of [wallFollow 0.2] is
-    zero, that of [delay 1 >>> delay 2] is two. *)
+    Numbers that the closure has captured directly do not count: [wallFollow 0.2] has a count of
+    zero, and [delay 1 >>> delay 2] a count of two. *)
 
 type table
 (** A cache for the counts of closures. It makes the total time linear. *)

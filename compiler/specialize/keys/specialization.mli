@@ -33,8 +33,7 @@ val call :
   Value.t
 (** Calls the node with this key and returns the result. If there is no such node yet, the function
     builds its body, given the new node and the signals for the statics and inputs. A node without
-    equations is not called; its outputs are computed by the caller. May raise {!Context.Postponed}.
-*)
+    equations is not called; the caller computes its outputs. May raise {!Context.Postponed}. *)
 
 val finish :
   Context.t ->

@@ -49,8 +49,7 @@ type walk = {
   mutable seen_count : int;
   mutable inside : int; (* the number of enclosing functions that are captured or passed *)
   mutable constant : bool;
-      (* whether the walk is inside a variable whose numbers must be known at
-                              compile time *)
+      (* whether the walk is inside a variable whose numbers must be known at compile time *)
 }
 
 let walk table node numbers : walk =

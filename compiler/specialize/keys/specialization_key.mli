@@ -12,8 +12,7 @@ type table
 (** All keys so far. A key is a number. *)
 
 val table : Types.table -> constants:Core.Constant_numbers.t -> fresh:(unit -> int) -> table
-(** [constants]: known values that these variables contain are part of the key instead of being
-    holes. *)
+(** [constants]: known values in these variables are part of the key rather than holes. *)
 
 type hole = {
   atom : Flow.Ir.atom;
@@ -46,7 +45,7 @@ val add_captured : walk -> Value.closure -> unit
 (** Adds the captured variables and type arguments of a closure. *)
 
 val add_number : walk -> int -> unit
-(** Adds a number to the key. It represents anything else that the node depends on. *)
+(** Adds a number to the key, for anything else that the node depends on. *)
 
 val add_text : walk -> string -> unit
 

@@ -1,7 +1,7 @@
 (** Finds the programmer's names for the parts of an unnamed parameter.
 
-    An earlier stage has translated a tuple pattern in parameter position to an unnamed variable and
-    one binding for each variable of the pattern. *)
+    An earlier stage has translated a tuple pattern in parameter position into an unnamed variable
+    and one binding for each variable of the pattern. *)
 
 type t
 

@@ -45,7 +45,7 @@ and columns node ~span (leaves : Types.leaf list) rows =
 and construct_leaf node ~span (layout : Types.layout) constructor payload =
   match layout.leaves with
   | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
-  | [] | _ :: _ :: _ -> bug "a sum is not one leaf"
+  | [] | _ :: _ :: _ -> bug "a sum does not have exactly one leaf"
 
 (* The leaves of an arbitrary value of the type, used in place of an unused value. *)
 and zeros table node ~span ty : Ir.atom list =
@@ -87,7 +87,7 @@ let rec known table ty (value : Value.t) : Ir.atom option list =
 let atom table node ~span ty value =
   match atoms table node ~span ty value with
   | [ atom ] -> atom
-  | [] | _ :: _ :: _ -> bug "a value of type %s is not one leaf" (Types.to_string ty)
+  | [] | _ :: _ :: _ -> bug "a value of type %s does not have exactly one leaf" (Types.to_string ty)
 
 let value table ty atoms =
   let rec take ty atoms : Value.t * Ir.atom list =
@@ -139,7 +139,7 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
       | then_, else_ -> Node.define node target ~span Bool (If { condition; then_; else_ }))
   | Unspecified -> Bool false
   | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
-      bug "a request for the constructor of a %s" (Types.to_string ty)
+      bug "a value of type %s has no constructor" (Types.to_string ty)
 
 (* Keeps the condition even if both leaves are equal, because the causality check must see that the
    result depends on the condition. {!Flow.Simplify} removes unnecessary choices later. *)
@@ -190,7 +190,7 @@ let rec payload table node target ~span ty (value : Value.t) ~constructor ~field
   | ( ( Atom _ | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _
       | Choice _ | Program _ ),
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
-      bug "a request for the payload of a %s" (Types.to_string ty)
+      bug "a value of type %s has no payload" (Types.to_string ty)
 
 and payload_of_leaf table node target ~span fields atom ~constructor ~field =
   let count (part : Types.part) = List.length (Types.layout table part.ty).leaves in
@@ -226,10 +226,11 @@ let rec element table node target ~span ty (value : Value.t) k : Value.t =
   | ( ( Atom _ | Text _ | Product _ | Constructed _ | Array _ | Function _ | Signal_function _
       | Primitive _ | Choice _ | Program _ ),
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
-      bug "an element of a %s" (Types.to_string ty)
+      bug "a value of type %s is not an array" (Types.to_string ty)
 
 let elements table node ~span ty (value : Value.t) =
   match (value, (Types.layout table ty).kind) with
   | Elements values, _ -> values
   | _, Array (n, _) -> List.init n (element table node Node.Unnamed ~span ty value)
-  | _, (Scalar | Product _ | Sum _ | Opaque) -> bug "the elements of a %s" (Types.to_string ty)
+  | _, (Scalar | Product _ | Sum _ | Opaque) ->
+      bug "a value of type %s has no elements" (Types.to_string ty)

@@ -10,10 +10,10 @@ val create : fresh:(unit -> int) -> t
 (** The destination of an expression's result. *)
 type target =
   | Unnamed
-  | Named of string  (** the name that the programmer has given to the value *)
+  | Named of string  (** the programmer's name for the value *)
   | Defines of Flow.Ir.signal list
       (** these signals, one for each leaf. Evaluation either defines them as the result or leaves
-          them undefined, see {!settle} *)
+          them undefined; see {!settle} *)
 
 val parts : target -> Types.table -> Types.part list -> target list
 (** The targets for the components of a tuple or record. *)
@@ -25,8 +25,8 @@ val promise : t -> name:string -> span:Span.t -> Types.leaf list -> Flow.Ir.sign
 (** Creates signals that can be read before their equations exist. *)
 
 val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> unit
-(** Completes promised signals: defines those that evaluation has left undefined as copies of the
-    values. *)
+(** Completes promised signals: defines each one that evaluation has left undefined, as a copy of
+    its value. *)
 
 val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
 (** Adds an equation. The target must be for a single leaf. *)

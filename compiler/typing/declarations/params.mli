@@ -1,4 +1,5 @@
-(** Checks that parameters of a program have types whose values can be written on a command line. *)
+(** Checks that the parameters of a program have types whose values can be written on a command
+    line. *)
 
 val program :
   report:(Declaration_fact.t -> unit) -> Resolve.Ir.program -> Ir.definition list -> Ir.param list

@@ -58,8 +58,8 @@ let rec output_of (program : Ir.program) (e : Ir.expr) =
   | Proc { output; _ } -> output.span
   | _ -> e.span
 
-(* Is the program a ROS 2 node? Follows the definitions of the program. The output of a node is a
-   record of topics or `()`; a later pass reports anything else. *)
+(* Is the program a ROS 2 node? Follows references to the program's definitions. The output of a
+   node is a record of topics or `()`; a later pass reports anything else. *)
 let is_node (program : Ir.program) (d : Ir.definition) =
   let rec within depth (e : Ir.expr) =
     match e.desc with

@@ -1,4 +1,4 @@
-(** The facts that the checks of declarations report. *)
+(** Facts that the checks of declarations report. *)
 
 open Basis
 

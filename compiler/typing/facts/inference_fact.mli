@@ -36,7 +36,7 @@ type t =
       at : Span.t;  (** the first parameter that the type does not allow *)
       parameters : Resolve.Ir.pattern list;
       expected : Expected.t;  (** the definition's type *)
-      result : Type.t;  (** the type after the parameters that it allows *)
+      result : Type.t;  (** the type that remains after the parameters it allows *)
       allowed : int;
     }
   | Parameters_in_a_tuple of {
@@ -54,7 +54,7 @@ type t =
   | Variable_like_a_type of {
       at : Span.t;  (** the signature *)
       variable : Ir.variable;
-      type_ : string;  (** the type whose name the variable's name resembles *)
+      type_ : string;  (** the type that the programmer probably meant *)
     }  (** a warning *)
   | Matched_twice of {
       constructor : Ir.Global.t;

@@ -1,4 +1,4 @@
-(** The facts that the check of levels reports; see {!Levels}. *)
+(** Facts that {!Levels} reports. *)
 
 open Basis
 

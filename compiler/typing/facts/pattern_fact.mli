@@ -1,4 +1,4 @@
-(** Facts about the patterns of a typed program; {!Patterns} reports them. *)
+(** Facts that {!Patterns} reports about the patterns of a typed program. *)
 
 open Basis
 

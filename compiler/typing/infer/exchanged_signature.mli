@@ -1,5 +1,7 @@
-(** Recognizes two types of a signature in the wrong order. Inference checks the definition again
-    against each candidate, that is, the signature with two types exchanged. *)
+(** Recognizes two types of a signature in the wrong order.
+
+    Inference checks the definition again against each candidate, that is, the signature with two
+    types exchanged. *)
 
 open Basis
 

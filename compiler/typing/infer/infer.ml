@@ -143,9 +143,9 @@ let distrust ctx (b : Resolve.Ir.binding) at =
   let entry = { scheme = Type.monomorphic Erroneous; kind = Defined; at = Some at } in
   Global_table.replace ctx.globals (fst (top b)) entry
 
-(* Does the fact suggest that the signature at this place is wrong? If so, the signature declares a
-   function but its definition is a signal function, or the reverse, or the definition has too many
-   parameters for the signature. *)
+(* Does the fact suggest that the signature at this place is wrong? It does if the signature
+   declares a function but the definition is a signal function, or the reverse, or if the definition
+   has more parameters than the signature allows. *)
 let contradicts (at : Span.t) (fact : Fact.t) =
   let is_signature (expected : Expected.t) =
     match expected.because with

@@ -236,8 +236,8 @@ let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
   | None -> (None, None, None)
   | Some { scheme; _ } ->
       let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
-      (* an input never has the type `String`: if it seems to, this application has just caused
-         that *)
+      (* an input cannot be a `String`: if its type is `String`, this application has just inferred
+         it *)
       let is_input (e : Resolve.Ir.expr) =
         match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
       in

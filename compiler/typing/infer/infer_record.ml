@@ -79,7 +79,7 @@ let decided ctx = function
   | { contents = Some answer } -> answer
   | { contents = None } ->
       Diagnostic.bug ~stage:"Typing.Infer_record"
-        "the record of a field was not determined (%d errors)" (errors ctx)
+        "the record of a field is undetermined (%d errors)" (errors ctx)
 
 let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
   match position constructor name.text with

@@ -58,7 +58,7 @@ let push frames ~proc =
 
 let innermost = function
   | frame :: _ -> frame
-  | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a walk outside of all frames"
+  | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a traversal outside all frames"
 
 (* An instance in a function may belong to the proc that encloses the function. *)
 let runs w frames (e : expr) =

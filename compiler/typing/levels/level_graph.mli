@@ -14,8 +14,8 @@ type node
 type origin =
   | Derived  (** no minimum *)
   | Bound_signal_function
-      (** no minimum. For a single variable that must be static: if it is a signal, the error is
-          reported only at its definition, not at its uses *)
+      (** no minimum; for a single variable that must be static. If the variable turns out to be a
+          signal, the error is reported only at its definition, not at its uses *)
   | Parameter  (** a function parameter: static for the procs inside the function *)
   | Input  (** a proc's input: a signal *)
 
@@ -28,14 +28,14 @@ val name : t -> Ir.Local.t -> node -> unit
 (** Assigns the variable to the node. *)
 
 val find : t -> Ir.Local.t -> node option
-(** [None] for a variable that has no node yet: used before its definition. *)
+(** [None] if the variable has no node yet, because it is used before its definition. *)
 
 val depth : node -> int
 
 val mention : Ir.Local.t -> at:Span.t -> node -> within:node -> inside_proc:bool -> unit
 (** Records that the definition of [within] mentions this variable of the first node. [inside_proc]:
-    whether the place is in a proc inside the variable's scope. In such a proc, signals from outside
-    are not allowed, and other values are at most static. *)
+    whether the place is in a proc inside the variable's scope. Such a proc captures signals from
+    outside, so the mention makes [within] at most static. *)
 
 val contain : node -> within:node -> unit
 (** Records that the definition of the first node is part of the definition of [within]. *)
@@ -51,4 +51,4 @@ val origin : node -> origin
 
 val reasons : Ir.Local.t -> node -> Level_fact.reason list
 (** The chain of places that makes the variable a signal, starting with the variable itself; at most
-    eight. *)
+    eight places. *)

@@ -97,8 +97,9 @@ let obstacle w place (e : expr) head : Level_fact.obstacle option =
   | _ when runs head w.definition -> Some Own_definition
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
-(* Checks the places of the head and of the input. An instance is reported at most once. A stateless
-   signal function runs at every instant, wherever it occurs in its proc. *)
+(* Checks the place of an instance, and returns the places of its head and its input. Reports an
+   instance at most once. A stateless signal function runs at every instant, wherever it occurs in
+   its proc. *)
 let instance w place (e : expr) head input =
   let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
   let nothing_runs region =

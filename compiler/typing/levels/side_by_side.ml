@@ -6,7 +6,7 @@ let broadcast = Environment.built_in "parB"
 let each_its_own = Environment.built_in "parZ"
 let needs = [ broadcast ]
 
-(* Runs all elements on a signal. The first type argument is the type of their input. *)
+(* Runs all elements of the array on a signal. *)
 let run make ~input ~output ~size (all : expr) (signal : expr) =
   let ty =
     let outputs = Data { tycon = Environment.array; units = []; arguments = [ size; output ] } in

@@ -11,7 +11,7 @@ val create : Ir.data list -> t
 
 type row = {
   pattern : Ir.pattern;
-  guarded : bool;  (** whether all its guards may fail; if so, it covers nothing *)
+  guarded : bool;  (** whether all its guards may fail; if so, the row covers nothing *)
 }
 
 type missing = Pattern_fact.missing = { named : string list; more : int }
@@ -19,7 +19,7 @@ type missing = Pattern_fact.missing = { named : string list; more : int }
 type result = {
   missing : missing option;  (** the uncovered values *)
   guarded_only : int option;
-      (** a row that would cover the first uncovered value if it had no guards *)
+      (** the index of a row that would cover the first uncovered value if it had no guards *)
   useless : int list;  (** unreachable rows, in order *)
 }
 

@@ -86,8 +86,8 @@ type constructor = private {
 val make_constructor : Ir.constructor -> tycon:Ir.Global.t -> Type.scheme -> constructor
 
 val own_type : constructor -> int -> Type.t option
-(** The type of the field with this index, if the constructor's type has no parameters. Takes the
-    same time for all fields. *)
+(** The type of the field with this index, if the constructor's type has no parameters. Takes
+    constant time after the first call. *)
 
 val position : constructor -> string -> int option
 (** The index of a field, if the constructor has it. *)

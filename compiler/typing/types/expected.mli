@@ -5,7 +5,7 @@ open Basis
 type decider = {
   place : Span.t;
   decides : Type.t;  (** the type of this argument *)
-  a_size : bool;  (** the shared variable is an array size *)
+  a_size : bool;  (** whether the shared variable is an array size *)
 }
 (** An earlier argument whose type shares a variable with the parameter's type. *)
 
@@ -13,19 +13,19 @@ type number = {
   negative : bool;
   digits : string;
   unit_ : Resolve.Ir.unit_ option;
-  at : Span.t;  (** without the sign *)
+  at : Span.t;  (** the place of the number without its sign *)
 }
 (** A number in the program. *)
 
 type completed = {
   ty : Type.t;
-  units : Units.t list;  (** the type arguments of [ty] *)
+  units : Units.t list;  (** the unit arguments of [ty] *)
   is_example : bool;
       (** whether nothing determines some of these units, so that they are only examples *)
   fields : (Syntax.Ir.name * number option * Units.t option) list;
       (** for each field, the number that it is set to, and the unit that this number needs *)
 }
-(** A record whose numbers all have the units of one type. *)
+(** A record completed with units, so that all its numbers agree with one type. *)
 
 (** The reason why an expression must have a certain type. *)
 type reason =
@@ -61,10 +61,10 @@ type reason =
       name : string;
       at : Span.t;
       constructor : Environment.constructor option;
-          (** the type of the record, if the units of its fields depend on each other *)
+          (** the constructor of the record, if the units of its fields depend on each other *)
       completed : completed Lazy.t option;
-          (** the record with all units, if the field is such a number without a unit; computed when
-              a message needs it *)
+          (** the record completed with units. Present for a number in such a record if the number
+              has no unit or the expected units are known; computed when a message needs it *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

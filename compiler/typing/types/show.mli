@@ -7,9 +7,9 @@ val scheme : Ir.scheme -> string
 (** The type with its context: [Eq a => a -> a -> Bool]. *)
 
 val final_constraint : Ir.class_ -> Ir.ty -> string
-(** For example [Eq (Maybe Int)]. *)
+(** Prints a constraint, such as [Eq (Maybe Int)]. *)
 
 val unit_ : Ir.unit_ -> string
-(** For example [m/s], [kg m/s^2] or [1]. *)
+(** Prints a unit, such as [m/s], [kg m/s^2] or [1]. *)
 
 val class_ : Ir.class_ -> string

@@ -41,7 +41,7 @@ let write tree =
 
 let applied head = function [] -> Word head | arguments -> Applied (head, arguments)
 
-(* A product of named powers, variables first. *)
+(* Each negative power follows a slash of its own. *)
 let product powers =
   let factor (name, p) =
     if Rational.equal p Rational.one then name

@@ -8,5 +8,5 @@ val nth : kind -> int -> string
     representations (then [n1], …). No two kinds or numbers share a name. *)
 
 val type_meant : string -> string option
-(** The type whose name differs from this name of a variable only in the case of its letters, or
-    that other languages call so. Knows a few types of the library. *)
+(** The type that the programmer probably meant by this variable name: the names differ only in
+    case, or other languages use this name for the type. Recognizes only a few library types. *)

@@ -55,7 +55,7 @@ let called (e : expr) =
   | { desc = Global (g, _) | Primitive (g, _); _ }, arguments -> Some (g, arguments)
   | _ -> None
 
-(* Signal functions whose output consists of their inputs. *)
+(* Signal functions whose output consists of current or earlier inputs. *)
 let passes_on (g : Global.t) =
   match (g.module_, g.name) with
   | "Prelude", ("delay" | "hold" | "dHold")
@@ -121,7 +121,7 @@ and of_variable ~equations t (x : Local.t) =
   | Some known -> known
   | None when equations = 0 -> None
   | None ->
-      (* a variable that depends on itself *)
+      (* a variable that depends on itself has no kind *)
       Int_table.replace t.kinds x.id None;
       let found =
         Option.bind

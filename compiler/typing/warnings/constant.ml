@@ -80,7 +80,7 @@ let rec at depth t (e : expr) =
       | found -> found)
   | _ -> None
 
-(* A call of a function of the program with constant arguments. *)
+(* Evaluates a call of one of the program's functions with constant arguments. *)
 and call depth t (e : expr) =
   match spine e with
   | { desc = Global (g, _); _ }, arguments -> (

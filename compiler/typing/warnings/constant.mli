@@ -20,4 +20,4 @@ val float : t -> Ir.expr -> float option
 (** The value, if it is a [Float]. *)
 
 val operation : Ir.expr -> (string * Ir.expr list) option
-(** The name and the arguments, if it is an application of a primitive of the prelude. *)
+(** The name and the arguments, if the expression applies a primitive of the prelude. *)

@@ -5,7 +5,7 @@
 
     - [Requires: `tau >= 0`, `low <= high`.] Conditions on parameters, or on fields of a record. A
       condition compares a parameter, or the [sum] of an array, with a number in base units or with
-      another parameter, by [>=], [>], [<=] or [/=]. The names of the parameters are those in the
+      another parameter, using [>=], [>], [<=] or [/=]. The names of the parameters are those in the
       first words of the comment, [`lowPass tau`], or else those in the definition.
     - [For angles that wrap, use `lowPassAngle` (module Angles).] The function is not suitable for
       angles that jump from pi to -pi. The other function takes the same arguments; if the sentence

@@ -1,5 +1,5 @@
-(** Warns about a `return` in a [do] that is followed by other statements ([W0312]). It has no
-    effect, because only a `return` at the end ends the task. *)
+(** Warns about a `return` in a [do] that is followed by other statements ([W0312]). Such a `return`
+    has no effect, because only a `return` at the end of the [do] ends the task. *)
 
 open Basis
 
@@ -7,5 +7,5 @@ val warn : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
 (** Checks a statement that does not bind anything. [next]: the place of the statement after it. *)
 
 val warn_of_end : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
-(** Warns if the statement is a task that never ends, because its type promises a result of any type
-    ([W0318]). [next]: the statement after it. *)
+(** Warns if the type of the statement, a task, promises a result of any type, because such a task
+    never ends ([W0318]). [next]: the place of the statement after it. *)

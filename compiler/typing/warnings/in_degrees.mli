@@ -4,8 +4,8 @@
     Codes: [W0313]. *)
 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
-(** Warns about a product with the factor 180/π, or the name of an equation with such a product,
-    where a type written as [Angle] or [AngularVelocity] is expected. *)
+(** Warns about a product with the factor 180/π, or the name of an equation that defines such a
+    product, where a type written as [Angle] or [AngularVelocity] is expected. *)
 
 val meets : string -> bool
 (** Does this operator compare, add or subtract its operands? *)
