@@ -13,9 +13,8 @@ val is_macro_like : string -> bool
 (** Does this look like a macro, for example [FP_NAN], [M_PI] or [INT32_MAX]? *)
 
 val is_function : string -> bool
-(** Do the headers listed in {!is_taken}, or the runtime, declare a function with this
-    name? A struct member may have such
-    a name. *)
+(** Do the headers listed in {!is_taken}, or the runtime, declare a function with this name? A
+    struct member may have such a name. *)
 
 val is_pure : string -> bool
 (** Is this a function of [<math.h>] whose result depends only on its arguments? A program may
