@@ -90,7 +90,7 @@ module Natural = struct
     (((digit (length - 1) *. base) +. digit (length - 2)) *. base) +. digit (length - 3)
 
   (* Schoolbook division: each digit of the quotient is estimated from the leading digits and then
-     corrected in one or two steps at most. *)
+     corrected in at most two steps. *)
   let divide a b =
     if compare a b < 0 then (zero, a)
     else if Array.length b = 1 then (
