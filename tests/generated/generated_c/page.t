@@ -14,7 +14,7 @@ The arithmetic check:
   $ include=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ gcc -O2 -ffp-contract=off -I "$include" ask.c -o ask && ./ask
   $ gcc -O2 -ffast-math -I "$include" ask.c -o ask && ./ask
-  this must not drive: its arithmetic treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  this must not drive: its arithmetic treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   [1]
 
 From C:

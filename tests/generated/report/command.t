@@ -38,7 +38,7 @@ A rejected program has no report:
   1 error
   [1]
   $ frobc report wrong.frob --entry nothing
-  error[E0501]: there is no `nothing` in this module to compile
+  error[E0501]: this module has no `nothing` to compile
    --> wrong.frob:1:1
     |
   1 | main :: SF Float Float

@@ -14,7 +14,7 @@ is the reason. Events of the library:
   > main = a
   > FROB
   $ events library.frob
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from a to b    cannot occur: `edge`    library.frob:2
     from b to c    cannot occur: `after`   library.frob:3
     from c to d    cannot occur: `every`   library.frob:4
@@ -38,7 +38,7 @@ Events that a program builds from them, or only from `delay` and `time`:
   > main = a
   > FROB
   $ events own.frob
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from a to b    cannot occur: `later`  own.frob:8
     from b to c    cannot occur: `rest`   own.frob:9
     from c to a    cannot occur           own.frob:10
@@ -52,6 +52,6 @@ Events that depend on parameters: the range of a time that is passed on is known
   > main = wait 1[s]
   > FROB
   $ events parameters.frob
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from wait to hurry    cannot occur: `after`  parameters.frob:2
     from hurry to wait    may occur              parameters.frob:3

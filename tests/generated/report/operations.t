@@ -119,9 +119,9 @@ cosines in each step of far, one sine in a step of near.
   > EOF
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+    main, modes.frob:2: 2 modes (near, far), at most 3 run within one instant
   
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from near to far    may occur             modes.frob:5
     from far to near    cannot occur: `edge`  modes.frob:8
   $ operations modes.frob | grep calls

@@ -34,23 +34,23 @@ Modes share memory, which has the size of the largest mode.
   > EOF
   $ frobc report modes.frob | sed '/^$/,$d; s/Prelude.frob:.*/Prelude.frob/'
   state, in bytes
-    main          24                             modes.frob:2
-      modes       16  memory for one of these    modes.frob:2
-        near       8  mode                       modes.frob:5
-          x_prev   8  delay                      modes.frob:5
-        far       16  mode                       modes.frob:8
-          x_prev   8  delay                      modes.frob:8
-          delay    8  delay                      modes.frob:8
-      mode         1  number of the active mode  modes.frob:2
-      modes        1  memory for one of these    modes.frob:2
-        far        1  mode                       modes.frob:8
-          delay    1  delay                      Prelude.frob
+    main          24                                modes.frob:2
+      modes       16  memory shared by these modes  modes.frob:2
+        near       8  mode                          modes.frob:5
+          x_prev   8  delay                         modes.frob:5
+        far       16  mode                          modes.frob:8
+          x_prev   8  delay                         modes.frob:8
+          delay    8  delay                         modes.frob:8
+      mode         1  number of the active mode     modes.frob:2
+      modes        1  memory shared by these modes  modes.frob:2
+        far        1  mode                          modes.frob:8
+          delay    1  delay                         Prelude.frob
       (padding)    6
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+    main, modes.frob:2: 2 modes (near, far), at most 3 run within one instant
   
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from near to far    may occur             modes.frob:5
     from far to near    cannot occur: `edge`  modes.frob:8
 

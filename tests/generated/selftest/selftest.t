@@ -38,7 +38,7 @@ Arithmetic that does not follow IEEE 754:
 
   $ frobc selftest --cc gcc --cflags "-O2 -ffast-math"
   compiler: gcc -O2 -ffast-math
-  error: arithmetic compiled by `gcc -O2 -ffast-math` treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  error: arithmetic compiled by `gcc -O2 -ffast-math` treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   verdict: unfit
   [1]
   $ if grep -qw fma /proc/cpuinfo; then frobc selftest --cc gcc --cflags "-O2 -ffp-contract=fast -mfma" 2>&1 | tail -2; else
@@ -54,7 +54,7 @@ that differs.
   compiler: gcc -Dsqrt(x)=fabs(x)
   functions: incorrect
   error: functions.frob, compiled by `gcc -Dsqrt(x)=fabs(x)`:
-  step 1: out.1.1 is 1.127 and must be nan
+  step 1: out.1.1 is 1.127 but must be nan
   verdict: unfit
 
 A compiler that rejects some of the code, and one that warns:
@@ -119,7 +119,7 @@ linked.
   $ chmod +x board-cc
   $ frobc selftest --cc ./board-cc 2>&1 | head -3
   compiler: ./board-cc -std=c99 -O2 -ffp-contract=off
-  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a one-line program but does not link it. If it is for a board, add a library that prints through an emulator, and name the emulator: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
+  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a one-line program but does not link it. If the compiler is for a board, add a library that prints through an emulator, and name the emulator; with newlib, for example: --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
   `./board-cc -std=c99 -O2 -ffp-contract=off` failed with status 1:
 
 An emulator, or any other command that runs a program:

@@ -21,7 +21,7 @@ A constant index outside the array is an error:
   > main = proc xs -> xs ! 3
   > EOF
   $ frobc check outside.frob
-  error[E0332]: index 3 is outside of an array of 3 elements
+  error[E0332]: index 3 is out of range for an array of 3 elements
    --> outside.frob:2:24
     |
   2 | main = proc xs -> xs ! 3

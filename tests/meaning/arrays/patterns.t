@@ -102,7 +102,7 @@ A pattern must have as many elements as the array:
   2 | f [a, b] = a + b
     |   ^^^^^^
     |
-    = hint: use `take` or `drop` to change the size of an array; its type gives the new size
+    = hint: use `take` or `drop` to change the size of an array; the type of the result gives the new size
   
   error[E0306]: the signature allows every size `n`, but the definition needs it to be `2`
    --> size.frob:5:3

@@ -31,11 +31,11 @@ A lambda does not run its variable inside a larger expression:
    --> twice.frob:2:33
     |
   2 | main = proc x -> map (\f -> 2 * f x) [delay 0, identity]
-    |                        -        ^^^ `f` only has a value here
+    |                        -        ^^^ `f` has a value only here
     |                        |
     |                        `f` is bound here
     |
-    = hint: use `parB` to run an array of signal functions on one input, `parZ` to run each on its own input
+    = hint: use `parB` to run an array of signal functions on one input, or `parZ` to run each on its own input
   
   1 error
   [1]

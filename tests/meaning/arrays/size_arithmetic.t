@@ -78,7 +78,7 @@ Mistakes:
   2 | main :: SF (Array (N * Bool) Float, Array (N + Array 2 Int) Float) Float
     |                        ^^^^
     |
-    = hint: define a size as `type N = 25`
+    = hint: define the size as a number, as in `type N = 25`
   
   error[E0330]: this type is part of a size, but it is not a number
    --> type.frob:2:48
@@ -86,7 +86,7 @@ Mistakes:
   2 | main :: SF (Array (N * Bool) Float, Array (N + Array 2 Int) Float) Float
     |                                                ^^^^^^^^^^^
     |
-    = hint: define a size as `type N = 25`
+    = hint: define the size as a number, as in `type N = 25`
   
   2 errors
   [1]
@@ -95,13 +95,13 @@ Mistakes:
   > main :: SF (Array (N / 2) Float) Float
   > main = proc xs -> xs ! 0
   > FROB
-  error[E0110]: expected an argument of the type, `->`, or the end of the type, found `/`
+  error[E0110]: expected a type argument, `->`, or the end of the type, found `/`
    --> operator.frob:2:22
     |
   2 | main :: SF (Array (N / 2) Float) Float
     |                      ^
     |
-    = hint: sizes have only the operators `+`, `-` and `*`: write the result, or give it a name, as in `type Half = 8`
+    = hint: a size can contain only the operators `+`, `-` and `*`: write the result as a number, or name it, as in `type Half = 8`
   
   1 error
   [1]
@@ -110,7 +110,7 @@ Mistakes:
   > main :: SF (Array (N <> 2) Float) Float
   > main = proc xs -> xs ! 0
   > FROB
-  error[E0110]: separate type arguments with spaces, as in `Event Distance`, without `<>`
+  error[E0110]: type arguments are separated by spaces, as in `Event Distance`, not enclosed in `<>`
    --> other.frob:2:22
     |
   2 | main :: SF (Array (N <> 2) Float) Float

@@ -86,7 +86,7 @@ has no elements or too many:
   5 | undecided = proc _ -> length (generate id)
     |                               ^^^^^^^^
     |
-    = hint: annotate it with a type, as in `(e :: Array 4 Float)`, or give the definition a signature
+    = hint: add a type annotation, as in `(e :: Array 4 Float)`, or give the definition a signature
   
   error[E0333]: an array must have at least one element
    --> wrong.frob:7:9

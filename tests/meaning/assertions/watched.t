@@ -81,7 +81,7 @@ cost.
       struct speed_verdict main_assert_slows_down;
       struct speed_verdict main_assert_stops_at_100;
   $ frobc report speed.frob | tail -1
-  assertions: 5; checking them adds 50 operations to a step (50.00 of those without) and 15 bytes to the state; without checking, the generated C does not contain them
+  assertions: 5; checking them adds 50 operations to a step (50.00 times the operations without checks) and 15 bytes to the state; if checking is off, the generated C does not contain them
   $ frobc report speed.frob --format json | grep -o '"assert[^,}]*'
   "assertions":5
   "assertion_operations":50

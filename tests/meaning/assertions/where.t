@@ -75,7 +75,7 @@ rejected.
   4 |     assert "smaller" (y < x)
     |     ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: move it into a `proc`, as in `proc x -> y where` with `assert "label" (y > 0)` in the lines below
+    = hint: move it into a `proc`, as in `proc x -> y where` with `assert "label" (y > 0)` on a line below
   
   error[E0212]: two assertions here have the same label
    --> wrong.frob:9:12
@@ -108,7 +108,7 @@ rejected.
   3 |     assert "number" x
     |                     ^
     |
-    = hint: assert a condition: compare it with a limit, as in `(x <= 1)`
+    = hint: assert a condition: compare the value with a limit, as in `(x <= 1)`
   
   error[E0360]: `Event ()` is not a condition
    --> number.frob:4:21

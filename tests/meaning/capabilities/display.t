@@ -58,7 +58,7 @@ language, and a number in the unit that it has there.
   2.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" (-0.55555555555555558) ""m/s""",
   3.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" nan ""m/s""",
   $ frobc report kinds.frob | tail -1
-  marks drawn in an instant, at most: 7; the generated C does not draw them
+  maximum number of marks drawn in an instant: 7; the generated C does not draw them
   $ frobc trace kinds.frob --probe list | head -2
   draw :: drawings, at most 7 marks at a time
   main.p.x :: Float[m]  kinds.frob:8
@@ -142,7 +142,7 @@ A drawing in a loop counts once per iteration. Comparisons of outputs ignore it.
   2.000000000,0,"InWorld Yellow (Line Vec2 {x = -2, y = 0} Vec2 {x = -2, y = 0})","InWorld Yellow (Line Vec2 {x = -2, y = 0} Vec2 {x = 2, y = 0})","InWorld Yellow (Line Vec2 {x = 2, y = 0} Vec2 {x = 0, y = 3})","OnRobot Red (Cross Vec2 {x = 2, y = 0})",,
   3.000000000,0,"InWorld Yellow (Line Vec2 {x = nan, y = 0} Vec2 {x = nan, y = 0})","InWorld Yellow (Line Vec2 {x = nan, y = 0} Vec2 {x = 2, y = 0})","InWorld Yellow (Line Vec2 {x = 2, y = 0} Vec2 {x = 0, y = 3})","OnRobot Red (Cross Vec2 {x = 2, y = 0})",,
   $ frobc report loop.frob | tail -1
-  marks drawn in an instant, at most: 6; the generated C does not draw them
+  maximum number of marks drawn in an instant: 6; the generated C does not draw them
 
 A program that does not draw has no such probe; one that keeps adding to its previous drawing has no
 bound.

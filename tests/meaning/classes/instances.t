@@ -142,7 +142,7 @@ part of the program.
   4 | instance Shape Bool where
     |          ^^^^^
     |
-    = hint: it is imported under its module's name: write `Shapes.Shape`
+    = hint: its module is imported with `qualified`: write `Shapes.Shape`
   
   error[E0223]: module `Shapes` has no type class `Sizd`
    --> hidden.frob:5:13

@@ -113,8 +113,8 @@ definition that requires it.
   35 | e6 = area Nothing
      |      ^^^^
      |
-     = note: it must be a type of the class `Eq`
-     = hint: annotate it with a type, as in `(e :: T)`
+     = note: the type must have an instance of the class `Eq`
+     = hint: add a type annotation, as in `(e :: T)`
   
   error[E0360]: there is no instance `Shape Bool`
     --> needed.frob:38:6
@@ -211,7 +211,7 @@ Invalid instances, and instances that lack definitions:
   18 | instance Derived (Maybe a)
      |          ^^^^^^^^^^^^^^^^
      |
-     = hint: start the instance of `Derived` with `Base a =>`, or add it to the existing context: `(…, Base a) =>`
+     = hint: start the instance of `Derived` with `Base a =>`, or add the constraint to the existing context: `(…, Base a) =>`
   
   error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
     --> declared.frob:22:14
@@ -230,7 +230,7 @@ Invalid instances, and instances that lack definitions:
   23 | instance Base (a, b)
      |          ^^^^^^^^^^^
      |
-     = hint: define it below the `where` of the instance: `base = …`
+     = hint: below the `where` of the instance, define `base = …`
   
   error[E0362]: the head of an instance must be a type constructor applied to distinct variables, not `a`
     --> declared.frob:24:15
@@ -255,7 +255,7 @@ Invalid instances, and instances that lack definitions:
      = note: a unit cannot select an instance
      = hint: write a unit variable, as in `Float[u]`
   
-  error[E0361]: there are two instances `Base (b, a)`
+  error[E0361]: there are two `Base (b, a)` instances
     --> declared.frob:27:10
      |
   23 | instance Base (a, b)
@@ -272,7 +272,7 @@ Invalid instances, and instances that lack definitions:
   30 | instance Base P where
      |               ^
      |
-     = note: it stands for `Maybe Bool`
+     = note: this is a synonym for `Maybe Bool`
   
   error[E0360]: there is no instance `Derived U`
     --> declared.frob:34:10
@@ -319,13 +319,13 @@ Invalid instances, and instances that lack definitions:
      |
      = hint: the signature needs a type for each parameter (`f`, `n`) and one for the result: `base :: … -> … -> …`
   
-  error[E0366]: `Ord` has no declared instances
+  error[E0366]: you cannot declare an instance of `Ord`
     --> declared.frob:42:10
      |
   42 | instance Ord U
      |          ^^^^^
      |
-     = note: the compiler compares all data without functions by structure
+     = note: the compiler already compares all values by structure, except those that contain functions
      = hint: remove the instance
   
   error[E0364]: the context contains `a`, but the type does not
@@ -476,7 +476,7 @@ functions.
      |                   ^^^^^^^^^^^^ its output depends on when it started
      |
      = hint: to run it at every instant, add the equation `derivativeNow = derivative 0`, and write `derivativeNow` here
-     = hint: to restart it whenever this is chosen, `switch` between signal functions
+     = hint: to restart it whenever this alternative is chosen, use `switch` to change between signal functions
   
   error[E0350]: this `case` does not cover every value
     --> levels.frob:12:18

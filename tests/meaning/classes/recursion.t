@@ -26,7 +26,7 @@ neither.
     |                ---- `more` uses `less` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = note: this happens for the type `T`, because its instance of `Ordered` uses the default
+    = note: this happens for the type `T`, because its instance of `Ordered` relies on default methods
     = hint: define one of the methods in the instance
   
   1 error

@@ -68,7 +68,7 @@ A clash with names in the program's own C:
 
   $ cp filters.frob filter.frob
   $ frobc compile filter.frob
-  error[E0431]: the program and the component `filter` in C have the same name
+  error[E0431]: the program and the C component `filter` have the same name
    --> filter.frob:2:12
     |
   2 | foreign sf filter :: SF Float (Int, Event Float) = "filter"
@@ -84,7 +84,7 @@ A component's header with the name of the program's header:
 
   $ sed 's/filter.h/same.h/' filters.frob > same.frob
   $ frobc compile same.frob
-  error[E0431]: the program includes `same.h`, but frobc writes the program's own header with this name
+  error[E0431]: the program includes `same.h`, but the header that frobc generates has the same name
    --> same.frob:1:1
     |
   1 | foreign include "same.h"
@@ -135,7 +135,7 @@ immediately:
     | |                           `main` may start itself again at its own first instant
     | `filter` may occur at the first instant of `main`
     |
-    = note: no time passes between these steps at an instant at which `filter` occurs as soon as `main` starts
+    = note: no time passes between these steps when `filter` occurs as soon as `main` starts
     = hint: apply `notYet` to the event to ignore it at the first instant; `edge` would wait forever if the condition were true from the start
   
   1 error

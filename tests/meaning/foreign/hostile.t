@@ -182,7 +182,7 @@ include:
   $ names stdio.h
   [0]
   $ names linux/../stdio.h
-  [1] error[E0232]: `linux/../stdio.h` is outside of this module's folder
+  [1] error[E0232]: `linux/../stdio.h` is outside this module's folder
 
 A header has the name of a header that frobc generates, in this run or an
 earlier one. The user's C, which includes that name, gets the generated header.
@@ -202,9 +202,9 @@ Invalid header names:
   $ says 'evil.h\"\n#include \"evil.h'
   error[E0232]: `evil.h"
   $ says '../evil.h'
-  error[E0232]: `../evil.h` is outside of this module's folder
+  error[E0232]: `../evil.h` is outside this module's folder
   $ says "$PWD/evil.h"
-  error[E0232]: `$TESTCASE_ROOT/evil.h` is outside of this module's folder
+  error[E0232]: `$TESTCASE_ROOT/evil.h` is outside this module's folder
   $ says 'evil.h??/'
   error: the program includes the C header `evil.h??/`, but there is no such file
   $ evil 'evil~.h' && says 'evil??-.h'
@@ -272,7 +272,7 @@ The text of a recording is never compiled.
 
   $ printf '# param v=1; foreign include "evil.h"\ntime,in,out\n0,1,1\n' > run.csv
   $ frobc trace texts.frob --input run.csv 2>&1 | tail -1; check
-  error: run.csv: the parameter `v` is a number of 1, not `1; foreign include "evil.h"`; to override the recorded value, use `--param`
+  error: run.csv: the parameter `v` is a number in 1, not `1; foreign include "evil.h"`; to override the recorded value, use `--param`
 
 Allowing a header does not allow others in its folder. Here the user's own C includes the standard
 header in quotes, and the C compiler finds the stranger's header.
@@ -290,7 +290,7 @@ header in quotes, and the C compiler finds the stranger's header.
   $ with() { frobc trace stranger/program.frob --input in.csv "$@"; echo "[$?]"; check; }
   $ printf '#include "string.h"\ndouble mine(double x) { return x; }\n' > own/mine.c
   $ with --with stranger/fine.h --with own/mine.c
-  error: the C compiler found an included file in `stranger/string.h`, which the command line does not allow: C code can do anything on your computer; if you trust it, add `--with stranger/string.h`; otherwise rename your header, or include the standard one as <string.h>
+  error: the C compiler includes the file `stranger/string.h`, which the command line does not allow: C code can do anything on your computer; if you trust it, add `--with stranger/string.h`; otherwise rename your header, or include the standard one as <string.h>
   [2]
 
 The same with other spellings of the include:
@@ -301,25 +301,25 @@ The same with other spellings of the include:
   >   printf '%s\ndouble mine(double x) { return x; }\n' "$include" > own/mine.c
   >   with --with stranger/fine.h --with own/mine.c 2>&1 | cut -c 1-64
   > done
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
 
 C++ and clang do not circumvent the check.
 
   $ printf '#include "string.h"\nextern "C" double mine(double x) { return x; }\n' > own/mine.cc
   $ with --with stranger/fine.h --with own/mine.cc 2>&1 | cut -c 1-64
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
   $ CC=clang with --with stranger/fine.h --with own/mine.c 2>&1 | cut -c 1-64
-  error: the C compiler found an included file in `stranger/string
+  error: the C compiler includes the file `stranger/string.h`, whi
   [2]
 
 If a C compiler accepts the option but lists no files, its result is rejected, because it cannot be

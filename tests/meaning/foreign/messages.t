@@ -42,7 +42,7 @@ Invalid types for foreign code:
     |                   ^^^^^^
     |
     = note: a C function has one type
-    = hint: import it once for each type and size that you need
+    = hint: import a separate C function for each type and size that you need
   
   error[E0380]: `size` cannot give C a value of type `n`
    --> wrong.frob:2:17
@@ -51,7 +51,7 @@ Invalid types for foreign code:
     |                 ^^^^^^^^^^^^^^^^^^^^
     |
     = note: a C function has one type
-    = hint: import it once for each type and size that you need
+    = hint: import a separate C function for each type and size that you need
   
   error[E0380]: `norm` cannot give C a value of type `n[u]`
    --> wrong.frob:3:17
@@ -62,13 +62,13 @@ Invalid types for foreign code:
     = note: C has different functions for Int and Float
     = hint: write `Float[…]` or `Int[…]`
   
-  error[E0380]: foreign declarations cannot have type classes
+  error[E0380]: a foreign declaration cannot have class constraints
    --> wrong.frob:4:20
     |
   4 | foreign greater :: Ord a => a -> Float -> Float = "greater"
     |                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: import it once for each type that you need
+    = hint: import a separate C function for each type that you need
   
   4 errors
   [1]
@@ -76,7 +76,7 @@ Invalid types for foreign code:
   > foreign gravity :: Float = "gravity"
   > foreign filter :: SF Float Float = "filter"
   > EOF
-  error[E0380]: `gravity` has no argument, but a C function needs a function type
+  error[E0380]: `gravity` must have a function type, even if its C function takes no argument
    --> wrong.frob:1:20
     |
   1 | foreign gravity :: Float = "gravity"
@@ -84,7 +84,7 @@ Invalid types for foreign code:
     |
     = hint: use `() -> Float`, and call it as `gravity ()`
   
-  error[E0380]: `filter` is a signal function
+  error[E0380]: `filter` has a signal function type, but is not declared with `sf`
    --> wrong.frob:2:19
     |
   2 | foreign filter :: SF Float Float = "filter"
@@ -106,7 +106,7 @@ Invalid types for foreign code:
   2 | foreign sf filter :: Float -> SF Float Float = "filter"
     |                      ^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: add them to its input
+    = hint: move the parameters into its input
   
   error[E0380]: `square` is a foreign signal function, but `Float -> Float` is not a signal function type
    --> wrong.frob:3:22
@@ -143,13 +143,13 @@ Names that are invalid in C, one C function with two types, a missing header:
   > foreign mean :: Frame -> Float = "frame mean"
   > foreign return' :: Frame -> Float = "return"
   > EOF
-  error[E0232]: an empty text is not the name of a header in C
+  error[E0232]: an empty string is not the name of a header in C
    --> wrong.frob:1:17
     |
   1 | foreign include ""
     |                 ^^
     |
-    = hint: write the path from this file's folder, as in `"blob.h"`
+    = hint: write the path relative to this file's folder, as in `"blob.h"`
   
   error[E0232]: `struct frame *` is not the name of a type in C
    --> wrong.frob:2:22
@@ -182,11 +182,11 @@ Names that are invalid in C, one C function with two types, a missing header:
   > foreign areaOf :: Int -> Float = "area"
   > foreign inMetres :: Float[m] -> Float[m] = "area"
   > EOF
-  error[E0381]: C's `area` is imported here as `Int -> Float`
+  error[E0381]: the C function `area` is imported here with the type `Int -> Float`
    --> wrong.frob:2:9
     |
   1 | foreign area :: Float -> Float = "area"
-    |         ---- and here as `Float -> Float`
+    |         ---- and here with the type `Float -> Float`
   2 | foreign areaOf :: Int -> Float = "area"
     |         ^^^^^^
     |
@@ -224,7 +224,7 @@ Other errors about names:
   $ check <<'EOF'
   > foreign Mean :: Float -> Float = "mean"
   > EOF
-  error[E0110]: expected a name, `sf` and a name, `type`, or `include`, found `Mean`
+  error[E0110]: expected a name, `type`, `include`, or `sf` and a name, found `Mean`
    --> wrong.frob:1:9
     |
   1 | foreign Mean :: Float -> Float = "mean"

@@ -37,11 +37,11 @@ A header must be in the folder of its module, or below it.
   $ include() { sed "s,half.h,$1," roots.frob > outside.frob; frobc check outside.frob 2>&1 | head -3; }
   $ include below/half.h
   $ include ../../secret.h
-  error[E0232]: `../../secret.h` is outside of this module's folder
+  error[E0232]: `../../secret.h` is outside this module's folder
    --> outside.frob:1:17
     |
   $ include /etc/passwd
-  error[E0232]: `/etc/passwd` is outside of this module's folder
+  error[E0232]: `/etc/passwd` is outside this module's folder
    --> outside.frob:1:17
     |
 
@@ -49,14 +49,14 @@ A header must be in the folder of its module, or below it.
 
   $ named() { printf 'foreign f :: Float -> Float = "%s"\nmain :: SF Float Float\nmain = proc x -> f x\n' $1 > taken.frob; frobc check taken.frob 2>&1 | head -1; }
   $ for name in INFINITY __builtin_trap _Exit int32_t INT32_MAX frob_int_add main bool taken_step taken_reset; do named $name; done
-  error[E0232]: your function cannot be called `INFINITY` in C: that name is a macro or a type in C's headers
+  error[E0232]: your function cannot be called `INFINITY` in C: that name is a keyword, or a macro or type in a C header
   error[E0232]: your function cannot be called `__builtin_trap` in C: that name is reserved by the C standard
   error[E0232]: your function cannot be called `_Exit` in C: that name is reserved by the C standard
-  error[E0232]: your function cannot be called `int32_t` in C: that name is a macro or a type in C's headers
-  error[E0232]: your function cannot be called `INT32_MAX` in C: that name is a macro or a type in C's headers
-  error[E0232]: your function cannot be called `frob_int_add` in C: that name is used by generated C and its runtime
-  error[E0232]: your function cannot be called `main` in C: that name is the function that a C program starts with
+  error[E0232]: your function cannot be called `int32_t` in C: that name is a keyword, or a macro or type in a C header
+  error[E0232]: your function cannot be called `INT32_MAX` in C: that name is a keyword, or a macro or type in a C header
+  error[E0232]: your function cannot be called `frob_int_add` in C: that name is used by the generated C code and its runtime
+  error[E0232]: your function cannot be called `main` in C: that name is reserved for the entry point of a C program
   error[E0232]: `bool` is not a name in C
-  error[E0431]: the program's own C has a function `taken_step`
-  error[E0431]: the program's own C has a function `taken_reset`
+  error[E0431]: the generated C code already has a function `taken_step`
+  error[E0431]: the generated C code already has a function `taken_reset`
   $ named mainly

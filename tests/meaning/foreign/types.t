@@ -106,7 +106,7 @@ A trace cannot contain such values:
 
   $ printf 'time\n0\n' > in.csv
   $ frobc trace eyes.frob --with camera.c --input in.csv
-  error: the input or output of `main` has a foreign type, which a table cannot show; compile it and call it from C
+  error: the input or output of `main` has a foreign type, which frobc cannot read or print; compile the program to C, and call it from your own C code
   [2]
   $ frobc trace eyes.frob --with camera.c --input in.csv --engine interp
   error[E0505]: the interpreter cannot run this program: `stamp` is written in C
@@ -136,7 +136,7 @@ copyable:
   4 | same a b = a == b
     |              ^^ `==` needs it
     |
-    = hint: only C can compare two values of type `Stamp`: import a function that does
+    = hint: only C can compare two values of type `Stamp`: import a C function that does
   
   1 error
   [1]
@@ -148,13 +148,13 @@ copyable:
   > main = proc e -> mean (hold (blank ()) e)
   > EOF
   $ frobc check held.frob
-  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to the next
    --> held.frob:5:24
     |
   5 | main = proc e -> mean (hold (blank ()) e)
     |                        ^^^^^^^^^^^^^^^^^
     |
-    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = note: a `Frame` from C is valid for one instant; the C code may reuse its memory after that
     = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error
@@ -166,13 +166,13 @@ copyable:
   > main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
   > EOF
   $ frobc check captured.frob
-  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to the next
    --> captured.frob:4:50
     |
   4 | main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
     | -------------------------------------------------^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^- `main` is called here
     |
-    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = note: a `Frame` from C is valid for one instant; the C code may reuse its memory after that
     = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error
@@ -187,13 +187,13 @@ copyable:
   > main = proc f -> compareWith (blank ()) f
   > EOF
   $ frobc check started.frob
-  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to another
+  error[E0430]: a value of the foreign type `Frame` cannot be kept from one instant to the next
    --> started.frob:7:18
     |
   7 | main = proc f -> compareWith (blank ()) f
     |                  ^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: a `Frame` from C is valid for one instant; C may reuse its memory after that
+    = note: a `Frame` from C is valid for one instant; the C code may reuse its memory after that
     = hint: keep only the numbers that you need, or declare the type `copyable` if a copy of the struct works like the original
   
   1 error

@@ -21,7 +21,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both counter.frob in.csv
   out Left 0 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 5 stepped within one instant
+  at most 5 run within one instant
   $ cat > equal.frob <<'EOF'
   > step :: Task Float Float ()
   > step = mkTask (proc x -> (x, when (x > 1)))
@@ -36,7 +36,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both equal.frob in.csv
   out Left 0 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100
-  at most 102 stepped within one instant
+  at most 102 run within one instant
   $ cat > without_time.frob <<'EOF'
   > go :: Int -> Task Float Float Int
   > go n = if n >= 3 then return n else do
@@ -49,7 +49,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both without_time.frob in.csv
   out Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 4 stepped within one instant
+  at most 4 run within one instant
   $ cat > modes.frob <<'EOF'
   > main :: SF Float Float
   > main = go 0 where
@@ -57,7 +57,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both modes.frob in.csv
   out 0 7 4 9 5 6 3 8
-  at most 6 stepped within one instant
+  at most 6 run within one instant
 
 A number that passes through a signal function keeps its known range.
 
@@ -78,7 +78,7 @@ A number that passes through a signal function keeps its known range.
   > EOF
   $ both through.frob in.csv
   out Left 1 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 5 stepped within one instant
+  at most 5 run within one instant
 
 Repetitions of the library, with a constant number and with a bounded one.
 
@@ -91,7 +91,7 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both repeat.frob in.csv
   out Left 0 Right () Right () Right () Right () Right () Right () Right ()
-  at most 5 stepped within one instant
+  at most 5 run within one instant
   $ cat > limited.frob <<'EOF'
   > step :: Task Float Float ()
   > step = mkTask (proc x -> (x, when (x > 1)))
@@ -101,7 +101,7 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both limited.frob in.csv
   out Left 0 Right () Right () Right () Right () Right () Right () Right ()
-  at most 12 stepped within one instant
+  at most 12 run within one instant
   $ cat > for_each.frob <<'EOF'
   > visit :: Float -> Task Float Float ()
   > visit p = mkTask (proc x -> (x, when (x > p)))
@@ -113,13 +113,13 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both for_each.frob in.csv
   out Left 0 Left 2 Left (-1) Left 0 Left 0 Left 1 Left (-2) Left 3
-  at most 5 stepped within one instant
+  at most 5 run within one instant
 
 The maximum is a thousand steps.
 
   $ sed 's/repeatT 4/repeatT 1000/' repeat.frob > many.frob
   $ frobc report many.frob | grep -o 'at most.*instant'
-  at most 1001 stepped within one instant
+  at most 1001 run within one instant
   $ sed 's/repeatT 4/repeatT 1001/' repeat.frob > too_many.frob
   $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'no end within'
   error[E0402]: `step → repeatT → step` may repeat endlessly within one instant
@@ -136,7 +136,7 @@ The condition that ended one mode keeps the next one running.
   > EOF
   $ both hysteresis.frob in.csv
   out 0 1 0 1 1 1 0 1
-  at most 2 stepped within one instant
+  at most 2 run within one instant
 
 A task that measures the distance from the robot's own position starts with a distance of 0.
 
@@ -166,7 +166,7 @@ A task that measures the distance from the robot's own position starts with a di
   > EOF
   $ both square.frob in.csv
   out Left 1 Left 0 Left 1 Left 0 Left 1 Left 0 Left 1 Left 0
-  at most 2 stepped within one instant
+  at most 2 run within one instant
 
 The initial values of a repetition are also known if an event carries it, and if its cycle is in a
 mode that never starts.

@@ -77,7 +77,7 @@ runs, share their memory.
   32
   $ g++ -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -O2 -c tour.c
   $ frobc report tour.frob | sed -n '/^state/{n;p;}'
-    main                        32                             tour.frob:2
+    main                        32                                tour.frob:2
 
   $ printf 'time,in\n0,1\n1,1.5\n2,3\n3,3\n4,1\n4.5,-1\n5,-1\n6,2\n7,2.5\n8,1\n9.5,1.5\n' > tour.csv
   $ both tour.frob tour.csv

@@ -14,30 +14,30 @@ stored once.
   > EOF
   $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
   state, in bytes
-    thenSF               24                             Prelude.frob
-      modes              16  memory for one of these    Prelude.frob
-        thenSF           16  mode                       Prelude.frob
-          modes          16  memory for one of these    lamp.frob:8
-            sleepT       16  mode                       lamp.frob:3
-              level       8  parameter                  lamp.frob:3
-              time        4  time in ns                 Prelude.frob
+    thenSF               24                                Prelude.frob
+      modes              16  memory shared by these modes  Prelude.frob
+        thenSF           16  mode                          Prelude.frob
+          modes          16  memory shared by these modes  lamp.frob:8
+            sleepT       16  mode                          lamp.frob:3
+              level       8  parameter                     lamp.frob:3
+              time        4  time in ns                    Prelude.frob
               (padding)   4
-            lamp         16  mode                       lamp.frob:4
-              level       8  parameter                  lamp.frob:4
-              delay       1  delay                      Prelude.frob
+            lamp         16  mode                          lamp.frob:4
+              level       8  parameter                     lamp.frob:4
+              delay       1  delay                         Prelude.frob
               (padding)   7
-            sleepT       16  mode                       lamp.frob:5
-              level       8  parameter                  lamp.frob:5
-              y           8  parameter                  lamp.frob:5
-      modes               4  memory for one of these    Prelude.frob
-        thenSF            4  mode                       Prelude.frob
-          modes           4  memory for one of these    lamp.frob:8
-            sleepT        4  mode                       lamp.frob:5
-              time        4  time in ns                 Prelude.frob
-      mode                1  number of the active mode  Prelude.frob
-      modes               1  memory for one of these    Prelude.frob
-        thenSF            1  mode                       Prelude.frob
-          mode            1  number of the active mode  lamp.frob:8
+            sleepT       16  mode                          lamp.frob:5
+              level       8  parameter                     lamp.frob:5
+              y           8  parameter                     lamp.frob:5
+      modes               4  memory shared by these modes  Prelude.frob
+        thenSF            4  mode                          Prelude.frob
+          modes           4  memory shared by these modes  lamp.frob:8
+            sleepT        4  mode                          lamp.frob:5
+              time        4  time in ns                    Prelude.frob
+      mode                1  number of the active mode     Prelude.frob
+      modes               1  memory shared by these modes  Prelude.frob
+        thenSF            1  mode                          Prelude.frob
+          mode            1  number of the active mode     lamp.frob:8
       (padding)           2
   
 

@@ -79,10 +79,10 @@ The report states how many states can follow each other within an instant.
 
   $ frobc report bug.frob | sed -n '/^modes/,$p' | without_lines
   modes
-    main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 stepped within one instant
-    circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 stepped within one instant
+    main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 run within one instant
+    circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 run within one instant
   
-  switching events, at the first instant of their mode
+  switching events in the first instant of their mode
     from driveTo to ended      cannot occur: `edge`     bug.frob:2
     from driveTo to timeOut    cannot occur: `edge`     bug.frob:2
     from timeOut to sleepT     cannot occur: `elapsed`  Prelude.frob

@@ -10,13 +10,13 @@ says what to store instead.
   >     Nothing -> 0
   > FROB
   $ frobc check keeps.frob
-  error[E0430]: an image cannot be kept from one instant to another
+  error[E0430]: an image cannot be kept from one instant to the next
    --> keeps.frob:4:27
     |
   4 | main = proc frame -> case hold Nothing (mapE Just frame) of
     |                           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: the camera reuses the memory of an image for the next frames
+    = note: the camera reuses the memory of an image for later frames
     = hint: when the frame arrives, compute the numbers that you need, and `hold` them
   
   1 error
@@ -73,7 +73,7 @@ The names of kernels are reserved for the library: a user's program calls them t
   > main = arr mine
   > FROB
   $ frobc check own.frob 2>&1 | head -1
-  error[E0232]: your function cannot be called `frob_image_lens` in C: that name is used by generated C and its runtime
+  error[E0232]: your function cannot be called `frob_image_lens` in C: that name is used by the generated C code and its runtime
 
 A world without a camera, and hosts that do not support any.
 

@@ -63,12 +63,12 @@ All its C files may be given at once.
   $ ./wall_follow --help | sed -n '/^Settings/,$p'
   Settings:
     baud               rate of the serial line, bits per second, 9600 to 115200 (57600)
-    watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
-    counts             of an encoder for each metre of way, 100 to 1e+06 (8000)
-    wheel-separation   between the wheels, m, 0.05 to 1 (0.19)
+    watchdog           milliseconds without a speed command after which the robot stops, 100 to 2000 (500)
+    counts             encoder counts per metre of travel, 100 to 1e+06 (8000)
+    wheel-separation   distance between the wheels, m, 0.05 to 1 (0.19)
     patience           timeout for the answer to a command, s, 0.01 to 1 (0.06)
   $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
-    watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
+    watchdog           milliseconds without a speed command after which the robot stops, 100 to 2000 (500)
 
 An exported library contains the headers that its C files include; each file compiles separately, in
 both precisions.

@@ -51,7 +51,7 @@ late:
   5
   $ rm sent.*; record drive.frob $patient --for 0.3s --rate 25
   $ python3 bag.py one both /drive; python3 bag.py sent both /drive; frobc trace drive.frob --input both
-  error: cannot read the bag both: it has several runs of /drive: record each run into a bag of its own
+  error: cannot read the bag both: it has several runs of /drive: record each run into a separate bag
   [2]
   $ python3 bag.py one several /drive; python3 bag.py other several /paced; frobc trace drive.frob --input several | wc -l >rows
   $ python3 bag.py one alone /drive; frobc trace drive.frob --input alone | wc -l | cmp - rows
@@ -70,7 +70,7 @@ late:
   $ sqlite () { python3 -c 'import sqlite3, sys; d = sqlite3.connect(sys.argv[1]); d.executescript(sys.argv[2]); d.commit()' "$@"; }
   $ python3 bag.py one damaged /drive; sqlite damaged/bag_0.db3 "UPDATE messages SET data = x'00010000ffffff7f00'"
   $ frobc trace drive.frob --input damaged
-  error: cannot read the bag damaged: a message of the program is damaged
+  error: cannot read the bag damaged: a message from the program is damaged
   [2]
   $ python3 bag.py one strangers /drive; sqlite strangers/bag_0.db3 "UPDATE topics SET name = '/chatter'"
   $ frobc trace drive.frob --input strangers

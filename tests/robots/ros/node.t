@@ -168,8 +168,8 @@ when messages are good again.
   0.000 0.000
   $ speeds="0 0.2 0 0.2 0"
   $ run_node 2s back=0.5; sed "s/by [0-9.]* s/by N s/" messages; cat velocities
-  warning: the stamp of a message on /odom jumped back by N s; messages are ignored until stamps have been regular for a second
-  warning: the clock of the messages on /odom was set; they count again
+  warning: the timestamp of a message on /odom jumped back by N s; messages are ignored until timestamps have been regular for a second
+  warning: the clock of the messages on /odom was set; they are accepted again
   0.000 0.000
   0.200 0.000
   0.000 0.000

@@ -60,7 +60,7 @@ Velocities of the other type are reported.
 The node crashes:
 
   $ faults=crash=0.3; serve --for 5s; tail -1 messages
-  error: the process of the ROS 2 node has ended
+  error: the ROS 2 node has ended
 
 A world may have several lidars, and none of them need be called `lidar`.
 
@@ -89,10 +89,10 @@ Topics are remapped.
 Mistakes on the command line:
 
   $ frobc serve --robot ros --tcp 0
-  error: a robot in ROS 2 has no serial line: remove --tcp and --link
+  error: a robot in ROS 2 has no serial line: remove --tcp, --link and --rate
   [2]
   $ frobc serve --robot ros --link robot
-  error: a robot in ROS 2 has no serial line: remove --tcp and --link
+  error: a robot in ROS 2 has no serial line: remove --tcp, --link and --rate
   [2]
   $ frobc serve --robot scout --stamped
   error: --stamped is for the robot `ros`: add --robot ros

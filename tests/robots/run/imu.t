@@ -115,5 +115,5 @@ Messages:
   error: room.toml:6:1: this needs a key `position`
   [2]
   $ frobc build turn.frob --robot scout -o turn
-  error: turn uses the inertial measurement unit `imu`, but only the simulator has one; on your own robot, the driver can fill a field of the input, and an instance can read it
+  error: turn uses the inertial measurement unit `imu`, but only the simulator has one; for your own robot, let the driver fill a field of the input, and define an instance that reads this field
   [2]

@@ -180,7 +180,7 @@ A world without the lidar, and mistakes in a world file:
 Only the simulator has a lidar:
 
   $ frobc build narrow.frob --robot pioneer -o narrow
-  error: narrow uses the lidar `lidar`, but only the simulator has one; on your own robot, the driver can fill a field of the input, and an instance can read it
+  error: narrow uses the lidar `lidar`, but only the simulator has one; for your own robot, let the driver fill a field of the input, and define an instance that reads this field
   [2]
 
 A controller that needs sonars works with a lidar, on every robot:

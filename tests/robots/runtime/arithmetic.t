@@ -36,15 +36,15 @@ causes one. It finds none if the arithmetic is correct.
   fine
 
   $ ask gcc -O2 -ffast-math
-  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   $ ask clang -O2 -ffast-math
-  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  precision algebra subnormal special treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   $ ask gcc -O2 -freciprocal-math
-  algebra treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  algebra treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   $ ask gcc -O2 -ffinite-math-only
-  special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  special treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
   $ ask clang -O2 -fno-signed-zeros
-  special treats floating-point numbers as real numbers: compile without -ffast-math and its parts
+  special treats floating-point numbers as real numbers: compile without -ffast-math and its suboptions
 
 Products and sums are contracted if the processor can do that; otherwise the
 script prints the expected results.

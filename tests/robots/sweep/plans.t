@@ -30,8 +30,8 @@ Mistakes in a plan are reported before the first run, with their places.
   error: plan.toml:5:12: `sampling` must be "grid", "random" or "latin"
   error: plan.toml:7:7: the number of steps is missing: write a range as "LOW to HIGH, N steps", such as "2[1/m] to 8[1/m], 7 steps"; with `sampling`, write "LOW to HIGH"
   error: plan.toml:8:5: write a range as "LOW to HIGH, N steps", such as "2[1/m] to 8[1/m], 7 steps"; with `sampling`, write "LOW to HIGH"
-  error: plan.toml:9:5: this list is empty
-  error: plan.toml:10:5: a range needs at least 2 steps, one for each end
+  error: plan.toml:9:5: this list is empty: add a value
+  error: plan.toml:10:5: the number of steps must be from 2 (the two ends) to 10,000,000
   [2]
   $ try << 'PLAN'
   > program =
@@ -42,11 +42,11 @@ Mistakes in a plan are reported before the first run, with their places.
   > program = "follow.frob"
   > sampling = "latin"
   > PLAN
-  error: plan.toml:2:12: `sampling = "latin"` needs a key `points`, the number of points
+  error: plan.toml:2:12: `sampling = "latin"` needs the number of points: add the key `points`
   [2]
   $ plan () { printf 'program = "follow.frob"\nrobots = ["pioneer"]\n%b\n' "$1" | try; }
   $ plan '[params]\ngap = "0.5[m] to 0.2[m], 3 steps"'
-  error: plan.toml:4:7: the range of `gap` ends at 0.2, which is not more than 0.5
+  error: plan.toml:4:7: the range of `gap` ends at 0.2, which is not greater than its start, 0.5
   [2]
   $ plan '[params]\ngap = "0.2[s] to 0.5[m], 3 steps"'
   error: plan.toml:4:7: this is not a value of the parameter `gap`
@@ -74,13 +74,13 @@ Mistakes in a plan are reported before the first run, with their places.
   1 | gp= 3
     | ^
     |
-    = note: the program has `gap` and `on`
+    = note: the program's parameters: `gap` and `on`
     = hint: did you mean `gap`?
   
   1 error
   [2]
   $ plan '[params]\non = "False to True, 2 steps"'
-  error: plan.toml:4:6: `on` is true or false: write the list [true, false]
+  error: plan.toml:4:6: `on` is a Bool and has no range: write the list [true, false]
   [2]
   $ plan '[params]\ngap = "0 to 1/0, 2 steps"'
   error: plan.toml:4:7: the range of `gap` must be finite
@@ -124,7 +124,7 @@ Mistakes in a plan are reported before the first run, with their places.
   [2]
   $ sed '/^trial/d' follow.frob > bare.frob
   $ printf 'program = "bare.frob"\n' | try --robot pioneer
-  warning[W0306]: `Trial` is imported but nothing from it is used
+  warning[W0306]: `Trial` is imported, but nothing from it is used
    --> bare.frob:2:1
     |
   2 | import Trial

@@ -119,7 +119,7 @@ refer to the test file.
   1 | module Slow where
     |        ^^^^
     |
-    = hint: remove the header: the tests belong to the module of the program
+    = hint: remove the header: the tests belong to the program's module
   
   error[E0237]: a test file cannot have `main`
    --> slow.test.frob:3:1
@@ -151,7 +151,7 @@ refer to the test file.
   5 | gentle v = v / 2
     | ------ first defined here
     |
-    = hint: a test file shares the names of its program: rename this one
+    = hint: rename this definition: a test file shares the namespace of its program
   
   error[E0205]: unknown name `unknown`
    --> slow.test.frob:4:58
@@ -170,7 +170,7 @@ refer to the test file.
   9 | trial "touches nothing" = Trial { world = "room.toml", lasts = 2[s], seeds = 1 `to` 2, judge = neverTouches }
     |       ----------------- first defined here
     |
-    = hint: a test file shares the names of its program: rename this one
+    = hint: rename this definition: a test file shares the namespace of its program
   
   3 errors
   [1]
@@ -211,13 +211,13 @@ Without its program, a test file is invalid, and it cannot be run as a program.
   
   1 error
   $ cp away slow.test.frob && frobc run slow.test.frob
-  error[E0501]: there is no `main` in this module to compile
+  error[E0501]: this module has no `main` to compile
    --> slow.test.frob:1:1
     |
   1 | test "doubles a speed" = during 1[s] (proc () -> gentle 0.4[m/s] == 0.8[m/s])
     | ^
     |
-    = hint: this is a test file: give the name of its program, slow.frob
+    = hint: this is a test file: name the program that it tests instead, slow.frob
   
   1 error
   [2]
@@ -286,7 +286,7 @@ imports its own program, the message says that this is not necessary.
   > test "is small" = during 1[s] (proc () -> abs (sine 1[Hz] ()) <= gain)
   > FROB
   $ frobc check Gains.frob
-  warning[W0306]: `Sources` is imported but nothing from it is used
+  warning[W0306]: `Sources` is imported, but nothing from it is used
    --> Gains.frob:1:1
     |
   1 | import Sources
@@ -295,7 +295,7 @@ imports its own program, the message says that this is not necessary.
     = hint: remove it
   
   1 warning
-  warning[W0306]: `Gains` is imported but nothing from it is used
+  warning[W0306]: `Gains` is imported, but nothing from it is used
    --> Gains.test.frob:1:1
     |
   1 | import Gains
@@ -307,7 +307,7 @@ imports its own program, the message says that this is not necessary.
   $ frobc fix Gains.test.frob
   Gains.test.frob:1:1: remove it (W0306)
   1 more fix may not be what you meant; to apply it, run frobc fix --all
-  warning[W0306]: `Sources` is imported but nothing from it is used
+  warning[W0306]: `Sources` is imported, but nothing from it is used
    --> Gains.frob:1:1
     |
   1 | import Sources

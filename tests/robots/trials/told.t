@@ -230,7 +230,7 @@ Errors are reported before anything runs, or in place of a result.
   6 | test "whatever is set" = during n (proc () -> True)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   
-  error[E0392]: the first seed must be at least 1, and the last must not be less than the first, but these are from 20 to 2
+  error[E0392]: the first seed must be at least 1, and the last seed must not be less than the first, but these seeds are 20 to 2
    --> wrong.frob:7:1
     |
   7 | trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
@@ -272,7 +272,7 @@ Errors are reported before anything runs, or in place of a result.
   error: there is no file no_such.frob
   [2]
   $ frobc test around.frob --robot pioneer --seeds 0
-  error: --seeds must be a number of at least 1
+  error: --seeds must be at least 1
   [2]
 
 An error in the program is reported once, however many of its tests need it.

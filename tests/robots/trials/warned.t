@@ -20,7 +20,7 @@ A program with a warning, whose test does not compile: the warning is reported o
   8 |     z = 1
     |     ^
     |
-    = hint: use it in an output, or remove it; if it is unused on purpose, call it `_z`
+    = hint: use it in an output, or remove it; if it is unused on purpose, rename it to `_z`
   
   1 warning
   error[E0401]: the signal `y` needs its own value in the same instant

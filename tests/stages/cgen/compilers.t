@@ -12,14 +12,14 @@ They do not compile if numbers would not be IEEE doubles.
 
   $ refused () { "$@" -std=c99 $flags hold.c 2>&1 | grep -o 'error:.*compile without.*"'; }
   $ for option in -ffast-math -ffinite-math-only -freciprocal-math -fno-signed-zeros; do refused gcc $option; done
-  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
-  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
-  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
-  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
+  error: #error "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
   $ refused clang -ffast-math
-  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
   $ refused clang -ffinite-math-only
-  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
+  error: "the program needs IEEE 754 arithmetic: compile without -ffast-math and its suboptions"
 
 The generated text is the same every time.
 

@@ -71,7 +71,7 @@ A replay uses the values of the recording, unless an option sets others.
   $ (echo '# param kTurn=7[m]'; cat in.csv) > other.csv
   $ for engine in c interp; do frobc trace steer.frob --input other.csv --engine $engine; done
   error: other.csv: the parameter `kTurn` is a number in 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
-  error: other.csv: the parameter `kTurn` is a number of 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
+  error: other.csv: the parameter `kTurn` is a number in 1/m, but `7[m]` has a different unit; to override the recorded value, use `--param`
   [2]
 
 Mistakes in options.

@@ -154,7 +154,7 @@ precision the limit is lower:
   error: large.csv: the parameter `gain` is a number in 1, not `1e400`; to override the recorded value, use `--param`
   [2]
   $ frobc trace gain.frob --input large.csv --engine interp
-  error: large.csv: the parameter `gain` is a number of 1, not `1e400`; to override the recorded value, use `--param`
+  error: large.csv: the parameter `gain` is a number in 1, not `1e400`; to override the recorded value, use `--param`
   [2]
 
 Times in a smaller unit than seconds:

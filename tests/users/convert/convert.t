@@ -225,7 +225,7 @@ MCAP files that are from other programs, truncated, or damaged:
   > open("flipped.mcap", "wb").write(data[:at] + b"2" + data[at + 1:])
   > END
   $ for file in other cut start flipped; do frobc convert $file.mcap new.csv; done
-  error: cannot read other.mcap: it was written by another program, and this needs Python packages: `frobc extras install mcap`
+  error: cannot read other.mcap: it was written by another program, and reading it needs Python packages: run `frobc extras install mcap`
   error: cannot read cut.mcap: it is truncated or damaged
   error: cannot read start.mcap: it is truncated or damaged
   error: cannot read flipped.mcap: it is damaged: a checksum does not match its content

@@ -20,7 +20,7 @@ An MCAP file of another program:
 
   $ printf '\211MCAP0\r\n\001\020\0\0\0\0\0\0\0\004\0\0\0ros2\004\0\0\0test' > other.mcap
   $ frobc convert other.mcap other.csv
-  error: cannot read other.mcap: it was written by another program, and this needs Python packages: `frobc extras install mcap`
+  error: cannot read other.mcap: it was written by another program, and reading it needs Python packages: run `frobc extras install mcap`
   [2]
 
 Without Python:

@@ -169,12 +169,12 @@ of a name is rejected.
   kTurn * -> kOmega Gains.frob: 2:0-2:5, 1:0-1:5 drive.frob: 12:12-12:17
   ahead ( -> wayAhead Gains.frob: 5:19-5:24 drive.frob: 11:66-11:71, 3:14-3:19
   way
-   -> x `x` already means something else where drive.frob is used
+   -> x `x` already has a different meaning in drive.frob
   way
    -> Way this name must begin with a small letter, unlike `Way`
   way
-   -> where `where` cannot be a name
-  kTurn * -> approach `approach` already means something else where drive.frob is used
+   -> where `where` is not a valid name
+  kTurn * -> approach `approach` already has a different meaning in drive.frob
   Stop { -> Halt Gains.frob: 5:12-5:16 drive.frob: 3:7-3:11
   frontSonar -> sonar `frontSonar` belongs to the library
   None {"range": {"start": {"line": 9, "character": 19}, "end": {"line": 9, "character": 22}}, "placeholder": "way"}
@@ -351,4 +351,4 @@ If a text never was without mistakes, its valid parts still provide information.
   x :: Float[m]
   ['f', 'g', 'main']
   9:4-9:5
-  this program has errors in its names: fix them first
+  frobc cannot resolve the names in this program: fix its errors first

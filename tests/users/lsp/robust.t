@@ -36,10 +36,10 @@ request, or not a known method.
   rename None
   codeLens None
   formatting None
-  {'code': -32700, 'message': 'this is not JSON'}
-  {'code': -32700, 'message': 'this is not JSON'}
-  {'code': -32700, 'message': 'this is not JSON'}
-  {'code': -32600, 'message': 'a message must be an object'}
+  {'code': -32700, 'message': 'the message is not valid JSON'}
+  {'code': -32700, 'message': 'the message is not valid JSON'}
+  {'code': -32700, 'message': 'the message is not valid JSON'}
+  {'code': -32600, 'message': 'the message must be a JSON object'}
   {'code': -32600, 'message': 'no method'}
   {'code': -32601, 'message': 'there is no method textDocument/fly'}
   None None
