@@ -31,5 +31,8 @@ val is_trivial : Ir.expr -> bool
 val parts : Ir.expr -> Ir.expr list
 (** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
+val visit : (Ir.expr -> unit) -> Ir.expr -> unit
+(** Visits an expression, then its subexpressions. *)
+
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
 (** Replaces the {!parts} of the expression with their images, computed in order. *)
