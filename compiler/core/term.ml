@@ -56,6 +56,10 @@ let parts (e : expr) =
       in
       List.concat_map right equations @ [ output ]
 
+let rec visit f e =
+  f e;
+  List.iter (visit f) (parts e)
+
 let with_parts f (e : expr) =
   let right = function
     | Pure e -> Pure (f e)

@@ -31,6 +31,9 @@ val is_trivial : Ir.expr -> bool
 val parts : Ir.expr -> Ir.expr list
 (** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
+val visit : (Ir.expr -> unit) -> Ir.expr -> unit
+(** Visits an expression, then its subexpressions. *)
+
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
 (** Applies the function to the {!parts} of the expression, in order, and replaces each of them with
     its result. *)

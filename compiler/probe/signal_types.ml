@@ -20,15 +20,7 @@ let rec pattern found (p : Ir.pattern) =
   | Tuple_of parts | Array_of parts | Constructed (_, parts) -> List.iter (pattern found) parts
 
 let rec expr found (e : Ir.expr) =
-  let binding (b : Ir.binding) = pattern found b.pattern in
-  (match e.desc with
-  | Proc { input; equations; _ } ->
-      pattern found input;
-      List.iter binding equations
-  | Lambda (parameters, _) -> List.iter (pattern found) parameters
-  | Let (bindings, _) -> List.iter binding bindings
-  | Case (_, branches) -> List.iter (fun (b : Ir.branch) -> pattern found b.pattern) branches
-  | _ -> ());
+  List.iter (pattern found) (Typing.Walk.patterns e);
   Typing.Walk.parts (expr found) e
 
 let of_program (program : Ir.program) =

@@ -1,36 +1,32 @@
+open Basis
 open Ir
 
-let parts visit (e : expr) =
-  let bindings = List.iter (fun (b : binding) -> visit b.value) in
-  let fields = List.iter (fun (_, e) -> visit e) in
+let children (e : expr) =
+  let fields = Long_list.map snd in
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
-  | Tuple es | Array es -> List.iter visit es
-  | Apply (a, b) | Run (a, b) ->
-      visit a;
-      visit b
-  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) | Lambda (_, a) -> visit a
-  | If (a, b, c) -> List.iter visit [ a; b; c ]
-  | Case (scrutinee, branches) ->
-      visit scrutinee;
-      List.iter (fun (b : branch) -> visit b.value) branches
-  | Let (bs, body) ->
-      bindings bs;
-      visit body
+  | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> []
+  | Tuple es | Array es -> es
+  | Apply (a, b) | Run (a, b) -> [ a; b ]
+  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) | Lambda (_, a) -> [ a ]
+  | If (a, b, c) -> [ a; b; c ]
+  | Case (scrutinee, branches) -> scrutinee :: List.map (fun (b : branch) -> b.value) branches
+  | Let (bindings, body) | Proc { input = _; equations = bindings; output = body } ->
+      List.rev_append (List.rev_map (fun (b : binding) -> b.value) bindings) [ body ]
   | Guards (guarded, last) ->
-      List.iter
-        (fun (condition, value) ->
-          visit condition;
-          visit value)
-        guarded;
-      Option.iter visit last
-  | Proc { input = _; equations; output } ->
-      bindings equations;
-      visit output
-  | Record (_, fs) -> fields fs
-  | Update (record, _, fs) ->
-      visit record;
-      fields fs
+      List.concat_map (fun (guard, value) -> [ guard; value ]) guarded @ Option.to_list last
+  | Record (_, all) -> fields all
+  | Update (record, _, all) -> record :: fields all
+
+let parts visit e = List.iter visit (children e)
+
+let patterns (e : expr) =
+  let bound = Long_list.map (fun (b : binding) -> b.pattern) in
+  match e.desc with
+  | Lambda (parameters, _) -> parameters
+  | Case (_, branches) -> List.map (fun (b : branch) -> b.pattern) branches
+  | Let (bindings, _) -> bound bindings
+  | Proc { input; equations; output = _ } -> input :: bound equations
+  | _ -> []
 
 let own resolved visit (program : program) =
   let modules = Resolve.Walk.own_modules resolved in

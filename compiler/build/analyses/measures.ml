@@ -8,20 +8,21 @@ let measures (equation : Core.Ir.equation) =
 (* The places where equations of the main module define a measurement. *)
 let places (core : Core.Ir.program) =
   let found = Hashtbl.create 8 in
-  let rec add (e : Core.Ir.expr) =
-    (match e.desc with
+  let add (e : Core.Ir.expr) =
+    match e.desc with
     | Proc { equations; _ } ->
         let note (eq : Core.Ir.equation) =
           if measures eq then Hashtbl.replace found eq.binder.local.span ()
         in
         List.iter note equations
-    | _ -> ());
-    List.iter add (Core.Term.parts e)
+    | _ -> ()
   in
   let is_own (d : Core.Ir.definition) =
     Resolve.Test_file.is_module_of d.name.module_ ~main:core.main_module
   in
-  List.iter (fun (d : Core.Ir.definition) -> if is_own d then add d.body) core.definitions;
+  List.iter
+    (fun (d : Core.Ir.definition) -> if is_own d then Core.Term.visit add d.body)
+    core.definitions;
   found
 
 let of_judge typed core probes =

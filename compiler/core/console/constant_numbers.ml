@@ -9,10 +9,6 @@ let has t (local : Local.t) = Table.mem t local.id
 (* The expressions that variables are bound to, if any. *)
 type values = { globals : (Global.t, expr) Table.t; locals : (int, expr) Table.t }
 
-let rec walk visit (e : expr) =
-  visit e;
-  List.iter (walk visit) (Term.parts e)
-
 let note_values values (e : expr) =
   match e.desc with
   | Let { binder; value; _ } -> Table.replace values.locals binder.local.id value
@@ -35,7 +31,7 @@ let of_program (program : program) =
   let wanted = Table.create 16 in
   let values = { globals = Table.create 64; locals = Table.create 64 } in
   let changed = ref false in
-  let rec want (e : expr) = walk want_variable e
+  let rec want (e : expr) = Term.visit want_variable e
   and want_variable (e : expr) =
     match e.desc with
     | Local local when not (Table.mem wanted local.id) ->
@@ -70,11 +66,11 @@ let of_program (program : program) =
     List.iter
       (fun (d : definition) ->
         Table.replace values.globals d.name d.body;
-        walk (note_values values) d.body)
+        Term.visit (note_values values) d.body)
       program.definitions;
     let rec repeat () =
       changed := false;
-      List.iter (fun (d : definition) -> walk visit d.body) program.definitions;
+      List.iter (fun (d : definition) -> Term.visit visit d.body) program.definitions;
       if !changed then repeat ()
     in
     repeat ();

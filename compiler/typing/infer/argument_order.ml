@@ -1,3 +1,11 @@
+let rec parameters (t : Type.t) =
+  match Type.expand t with
+  | Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | Flexible _ | Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _ | Size _
+  | Erroneous ->
+      []
+
 let representations_agree a b =
   match (Type.representation a, Type.representation b) with
   | Int, Float | Float, Int -> false

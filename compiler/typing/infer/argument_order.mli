@@ -3,6 +3,10 @@
     For example, [hold e 0], where [e] is an event, would be correct as [hold 0 e]. Call these
     functions when the types of all arguments are known. *)
 
+val parameters : Type.t -> Type.t list
+(** The types of a function's parameters, including the input of a signal function that it returns.
+*)
+
 val pair_exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
 (** Would this pair, whose type is wrong, be correct with its components swapped? [unfit]: whether

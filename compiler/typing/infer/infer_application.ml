@@ -1,12 +1,6 @@
 open Basis
+open Argument
 open Context
-
-type argument = {
-  value : Resolve.Ir.expr;
-  style : Resolve.Ir.apply_style;
-  span : Span.t;  (** span of the whole application *)
-  position : int;  (** counted from 1 *)
-}
 
 (* Splits nested applications into the head and its arguments, first to last. *)
 let spine (e : Resolve.Ir.expr) =
@@ -18,14 +12,6 @@ let spine (e : Resolve.Ir.expr) =
   let head, arguments = go e [] in
   ( head,
     List.mapi (fun i (value, style, span) -> { value; style; span; position = i + 1 }) arguments )
-
-let rec parameters (t : Type.t) =
-  match Type.expand t with
-  | Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | Flexible _ | Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _ | Size _
-  | Erroneous ->
-      []
 
 (* The unsolved type variables and unit variables of a type. *)
 let rec flexible (t : Type.t) =
@@ -216,155 +202,6 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
       tell ctx (Not_a_signal_function { head; ty = found });
       erroneous ()
 
-(* {1 Explaining a mistake by the whole application} *)
-
-(* Does the fact concern the whole argument at this place, not only a part of it? *)
-let is_at (span : Span.t) (fact : Fact.t) =
-  match fact with
-  | Inference { fact = Mismatch { at; _ } | Exchanged_pair { at; _ }; _ } ->
-      Span.compare at span = 0
-  | Inference { fact = Not_a_function { argument; _ }; _ } -> Span.compare argument.span span = 0
-  | _ -> false
-
-(* The orders of the arguments in which their types fit, and the number of missing arguments, for
-   {!Application_fact.call}. *)
-let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
-  let entry =
-    match head.desc with Global name -> Resolve.Global_table.find_opt ctx.globals name | _ -> None
-  in
-  match entry with
-  | None -> (None, None, None)
-  | Some { scheme; _ } ->
-      let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
-      (* an input cannot be a `String`: if its type is `String`, this application has just inferred
-         it *)
-      let is_input (e : Resolve.Ir.expr) =
-        match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
-      in
-      let is_other a = a.position <> failed in
-      let given =
-        List.map2
-          (fun a ty ->
-            if is_other a && Type.expand ty = String && is_input a.value then Type.Erroneous else ty)
-          arguments types
-      in
-      let parameters = parameters instance.ty in
-      let unfit ~wanted given =
-        let lacks (class_, argument) =
-          Type.expand argument == Type.expand wanted && has_no_instance ctx class_ given
-        in
-        List.exists lacks instance.required
-      in
-      (* an input of the proc is probably meant as the input of the signal function *)
-      let runs_on_an_input =
-        let rec is_run (t : Type.t) =
-          match Type.expand t with
-          | Function (_, t) -> is_run t
-          | Signal_function _ -> true
-          | _ -> false
-        in
-        is_run instance.ty && is_input (List.nth arguments (failed - 1)).value
-      in
-      let is_constrained ty =
-        runs_on_an_input
-        || List.exists
-             (fun (_, argument) -> Type.expand argument == Type.expand ty)
-             instance.required
-      in
-      ( Argument_order.exchanged ~unfit ~parameters ~given ~position:failed,
-        Argument_order.rotated ~unfit ~parameters ~given,
-        Argument_order.shifted ~unfit ~is_constrained ~parameters ~given ~position:failed )
-
-(* The application, if it may explain the mistake better than the failing argument does. *)
-let call expressions ctx (e : Resolve.Ir.expr) ~head arguments ~types ~takes ~failed result mistake
-    : Application_fact.call option =
-  let failing = (List.nth arguments (failed - 1)).value in
-  let juxtaposed = List.for_all (fun a -> a.style = Juxtaposed) arguments in
-  let is_whole = is_at failing.span mistake in
-  let is_field =
-    match mistake with
-    | Inference { fact = Missing_field _ | Unknown_field _; _ } -> true
-    | _ -> false
-  in
-  if not (juxtaposed && (is_whole || is_field || List.length arguments >= 3)) then None
-  else
-    let own, is_right_alone = trial ctx (fun () -> (expressions.infer ctx failing).ty) in
-    let types = List.mapi (fun i ty -> if i + 1 = failed then own else ty) types in
-    let exchanged, rotated, lacking =
-      if is_whole then orders ctx ~head arguments ~types ~failed else (None, None, None)
-    in
-    Some
-      {
-        at = e.span;
-        head;
-        arguments = List.map2 (fun a ty -> (a.value, ty)) arguments types;
-        failed;
-        is_right_alone;
-        takes;
-        result;
-        exchanged;
-        rotated;
-        lacking;
-      }
-
-(* Explains the only error among the arguments. *)
-let tell expressions ctx e ~head arguments ~types ~takes ~failed ty held =
-  match List.rev held with
-  | [] -> ()
-  | last :: others -> (
-      let result =
-        match Type.expand ty with
-        | Function (_, output) | Signal_function (_, output) -> output
-        | _ -> Type.Erroneous
-      in
-      match
-        call expressions ctx e ~head arguments ~types ~takes ~failed result (Facts.fact last)
-      with
-      | Some call ->
-          pass_on ctx (List.rev others);
-          replace ctx (Misapplied { around = surroundings ctx; call; mistake = last })
-      | None -> pass_on ctx held)
-
-(* `xs.map f`, an array function that is called like a method. *)
-let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments held =
-  match (head.desc, List.rev held) with
-  | Field { record; field; _ }, last :: others -> (
-      match Facts.fact last with
-      | Fact.Inference
-          { fact = Missing_field { field = missing; _ } | Unknown_field { field = missing; _ }; _ }
-        when missing == field ->
-          pass_on ctx (List.rev others);
-          let arguments = List.map (fun a -> a.value) arguments in
-          let call : Application_fact.method_call = { at = e.span; record; field; arguments } in
-          replace ctx (Called_as_method { around = surroundings ctx; call; mistake = last })
-      | _ -> pass_on ctx held)
-  | _ -> pass_on ctx held
-
-(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order used in another
-   language. Checks whether the other order would be correct. *)
-let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
-  match (head.desc, arguments) with
-  | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
-      ({ value = { desc = Lambda { parameters = [ a; b ]; body }; _ } as lambda; _ } as first)
-      :: (_ :: _ as others) )
-    when Span.compare a.span b.span < 0 ->
-      let value = { lambda with desc = Resolve.Ir.Lambda { parameters = [ b; a ]; body } } in
-      let apply head { value; style; span; _ } : Resolve.Ir.expr =
-        { desc = Apply { head; argument = value; style }; span }
-      in
-      let other = List.fold_left apply head ({ first with value } :: others) in
-      let _, is_right = trial ctx (fun () -> expressions.infer ctx other) in
-      if is_right then Some (Parameters_in_other_order { head; name; first = a; second = b })
-      else None
-  | _ -> None
-
-let is_mapped_range ~(head : Resolve.Ir.expr) arguments =
-  match (head.desc, arguments) with
-  | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> true
-  | _ -> false
-
-(* {1 Applying to one argument after the other} *)
-
 (* The operator that follows the application to this argument. *)
 let operator_after ctx (e : Resolve.Ir.expr) argument =
   match ctx.left_operand with
@@ -408,7 +245,8 @@ let apply_to_next expressions ctx e ~head arguments ~takes (function_, previous)
 let infer_head expressions ctx e ~head arguments =
   let before = errors ctx in
   let inferred, held = hold ctx (fun () -> expressions.infer ctx head) in
-  if errors ctx = before + 1 then tell_method ctx e ~head arguments held else pass_on ctx held;
+  if errors ctx = before + 1 then Misapplication.tell_method ctx e ~head arguments held
+  else pass_on ctx held;
   inferred
 
 type progress = {
@@ -419,34 +257,11 @@ type progress = {
   of_first : Fact.t Facts.held list;  (** the facts about the first argument *)
 }
 
-(* Replaces the facts about the arguments by one about the whole application, if that explains the
-   mistake better. [is_only]: whether there is exactly one error. *)
-let explain expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~function_
-    ~takes ~is_only progress held =
-  let replace_by fact ~kept =
-    pass_on ctx kept;
-    replace ctx (Inference { around = surroundings ctx; fact })
-  in
-  match progress.failed with
-  | None -> pass_on ctx held
-  | Some _ when is_mapped_range ~head arguments ->
-      let arguments = List.map (fun a -> a.value) arguments in
-      replace_by (Mapped_range { at = e.span; head = head.span; arguments }) ~kept:[]
-  | Some failed -> (
-      match other_fold expressions ctx ~head arguments with
-      | Some fact ->
-          let is_kept h = not (List.memq h progress.of_first) in
-          replace_by fact ~kept:(List.filter is_kept held)
-      | None when is_only ->
-          let types = List.rev progress.types in
-          tell expressions ctx e ~head arguments ~types ~takes ~failed function_ held
-      | None -> pass_on ctx held)
-
 let infer expressions ctx e =
   let head, arguments = spine e in
   forgetting_what_errors_need ctx (fun () ->
       let function_ = infer_head expressions ctx e ~head arguments in
-      let parameters = parameters function_.ty in
+      let parameters = Argument_order.parameters function_.ty in
       let takes = List.length parameters in
       let before = errors ctx in
       let next { applied; previous; types; failed; of_first } argument decided_by =
@@ -469,7 +284,11 @@ let infer expressions ctx e =
       let progress, held =
         hold ctx (fun () -> List.fold_left2 next start arguments (deciding parameters arguments))
       in
-      let is_only = errors ctx = before + 1 in
-      explain expressions ctx e ~head arguments ~function_:function_.ty ~takes ~is_only progress
-        held;
+      (match progress.failed with
+      | None -> pass_on ctx held
+      | Some failed ->
+          let { types; of_first; _ } = progress and is_only = errors ctx = before + 1 in
+          Misapplication.tell expressions ctx e ~head arguments ~function_:function_.ty ~takes
+            { failed; types = List.rev types; of_first; is_only }
+            held);
       progress.applied)

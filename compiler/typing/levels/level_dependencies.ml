@@ -72,20 +72,9 @@ let runs w frames (e : expr) =
 let rec expr w frames (e : expr) =
   match e.desc with
   | Local (x, _) -> mention w frames x e
-  | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
-  | Tuple es | Array es -> List.iter (expr w frames) es
-  | Apply (f, a) ->
-      expr w frames f;
-      expr w frames a
-  | Run (h, input) ->
+  | Run _ ->
       runs w frames e;
-      expr w frames h;
-      expr w frames input
-  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w frames a
-  | If (a, b, c) ->
-      expr w frames a;
-      expr w frames b;
-      expr w frames c
+      Walk.parts (expr w frames) e
   | Case (scrutinee, branches) ->
       let node = part_node w frames Level_graph.Derived in
       part w frames node scrutinee;
@@ -116,18 +105,8 @@ let rec expr w frames (e : expr) =
       let depth = (innermost frames).depth in
       List.iter (name w (Level_graph.node w.graph ~depth Parameter)) patterns;
       expr w frames body
-  | Guards (guarded, last) ->
-      List.iter
-        (fun (guard, value) ->
-          expr w frames guard;
-          expr w frames value)
-        guarded;
-      Option.iter (expr w frames) last
   | Proc { input; equations; output } -> proc w (push frames ~proc:true) input equations output
-  | Record (_, fields) -> List.iter (fun (_, e) -> expr w frames e) fields
-  | Update (record, _, fields) ->
-      expr w frames record;
-      List.iter (fun (_, e) -> expr w frames e) fields
+  | _ -> Walk.parts (expr w frames) e
 
 (* A new node for a part of a definition that binds its own variables. *)
 and part_node w frames origin =

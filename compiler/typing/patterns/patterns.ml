@@ -66,8 +66,6 @@ let always_matches w (of_ : Pattern_fact.refutable) (pattern : pattern) =
 
 let rec expr w (e : expr) =
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
-  | Tuple es | Array es -> List.iter (expr w) es
   | Apply
       ( { desc = Apply ({ desc = Primitive (g, _); _ }, task); _ },
         { desc = Lambda ([ p ], rest); _ } )
@@ -75,14 +73,6 @@ let rec expr w (e : expr) =
       expr w task;
       always_matches w Bind p;
       expr w rest
-  | Apply (a, b) | Run (a, b) ->
-      expr w a;
-      expr w b
-  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w a
-  | If (a, b, c) ->
-      expr w a;
-      expr w b;
-      expr w c
   | Case (scrutinee, branches) ->
       expr w scrutinee;
       case w { at = e.span; scrutinee; branches; data = w.data };
@@ -100,10 +90,7 @@ let rec expr w (e : expr) =
       always_matches w Proc input;
       List.iter (binding w) equations;
       expr w output
-  | Record (_, fields) -> List.iter (fun (_, e) -> expr w e) fields
-  | Update (record, _, fields) ->
-      expr w record;
-      List.iter (fun (_, e) -> expr w e) fields
+  | _ -> Walk.parts (expr w) e
 
 (* The right-hand side of a branch. If its guards fail, the next branch is tried. *)
 and right w (e : expr) =
