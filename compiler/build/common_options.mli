@@ -31,4 +31,4 @@ val to_repeat : t -> sources:string list -> string list
     a program. [sources] are the files given with [--with]. *)
 
 val assert_options : t -> string list
-(** The options with which a host treats assertions in this way. *)
+(** The options that tell a host how to treat assertions. *)

@@ -13,8 +13,8 @@ let accepted ?(quiet = false) ?banner query (options : Common_options.t) ?batch
   print_diagnostics options.format sources (if quiet then Diagnostic.errors sink else sink);
   match result with Some result -> continue request result | None -> status sink
 
-(* The header can be generated from any signal function between the robot's types, such as [atRest]
-   in its module. *)
+(* The header can be generated from any signal function from the robot's input type to its output
+   type, such as [atRest] in the robot's module. *)
 let header_of (resources : Resources.t) (robot : Robots.t) =
   let sink = Diagnostic.sink () and sources = Source.create () and library = resources.library in
   let file = Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob")) in

@@ -20,7 +20,7 @@ val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program L
 (** {1 What a module declares} *)
 
 val params : Params.set list option t
-(** The values to which the request sets parameters. *)
+(** The parameters that the request sets, with their values. *)
 
 val units_of_params : (string * string) list option t
 (** The label and unit of each parameter. *)

@@ -13,10 +13,10 @@ val program :
   written:Typing.Ir.definition ->
   Core.Ir.program ->
   Flow.Ir.program option
-(** The program must have a bounded size, be causal and have no instantaneous loops; otherwise the
-    messages quote the sources, and the result is [None]. If the request includes the drawing, the
-    result has room for all marks of the program. [written] is the entry as written in the source.
-*)
+(** The program must have a bounded size, be causal and have no instantaneous loops; otherwise,
+    reports errors that quote the sources, and returns [None]. If the request includes the drawing,
+    the result has room for all marks of the program. [written] is the entry as written in the
+    source. *)
 
 val lint : Flow.Ir.program -> unit
 (** Checks the invariants of Flow between two stages. *)

@@ -66,8 +66,8 @@ let seed =
 
 let method_ =
   let doc =
-    "The search method: $(b,cma) for CMA-ES, which needs the Python package cma, or $(b,random) \
-     for random search, which needs no package."
+    "The search method: $(b,cma) for CMA-ES, which needs the Python packages numpy and cma, or \
+     $(b,random) for random search, which needs only numpy."
   in
   let all = [ ("cma", "cma"); ("random", "random") ] in
   Arg.(value & opt (enum all) "cma" & info [ "method" ] ~docv:"METHOD" ~doc)

@@ -100,7 +100,7 @@ let markers =
 let drawn general shows = if shows then Tools.Real_robot.with_markers general else general
 
 let refuse_markers () =
-  Reporting.wrong_use "--markers only works with --ros2: add it, or remove --markers"
+  Reporting.wrong_use "--markers only works with --ros2: add --ros2, or remove --markers"
 
 let build =
   let output =
@@ -207,8 +207,8 @@ let selftest =
     some [ "cc" ] ~docv:"CC"
       ~doc:
         "The command that starts the C compiler; it may contain options. The default is the \
-         compiler that the other commands use: the one in the environment variable $(b,CC), or \
-         $(b,cc), $(b,gcc) or $(b,clang), or the compiler that comes with frobc."
+         compiler that the other commands use: the one in the environment variable $(b,CC); \
+         otherwise $(b,cc), $(b,gcc) or $(b,clang); otherwise the compiler that comes with frobc."
   in
   let cflags =
     some [ "cflags" ] ~docv:"FLAGS"
@@ -328,7 +328,7 @@ let ros2 =
     Arg.(required & pos 1 (some string) None & info [] ~docv:"PACKAGE/TYPE" ~doc)
   in
   let output =
-    let doc = "The file to write. The default is $(b,TYPEMsg.frob) in this folder." in
+    let doc = "The file to write. The default is $(b,TYPEMsg.frob) in the current folder." in
     Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE.frob" ~doc)
   in
   let most =
@@ -345,8 +345,8 @@ let ros2 =
       `P
         "Reads the definition of a message type from the packages of the ROS 2 installation whose \
          setup script you have sourced. Writes a module with a record for this type, for nodes \
-         that define their own topics. Comments in the file say which fields it omits, such as \
-         text. You can edit the file.";
+         that define their own topics. Comments in the file list the fields that it omits, such as \
+         text fields. You can edit the file.";
     ]
   in
   command "ros2" ~man ~doc:"import ROS 2 message types"
@@ -357,9 +357,9 @@ let doctor =
     [
       `S Manpage.s_description;
       `P
-        "Checks everything that a command may need, and prints a line for each: $(b,ok); $(b,note) \
-         if something is missing that only some commands need, with the command to type; or \
-         $(b,FAIL) if frobc does not work on this computer.";
+        "Checks everything that a command may need, and prints a line for each: $(b,ok); \
+         $(b,note), with the command to type, if something is missing that only some commands \
+         need; or $(b,FAIL) if frobc does not work on this computer.";
       `P "The exit status is 1 if there is a $(b,FAIL), otherwise 0.";
     ]
   in
@@ -456,13 +456,13 @@ let main =
 (* Disables most of the major garbage collection. A compilation is short, and most data
    that survives the minor heap lives until the end, so marking finds little to free. Without
    marking, compiling a large program takes 10 % less time, at the cost of 0.6 GB for 100,000
-   lines. (Freeing the front end's trees after Flow would reduce that to 0.5 GB, but take more time
-   than it saves.)
+   lines. (Freeing the front end's trees after Flow would reduce that to 0.5 GB, but would take more
+   time than it saves.)
 
-   - [space_overhead]: the amount of marking is proportional to the fraction of the heap that is
-     new, so it would still happen in a small heap.
-   - Heap increment: therefore the heap grows by 32 MB at a time, of which only the used part
-     occupies real memory.
+   - [space_overhead]: prevents marking, except in a small heap, because the amount of marking is
+     proportional to the fraction of the heap that is new.
+   - Heap increment: the heap grows by 32 MB at a time, so it is never small. Only the part that is
+     used occupies real memory.
    - Allocation policy: best fit (2, the default) is not worth it if hardly anything is freed; next
      fit (0) is faster.
    - [max_overhead]: disables compaction.

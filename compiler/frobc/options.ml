@@ -125,7 +125,7 @@ let probed =
   let make general names = { general with Common_options.probes = List.concat names } in
   Term.(const make $ general $ names)
 
-(* Adds the option [--asserts], with its default and its description for a command. *)
+(* Adds the option [--asserts], whose default and description differ between commands. *)
 let with_asserts ~default ~doc general =
   let all =
     [
@@ -208,7 +208,9 @@ let dialect =
           Error
             (`Msg
                (Printf.sprintf
-                  "`%s` does not have the form NAME=COLUMN; for example, in.speed=wheel_speed" text))
+                  "`%s` does not have the form NAME=COLUMN: write, for example, \
+                   in.speed=wheel_speed"
+                  text))
     in
     let print ppf (name, column) = Format.fprintf ppf "%s=%s" name column in
     let column = Arg.conv (parse, print) in

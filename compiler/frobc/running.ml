@@ -27,8 +27,8 @@ let trace =
   in
   let modes =
     let doc =
-      "Add a column $(b,mode.NAME) for each state machine of switches or tasks, with the name of \
-       its mode after the instant."
+      "For each state machine of switches or tasks, add a column $(b,mode.NAME) that contains its \
+       mode after each instant."
     in
     Arg.(value & flag & info [ "modes" ] ~doc)
   in
@@ -52,8 +52,8 @@ let trace =
       `P
         "Numbers are in base units (m, s, rad); a Bool is $(b,true) or $(b,false); other data is \
          written as in a program, such as $(b,At 0.5). The cell of an event is empty when the \
-         event does not occur. The output has the columns $(b,time) and $(b,out). If the input has \
-         $(b,out) columns too, like a recording of $(b,frobc run), they are ignored.";
+         event does not occur. The output has the columns $(b,time) and $(b,out). If the input also \
+         has $(b,out) columns, as in a recording made by $(b,frobc run), they are ignored.";
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
@@ -121,9 +121,9 @@ let for_robots =
 let world =
   some_string "world" ~docv:"WORLD.toml"
     ~doc:
-      "The world to drive in: a file in this folder or in the program's folder, or the name of a \
-       world that comes with frobc. The default is $(b,world.toml) in the program's folder, or the \
-       room that comes with frobc if there is no such file."
+      "The world to drive in: a file in the current folder or in the program's folder, or the name \
+       of a world that comes with frobc. The default is $(b,world.toml) in the program's folder, or \
+       the room that comes with frobc if there is no such file."
 
 let record =
   some_string "record" ~docv:"LOG.csv"
@@ -165,10 +165,11 @@ let lifecycle =
 let way device ros2 lifecycle ros_arguments =
   let open Tools.Real_robot in
   match (device, ros2, ros_arguments) with
-  | _, false, _ when lifecycle -> Error "--lifecycle only works with --ros2: add it"
+  | _, false, _ when lifecycle ->
+      Error "--lifecycle only works with --ros2: add --ros2, or remove --lifecycle"
   | Some _, true, _ ->
       Error "a robot cannot be both on a serial line and in ROS 2: remove --device or --ros2"
-  | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add it"
+  | _, false, _ :: _ -> Error "--ros-args only works with --ros2: add --ros2, or remove --ros-args"
   | _, true, arguments -> Ok (Some (Ros2 { lifecycle; arguments }, "--ros2"))
   | Some device, false, [] -> Ok (Some (Device device, "--device"))
   | None, false, [] -> Ok None
@@ -219,8 +220,8 @@ let demo =
     [
       `S Manpage.s_description;
       `P
-        "Creates the folder $(b,frob-demo) with a program that follows walls, its tests and its \
-         world, and drives it for a minute in the simulator. If the folder exists, $(tname) uses \
+        "Creates the folder $(b,frob-demo) with a wall-following program, its tests and its world, \
+         and runs the program for a minute in the simulator. If the folder exists, $(tname) uses \
          its files, so that you can change them and run $(tname) again.";
     ]
   in

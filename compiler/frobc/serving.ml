@@ -8,7 +8,7 @@ let serve =
   in
   let world =
     some_string "world" ~docv:"WORLD.toml"
-      ~doc:"The world of the robot. The default is the room that comes with frobc."
+      ~doc:"The world in which the robot drives. The default is the room that comes with frobc."
   in
   let host =
     Host_option.(

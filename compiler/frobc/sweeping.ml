@@ -8,9 +8,9 @@ let plan =
 
 let shard =
   let doc =
-    "Perform only part K of N of the runs, as in $(b,3/100). A batch system can use this to \
-     distribute the runs over several machines. When all parts are done, create the table with \
-     $(b,--merge)."
+    "Divide the runs into N parts, and perform only part K, as in $(b,3/100). A batch system can \
+     use this to distribute the runs across several machines. When all parts are done, create the \
+     table with $(b,--merge)."
   in
   let parse text =
     match List.map int_of_string_opt (String.split_on_char '/' text) with

@@ -5,8 +5,8 @@ module Reporting = Build.Reporting
 let test =
   let paths =
     let doc =
-      "A $(b,.frob) file, which includes its test file $(b,NAME.test.frob) if there is one, or a \
-       folder, for all files with tests in it. The default is this folder."
+      "A $(b,.frob) file to test, together with its test file $(b,NAME.test.frob) if that exists, \
+       or a folder, to run all the tests in it. The default is the current folder."
     in
     Arg.(value & pos_all string [] & info [] ~docv:"FILE" ~doc)
   in

@@ -12,13 +12,13 @@ let look =
   let parts = [ ("print", `Print); ("control", `Control) ] in
   let doc =
     "Show the run live on a page with all signals, in real time; without $(b,--for), the run \
-     continues until you stop it. Prints the address of the page, and opens a browser if there is \
-     a desktop, unless you add $(b,--print). $(b,--view=control) lets viewers send events to a \
+     continues until you stop it. Prints the address of the page. If there is a desktop, also opens \
+     a browser, unless you add $(b,--print). $(b,--view=control) lets viewers send events to a \
      real robot; otherwise they can only stop it."
   in
   let make view print =
     match view with
-    | None when print -> Error "--print only works with --view: add it"
+    | None when print -> Error "--print only works with --view: add --view, or remove --print"
     | None -> Ok None
     | Some parts ->
         let browser = not (print || List.mem `Print parts) in
@@ -60,8 +60,8 @@ let only_build =
 
 let why_nan =
   let doc =
-    "Do not open the page. Print where NaN in the program's output comes from: the signal that is \
-     NaN although no signal that it depends on is NaN, and its line."
+    "Do not open the page. Print the origin of a NaN in the program's output: the name and line of \
+     the signal that is NaN although no signal that it depends on is NaN."
   in
   Arg.(value & flag & info [ "why-nan" ] ~doc)
 

@@ -56,7 +56,7 @@ def source_page(path, text):
 
 
 def folder_page(path, folder):
-    """A page that lists a folder."""
+    """A page that lists the contents of a folder."""
     names = sorted(e.name + ("/" if e.is_dir() else "") for e in folder.iterdir())
     return f"# {path}/\n\n" + "".join(f"- `{name}`\n" for name in names)
 

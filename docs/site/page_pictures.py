@@ -1,7 +1,7 @@
 """usage: page_pictures.py FROBC ROOT TO
 
 Takes screenshots of `frobc view` for the documentation: runs the wall follower and programs that
-use a camera, and saves what the page shows at some instants in TO/docs."""
+use a camera, captures the page at selected instants, and saves the images in TO/docs."""
 
 import base64
 import os
@@ -64,7 +64,7 @@ class Run:
         self.page.at(0)
 
     def go(self, instant):
-        """Moves to the instant with the page's keys, in steps of 50 and then 10 instants."""
+        """Presses the page's keys to reach the instant, in steps of 50 and then 10 instants."""
         self.page.press(Keys.HOME)
         self.page.at(0)
         for k in range(50, instant + 1, 50):

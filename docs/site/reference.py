@@ -88,7 +88,7 @@ def entry(module, comment, declaration, depth):
 
 
 def library(repository):
-    """The entries of all names, module by module."""
+    """The entries for all names, module by module."""
     out = [
         "# The library, name by name",
         "",
@@ -128,7 +128,7 @@ def help_of(frobc, *command):
 
 
 def commands(frobc):
-    """The help of frobc and of each command."""
+    """The help text of frobc and of each command."""
     whole = help_of(frobc)
     listed = whole[whole.index("\nCOMMANDS") : whole.index("\nCOMMON")]
     names = re.findall(r"^       ([a-z0-9]+) ", listed, flags=re.M)

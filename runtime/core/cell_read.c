@@ -103,7 +103,8 @@ static bool accept_word_in_any_case(struct reader *r, const char *word)
 }
 
 /* Accepts decimal numbers, nan, inf and infinity; strtod would also accept hexadecimal numbers.
- * Rejects decimal numbers that a double, or a float, would round to infinity. */
+ * Rejects decimal numbers that would be rounded to infinity as a double or, if `single`, as a
+ * float. */
 static bool read_real(struct reader *r, bool single, double *result)
 {
     static const char expected[] = "a number";
@@ -245,7 +246,7 @@ static bool read_arguments(struct reader *r, const struct frob_constructor *cons
     return true;
 }
 
-/* Sets every slot that some constructor of the value uses to zero. */
+/* Sets to zero every slot that any constructor of the value uses. */
 static void clear(struct reader *r, const struct frob_value *value)
 {
     char *at = bytes(r, value->offset);

@@ -134,7 +134,7 @@ static void add_image(struct frob_text *text, const struct frob_image *image, en
         return;
     }
     frame = frob_frame_name_of(image);
-    /* Not PRIu64: the newlib of Debian's arm-none-eabi-gcc defines no format for 64 bits. */
+    /* Not PRIu64, because the newlib of Debian's arm-none-eabi-gcc defines no 64-bit formats. */
     snprintf(name, sizeof name,
              place == ARGUMENT ? "(Image %" PRIu32 " %llu 0x%016llx)"
                                : "Image %" PRIu32 " %llu 0x%016llx",
@@ -193,7 +193,7 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value, con
     }
 }
 
-/* Adds up the space for the texts of all constructors, although only one of them is written. */
+/* Adds up the space that all constructors need, although only one of them is written. */
 size_t frob_cell_room(const struct frob_value *value)
 {
     size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* space for a number, parentheses and

@@ -95,8 +95,8 @@ static bool numbers(const char *text, double *const *places, size_t count)
     return *text == '\0';
 }
 
-/* Reads a comment of a kind that frob_frame_head writes, and ignores all others. Returns false if
- * it is malformed. */
+/* Reads a comment if it is of a kind that frob_frame_head writes; otherwise ignores it. Returns
+ * false if the comment is malformed. */
 static bool read_comment(const char *line, struct frob_image *image)
 {
     struct frob_camera *c = &image->camera;

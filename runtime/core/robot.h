@@ -1,5 +1,5 @@
-/* core/robot.h -- keeps a robot at rest whenever it is not known to be safe to move. Hosts drive
- * robots through this module, never through a driver.
+/* core/robot.h -- keeps a robot at rest unless moving is known to be safe. Hosts drive robots
+ * through this module, never through a driver.
  *
  *   frob_robot_start(&robot, …);
  *   for (;;) {
@@ -16,14 +16,14 @@
  *     numbers within the robot's limits. If a number is not finite, it sets all of them to zero.
  *   - After each connection, and after the robot was stopped for one of the reasons below, the
  *     first command is zero.
- *   - When the newest sensor reading is older than the patience, the robot is stopped, and the stop
+ *   - When the newest sensor reading is older than patience_ns, the robot is stopped, and the stop
  *     command is repeated ten times a second until readings and commands arrive again.
  *     frob_robot_halt has the same effect.
- *   - If the reading that the program used is older than the patience when the command arrives, the
- *     command is dropped and the robot stopped.
- *   - If the caller has not polled for longer than the patience (for example because its process
- *     was stopped), the line contains old readings. Readings that arrive within one more patience
- *     are ignored; the robot stays stopped until then.
+ *   - If the reading that the program used is older than patience_ns when the command arrives, the
+ *     command is dropped and the robot is stopped.
+ *   - If the caller has not polled for longer than patience_ns (for example because its process
+ *     was stopped), the line contains old readings. Readings that arrive within another patience_ns
+ *     are ignored, and the robot stays stopped during that time.
  *   - No function waits, allocates or makes a system call. */
 #ifndef FROB_CORE_ROBOT_H
 #define FROB_CORE_ROBOT_H
@@ -55,7 +55,7 @@ struct frob_robot {
     int64_t patience_ns;
     enum frob_robot_state state;
     enum frob_status status; /* status of the last call to the driver */
-    bool at_rest;            /* no command since it was connected or halted */
+    bool at_rest;            /* no command since the robot was connected or halted */
     bool rests_first;        /* whether to replace the next command with zero */
     int64_t stop_due_ns;     /* time at which to repeat the stop command while the robot is at
                               * rest */
@@ -102,9 +102,9 @@ bool frob_robot_stands(const struct frob_robot *robot);
 /* Stops the robot and ends its session. The caller must close the line. */
 void frob_robot_close(struct frob_robot *robot);
 
-/* If a drive in `output` is not finite, sets all drives to zero. Otherwise, clamps them to the
- * maximums of the driver's robot. Returns true if it changed any. No other function limits
- * drives. */
+/* If any of the driver's `drives` in `output` is not finite, sets all of them to zero. Otherwise,
+ * clamps each to the maximum that the driver reports for it. Returns true if it changed any. No
+ * other function limits them. */
 bool frob_robot_limit(const struct frob_driver *driver, const void *device, void *output);
 
 #ifdef __cplusplus

@@ -16,8 +16,8 @@ static bool has_columns_inside(const struct frob_value *value)
     if (value->kind != FROB_PRODUCT)
         return false;
     product = &value->constructors[0];
-    /* The parts of arrays, tuples and records are in separate columns. Values of other types with
-     * one constructor are in a single cell. */
+    /* The parts of arrays, tuples and records are in separate columns. A value of any other type is
+     * in a single cell, even if the type has only one constructor. */
     return product->name == NULL || product->is_record;
 }
 
@@ -53,7 +53,7 @@ void frob_trace_columns(const struct frob_value *value, const char *root,
     visit_columns(value, &path, visit, context);
 }
 
-/* Adds a name, in quotes if the label of an assertion requires them. */
+/* Adds a name. Quotes it if it contains a comma or a quote, as an assertion's label may. */
 static void add_name(void *context, const char *name, const struct frob_value *value)
 {
     struct frob_text *text = (struct frob_text *)context;
@@ -110,8 +110,8 @@ static void double_quotes(struct frob_text *text, size_t start)
     }
 }
 
-/* Cells do not contain line feeds, so a cell needs quotes only if it contains a comma, or a quote
- * in a label. */
+/* Cells do not contain line feeds, so a cell needs quotes only if it contains a comma, or a label
+ * that contains a quote. */
 static void add_cell(void *context, const char *name, const struct frob_value *value)
 {
     struct row *row = (struct row *)context;

@@ -1,9 +1,9 @@
 /* drivers/driver.h -- the interface between hosts and the driver of one kind of robot on a serial
  * line.
  *
- * A driver is a constant table. Its state for one robot is a struct that the caller owns,
- * `device_size` bytes, aligned for any type. No function allocates or recurses. No call waits,
- * unless the port has no room for the bytes to write (FROB_WRITE_PATIENCE_NS).
+ * A driver is a constant table. Its state for one robot is a struct of `device_size` bytes that the
+ * caller owns and aligns for any type. No function allocates or recurses. No call waits, unless the
+ * port has no room for the bytes to write (FROB_WRITE_PATIENCE_NS).
  *
  *   driver->start(device, settings, &serial, &clock);
  *   for (;;) {
@@ -17,8 +17,8 @@
  *   driver->stop(device); driver->close(device);
  *
  * A driver does not decide when the robot must stop. core/robot.h does; hosts use it and do not
- * call drivers themselves. The wire format of a driver is a separate module that converts bytes to
- * structs and back, independent of this interface. */
+ * call drivers themselves. The wire format of a driver is in a separate module, which converts
+ * bytes to structs and back and does not depend on this interface. */
 #ifndef FROB_DRIVERS_DRIVER_H
 #define FROB_DRIVERS_DRIVER_H
 
@@ -53,19 +53,19 @@ struct frob_driver {
 
     /* Offsets, in the output struct, of the doubles that move the robot. They are listed here so
      * that one function can limit them all. A driver that lists none limits its commands itself,
-     * and makes the first command after each start and stop zero. */
+     * and replaces the first command after each start and each stop with zero. */
     const size_t *drives;
     size_t drive_count;
 
-    /* Returns the maximum magnitude of drive number `i`, for the connected robot, or for the
-     * weakest model if none is connected. */
+    /* Returns the maximum magnitude of the double at `drives[i]` for the connected robot or, if
+     * none is connected, for the slowest model. */
     double (*most)(const void *device, size_t i);
 
     /* Starts to connect to the robot on a newly opened line. `settings` points to `setting_count`
      * values, in the order of the table. The settings, the line and the clock must stay valid until
-     * the next start. The device's memory is all zero before the first start. After the line has
-     * been lost, the memory is unchanged, so odometry continues from the last pose. The robot's
-     * motors are at rest until the first command. */
+     * the next start. The caller zeroes the device's memory before the first start, and leaves it
+     * unchanged after the line has been lost, so that odometry continues from the last pose. The
+     * robot's motors are at rest until the first command. */
     void (*start)(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock);
 
@@ -100,9 +100,9 @@ struct frob_driver {
     /* Returns a description of the robot for people, such as "Pioneer p3dx, AMRISim". */
     const char *(*describe)(const void *device);
 
-    /* Returns whether the robot was at rest in the newest complete sensor reading. NULL if its
-     * sensors do not show this; in that case, hosts wait for the maximum time that stopping may
-     * take. */
+    /* Returns whether the robot was at rest according to the newest complete sensor reading. NULL
+     * if its sensors do not show this; in that case, hosts wait for the maximum time that stopping
+     * may take. */
     bool (*stands)(const void *device);
 };
 

@@ -6,10 +6,10 @@
  * previous ones (a first-order sigma-delta modulator), and the mean of the sent numbers is the
  * wanted speed.
  *
- * A number is always one of the two whole numbers next to the wanted one. The accumulated error is
- * dropped if the wanted number is zero or is clamped to the limit, and after a pause; a driver
- * resets it (all zero) when the driver stops the robot or connects. So the accumulated error never
- * moves a robot that should be at rest.
+ * The number sent is always one of the two whole numbers next to the wanted one. The accumulated
+ * error is dropped if the wanted number is zero or is clamped to the limit, and after a pause; a
+ * driver also drops it (all zero) when it stops the robot or connects. So the accumulated error
+ * never moves a robot that should be at rest.
  *
  * Drivers and the simulator both use this header, so that a program drives the same path on a robot
  * and in the simulator. It has no casts, because C++ compiles it too. */
@@ -52,7 +52,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
     }
     if (passed_s <= FROB_STEPS_PAUSE_S)
         next.owed = before->owed + before->missing * passed_s;
-    /* Compensates for the error over a period as long as the last command lasted. */
+    /* Compensates for the error over a period as long as that of the last command. */
     if (next.owed != 0.0 && passed_s > 0.0)
         share = next.owed / passed_s;
     next.sent = fmin(fmax(round(wanted + share), floor(wanted)), ceil(wanted));
@@ -64,7 +64,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
 struct frob_wire {
     bool wheels;         /* true: speeds of the left and right wheel; false: forward speed and turn
                           * rate */
-    double step[2];      /* unit of each number: m/s, or rad/s of turning */
+    double step[2];      /* unit of each number: m/s, or rad/s for a turn rate */
     double most[2];      /* maximum of each number, in the same unit */
     double separation_m; /* distance between the wheels */
 };

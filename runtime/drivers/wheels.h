@@ -1,8 +1,8 @@
 /* drivers/wheels.h -- wheel speeds of a robot with a wheel on each side.
  *
- * The wheels are `separation_m` apart. The midpoint between them moves at the speed in a program's
- * output: v forward, and omega counter-clockwise. The left wheel then has the speed v - omega *
- * separation / 2, the right wheel v + omega * separation / 2. */
+ * The wheels are `separation_m` apart. A program's output commands the forward speed v of the
+ * midpoint between them, and the turn rate omega, counter-clockwise. The left wheel then has
+ * the speed v - omega * separation / 2, the right wheel v + omega * separation / 2. */
 #ifndef FROB_DRIVERS_WHEELS_H
 #define FROB_DRIVERS_WHEELS_H
 
@@ -33,8 +33,9 @@ static inline struct frob_wheels frob_wheels_of(double forward_m_s, double turn_
     return wheels;
 }
 
-/* Computes `most` of a driver's table for wheels of at most `most_m_s`: forward without turning (i
- * = 0, m/s), and turning on the spot (i = 1, rad/s). */
+/* Implements `most` in a driver's table, for wheels with a maximum speed of `most_m_s`. Returns the
+ * maximum forward speed without turning, in m/s, if i is 0, and the maximum turn rate on the spot,
+ * in rad/s, if i is 1. */
 static inline double frob_wheels_most(size_t i, double separation_m, double most_m_s)
 {
     return i == 0 ? most_m_s : 2.0 * most_m_s / separation_m;

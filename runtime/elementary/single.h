@@ -92,8 +92,8 @@ static inline float single_of(bool negative, struct scaled s)
     return single_of_bits(sign | (uint32_t)kept);
 }
 
-/* The square root of n, which is at least 2^62, with an error below one unit. It is computed by
- * sqrtf, which is accurate to 23 bits, and one step of Newton's method. */
+/* The square root of n, which is at least 2^62, with an error below one unit. It is computed with
+ * sqrtf, which is accurate to 23 bits, followed by one step of Newton's method. */
 uint32_t frob_root_of_integer(uint64_t n);
 
 /* A logarithm to base 2: an integer, and a fraction of 62 bits. */

@@ -15,8 +15,8 @@ enum frob_status {
     FROB_TIMEOUT,         /* the other side did not accept or send bytes in time */
     FROB_LOST,            /* the line is gone: hang-up, cable pulled, closed by the peer */
     FROB_NOT_FOUND,       /* no such device */
-    FROB_DENIED,          /* no permission to open it */
-    FROB_IN_USE,          /* another program has it open */
+    FROB_DENIED,          /* no permission to open the device */
+    FROB_IN_USE,          /* another program has the device open */
     FROB_UNSUPPORTED,     /* the port cannot do this; for example, it does not support this
                            * rate */
     /* The robot answered, but the driver cannot drive it, or the robot has left the mode in

@@ -1,4 +1,4 @@
-"""The wheel's `frobc` command. It does not import the package frob, so that it starts fast."""
+"""The wheel's `frobc` command. To start quickly, it does not import the package frob."""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""usage: repair.py auditwheel's arguments
+"""usage: repair.py AUDITWHEEL_ARGUMENTS...
 
 Runs auditwheel, but assumes that users' computers have only the libraries of glibc and gcc. The
 standard policies also assume some desktop libraries, which small systems do not have.

@@ -147,7 +147,7 @@ static bool starts_with(const char *text, const char *start_)
     return strncmp(text, start_, strlen(start_)) == 0;
 }
 
-/* Returns whether an option has no effect on libtcc. */
+/* Returns whether frob-tcc ignores an option. */
 static bool is_ignored(const char *option)
 {
     static const char *const beginnings[] = { "-O", "-std=", "-f", "-W", "-g" };

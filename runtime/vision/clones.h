@@ -7,8 +7,7 @@
 #ifndef FROB_VISION_CLONES_H
 #define FROB_VISION_CLONES_H
 
-/* Marks pointers to arrays that do not overlap: `restrict`, which C++ compilers spell
- * differently. */
+/* `restrict`, for pointers to arrays that do not overlap. C++ compilers spell it differently. */
 #ifdef __cplusplus
 #define FROB_APART __restrict
 #else

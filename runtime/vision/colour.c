@@ -84,8 +84,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
         return colours;
     side_of(range->hueFrom, colours.from);
     side_of(range->hueTo, colours.to);
-    /* If both ends were the same half-line, the opposite hue would also match, so this moves the
-     * end by one step. */
+    /* If the range started and ended at the same half-line, the opposite hue would also match, so
+     * this moves the end of the range by one step. */
     if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
         side_of(range->hueTo + turn / (6 * STEPS), colours.to);
     for (int32_t i = 0; i < 3; i++)

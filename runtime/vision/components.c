@@ -1,9 +1,9 @@
 /* components.c -- finds the largest connected sets of pixels in a colour range.
  *
- * It processes the image row by row: a run of such pixels belongs to the component of each run
- * above that it touches; these components are merged. Only the row above is kept. A component
- * without a run in the current row is complete: it is kept if it is among the eight largest so far,
- * and discarded otherwise. */
+ * It processes the image row by row. If a run of such pixels touches runs in the row above, it
+ * joins their component; if they have several components, these are merged. Only the row above is
+ * kept. A component without a run in the current row is complete: it is kept if it is among the
+ * eight largest so far, and discarded otherwise. */
 #include "colour.h"
 #include "moments.h"
 
@@ -74,8 +74,9 @@ static int32_t begin(struct components *all)
     return component;
 }
 
-/* Returns the component of a run, and merges into it the components of the runs above that it
- * touches, from *first on. Sets *first to the last run above that may also touch the next run. */
+/* Returns the component of a run, after merging the components of all runs above that it touches.
+ * Starts at run *first of the row above, and sets *first to the first run that may also touch the
+ * next run. */
 static int32_t component_of(struct components *all, const struct row *above, int32_t *first,
                             int32_t start, int32_t end)
 {

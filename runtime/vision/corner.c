@@ -69,10 +69,10 @@ static void scores_of(const struct sums *sums, int32_t left, int32_t right, doub
     }
 }
 
-/* Refines a corner after Foerstner and Guelch: takes the line through each pixel along its edge,
- * and finds the position closest to all these lines, by least squares of the distances weighted by
- * the gradients. Uses the pixels around (x, y), whose neighbours must all be in the image. Returns
- * false if the result is not near (x, y). */
+/* Refines a corner by the method of Foerstner and Guelch: each pixel defines a line along its edge,
+ * and the result is the position closest to all these lines, by least squares of the distances,
+ * weighted by the gradients. Uses the pixels around (x, y), whose neighbours must all be in the
+ * image. Returns false if the result is not near (x, y). */
 static bool refine(const struct frob_image *image, int32_t x, int32_t y, struct frob_corner *corner)
 {
     double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;

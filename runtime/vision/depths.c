@@ -6,7 +6,7 @@
 
 enum { WIDTH = 640, DISPARITIES = 64, WINDOW = 21, COLUMNS = 16, STEPS = 16 * DISPARITIES };
 
-/* The number of pixels with each disparity, in units of 1/16 pixel. */
+/* The number of pixels for each disparity. A disparity is in units of 1/16 pixel. */
 struct counts {
     int32_t of[STEPS];
     int32_t known, all;

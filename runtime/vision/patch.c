@@ -24,9 +24,9 @@ static int32_t column_of(double x, int32_t most)
     return !(x > 0) ? 0 : x >= most ? most : (int32_t)x;
 }
 
-/* Computes the first column (or row) of the part to copy, and the number of columns (or rows),
- * which must fit in the buffer. If the whole part does not fit, chooses its middle, where the
- * search for the patch starts. */
+/* Computes the first column (or row) of the part to copy, and the number of its columns (or rows)
+ * that fit in the buffer. If the whole part does not fit, chooses its middle, where the search for
+ * the patch starts. */
 static void take_part(double place, double around, int32_t size, int32_t *from, int32_t *count)
 {
     const double most = ROOM_SIDE / 2 - 1, reach = around < most ? around : most;

@@ -15,9 +15,9 @@
 
 enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
-/* A patch at one resolution level, and the data that is computed from it only once. */
+/* A patch at one resolution level with its precomputed data. */
 struct model {
-    int32_t side, cell; /* values per side; each is the mean of cell by cell samples */
+    int32_t side, cell; /* values per side; each is the mean of cell x cell samples */
     int32_t freedom;
     double values[FROB_PATCH_SIZE]; /* minus their mean */
     double power;                   /* the sum of their squares */
@@ -27,8 +27,8 @@ struct model {
     double factors[FREEDOMS][FREEDOMS];
 };
 
-/* Computes the means of cell by cell samples, minus the mean of all samples. Returns the sum of
- * their squares. */
+/* Computes the mean of each block of cell x cell samples, minus the mean of all samples. Returns
+ * the sum of the squares of these values. */
 static double reduce(const double samples[FROB_PATCH_SIZE], int32_t cell, double *values)
 {
     const int32_t side = SIDE / cell;
@@ -97,7 +97,7 @@ static void find_steps(struct model *t)
 }
 
 /* Performs the Cholesky factorization. If a direction is nearly a linear combination of the earlier
- * ones, sets its factor to 0. */
+ * ones, sets its diagonal element to 0. */
 static void factorize(struct model *t)
 {
     for (int32_t k = 0; k < t->freedom; k++)

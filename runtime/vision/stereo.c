@@ -96,7 +96,7 @@ static void take_differences(const uint8_t *FROB_APART left, const uint8_t *FROB
     }
 }
 
-/* Adds a row of both images to the columns' sums, or subtracts it. */
+/* Adds a row of both images to the column sums or, if `take` is true, subtracts it. */
 static void add_row(struct frob_stereo_rows *rows, int32_t y, bool take)
 {
     enum { WIDE = FROB_IMAGE_SIDE + 32 };
@@ -145,8 +145,8 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
     const uint16_t *part = columns;
     int32_t done = 0;
 
-    /* `part` contains sums of `size` neighbours; `sums` contains the first `done`
-     * neighbours of each window. */
+    /* `part` contains sums of `size` neighbours; `sums` contains, for each window, the sum of its
+     * first `done` values. */
     for (int32_t size = 1; size <= window; size *= 2) {
         if ((window & size) != 0) {
             if (done == 0)

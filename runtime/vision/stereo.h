@@ -13,10 +13,10 @@
 struct frob_stereo_rows {
     const struct frob_image *left, *right;
     struct frob_view view;
-    int32_t width, disparities, around; /* a window's side is 2 around + 1 */
-    int32_t wide;                       /* columns covered by windows: width + 2 around */
+    int32_t width, disparities, around; /* a window has 2 * around + 1 pixels per side */
+    int32_t wide;                       /* columns covered by windows: width + 2 * around */
     uint16_t *columns;                  /* disparities x wide: sums over a window's height */
-    uint16_t *squares; /* disparities x wide: sums over windows; uses `width` of each row */
+    uint16_t *squares; /* disparities x wide: sums over windows, `width` in each row */
     int32_t texture[FROB_IMAGE_SIDE + 32]; /* sums of the left image's gradients */
 };
 
@@ -25,7 +25,8 @@ struct frob_stereo_rows {
     (((size_t)(width) + (window)) * 2 * (size_t)(disparities))
 
 /* Divides the buffer into the arrays, and adds up the rows above the first one. Returns false if
- * there is nothing to match because of the formats, the sizes or an empty view. */
+ * the images cannot be matched: a format is unsuitable, the sizes differ, the view is empty, or the
+ * buffer is too small. */
 bool frob_stereo_begin(struct frob_stereo_rows *rows, const struct frob_image *left,
                        const struct frob_image *right, const struct frob_stereo *how,
                        uint16_t *room, size_t room_size);

@@ -66,8 +66,8 @@ static void straighten(struct pose *p)
  * coordinates. Returns false if there is none. */
 static bool first_guess(const double x[4], const double y[4], struct pose *p)
 {
-    /* Heckbert's homography from the unit square, with its corners in the order 3, 2, 1, 0 from the
-     * upper left one. */
+    /* Heckbert's homography from the unit square, with its corners in the order 3, 2, 1, 0,
+     * starting at the upper left. */
     const double dx1 = x[2] - x[1], dx2 = x[0] - x[1], dx3 = x[3] - x[2] + x[1] - x[0];
     const double dy1 = y[2] - y[1], dy2 = y[0] - y[1], dy3 = y[3] - y[2] + y[1] - y[0];
     const double determinant = dx1 * dy2 - dx2 * dy1;

@@ -11,8 +11,8 @@
 
 enum { COLUMNS = 160, ROWS = 120, REACH = 6, SIDE = FROB_PATCH_SIDE };
 
-/* A region, reduced to cells with their mean brightness. A cell's sides have approximately `size`
- * pixels. */
+/* A region reduced to cells, each with its mean brightness. The sides of a cell are approximately
+ * `size` pixels long. */
 struct cells {
     double left, top, size;
     int32_t columns, rows;
@@ -108,8 +108,8 @@ static int32_t parts_of(const double *patch, const struct frob_placement *like, 
     return count;
 }
 
-/* Sums for each cell of a row, with the template centred on that cell: of the brightness, of its
- * squares, and of its products with the template. */
+/* For each cell of a row, with the template centred on that cell: the sums of the brightness, of
+ * its square, and of its product with the template. */
 struct row_sums {
     int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
 };

@@ -52,7 +52,7 @@ void Camera::shift(double aside) {
 }
 
 // The lens shows the point (a, b) at the distorted position (a', b'), with a' = a (1 + k1 r^2 + k2
-// r^4) and b' = b (1 + k1 r^2 + k2 r^4). This solves for (a, b) by fixed-point iteration, as OpenCV
+// r^4) and b' = b (1 + k1 r^2 + k2 r^4). Solves for (a, b) by fixed-point iteration, as OpenCV
 // does.
 void Camera::make_lens_map() {
     if (settings_.k1 == 0.0 && settings_.k2 == 0.0) return;
@@ -153,8 +153,8 @@ Pinhole Camera::eye_of(const Pose &robot) const {
     return eye;
 }
 
-// The state of the world when a row of the raster was exposed. The rows in the margins of a
-// distorting lens are exposed with the nearest row of the picture.
+// The state of the world when a row of the raster was exposed. If the lens distorts, the raster has
+// margins, whose rows are exposed together with the nearest row of the picture.
 Moment Camera::moment_of(int y) const {
     const int row = std::clamp(y - margin_y_, 0, settings_.height - 1);
     const std::int64_t time_ns =

@@ -19,7 +19,7 @@ namespace frob::sim {
 class Camera {
   public:
     // The camera of robot number `robot`. Cameras share the scenery, which must outlive them.
-    // Cameras with the same seed `trigger` take their frames at the same times.
+    // Cameras with the same `trigger` seed take their frames at the same times.
     Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
            std::size_t robot, std::uint64_t seed, std::uint64_t trigger);
 

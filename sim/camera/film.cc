@@ -15,8 +15,8 @@ constexpr double longest = 3e3;
 constexpr double strongest = 1e6; // maximum noise, at which pixels are already black or white with
                                   // equal probability
 
-// Nearly normally distributed random numbers from 0 to 252, in an array that is so long that
-// reusing it is not noticeable. Each is the sum of four 6-bit numbers. The noise in a row of a
+// Nearly normally distributed random numbers from 0 to 252. The array is so long that its reuse is
+// not noticeable. Each number is the sum of four 6-bit numbers. The noise in a row of a
 // picture is the sum of two sections of this array that begin at random positions. It has a mean of
 // 252 and a standard deviation of 52.249, and extends to nearly five standard deviations.
 class Grains {

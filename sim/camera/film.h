@@ -27,8 +27,8 @@ class Film {
   private:
     void develop(int y);
 
-    const int height_, radius_;     // radius of the square over which blur spreads the light, not
-                                    // counting its centre
+    const int height_, radius_;     // number of pixels by which blur spreads the light in each
+                                    // direction
     const std::size_t row_, parts_; // number of values in a row of light, and in a row of pixels
     const float noise_;
     const std::uint64_t seed_;

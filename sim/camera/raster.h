@@ -64,7 +64,7 @@ class Raster {
     const Pinhole &eye() const { return eye_; }
 
     // Sets the light of the scene: `even` scales the light that light_on computes, and lamps add to
-    // it. The lamps must outlive the drawing. The default is 1 and no lamps.
+    // it. The lamps must outlive the drawing. By default, `even` is 1 and there are no lamps.
     void light(double even, const std::vector<Shine> &lamps) { even_ = even, lamps_ = &lamps; }
 
     // Sets the owner of the surfaces that are drawn from now on.
@@ -130,8 +130,8 @@ class Raster {
         Thing thing;
     };
 
-    // Projects the part of a polygon in front of the camera to pixels, into outline_; outline_ is
-    // empty if there is no such part.
+    // Projects the part of a polygon that is in front of the camera, and stores its outline, in
+    // pixels, in outline_, which is empty if there is no such part.
     void find_outline(const std::vector<Point> &corners);
     void add(const std::vector<Point> &corners, const Chart &chart, const Finish &finish,
              bool lies_below, Surface surface);

@@ -187,7 +187,7 @@ void Scenery::draw_moving(Raster &raster, const Moment &moment, std::size_t robo
 }
 
 void Scenery::draw_poster(Raster &raster, const Poster &poster) const {
-    // A viewer faces the picture, so the viewer's right is on the left of the direction that the
+    // A viewer faces the picture, so the viewer's right is to the left of the direction that the
     // picture faces.
     const Point &eye = raster.eye().origin;
     const Vec facing = exact_direction(poster.pose.heading), side = {-facing.y, facing.x};

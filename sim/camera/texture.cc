@@ -147,7 +147,7 @@ FROB_WIDE void mix_cells(const std::int32_t *cells, const float *right, const fl
 Patterns::Patterns(int longest)
     : cells_(static_cast<std::size_t>(longest)), right_(cells_.size()), high_(cells_.size()) {}
 
-// Splits the run where the number of pixels per metre passes a level's limit. Each part uses the
+// Splits the run where the number of pixels per metre crosses a level's limit. Each part uses the
 // first level whose cells are no smaller than a pixel, or the last level.
 void Patterns::plaster(const Run &run, float *to) {
     for (int from = 0, end; from < run.count; from = end) {

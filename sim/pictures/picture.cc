@@ -38,7 +38,8 @@ void add_echoes(const Simulation &simulation, std::size_t transducer, Series &se
             series.points.push_back({seconds(echo.time_ns), echo.distance});
 }
 
-// Sets the range of the plot: it contains `low` to `high` and the whole last series, plus a margin.
+// Sets the range of the plot so that it covers `low` to `high` and the whole last series, plus a
+// margin.
 // The other series are clipped if they exceed it, so that a single outlier among the echoes or
 // commands does not flatten the rest.
 void fit(Plot &plot, double low, double high) {

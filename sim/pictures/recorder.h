@@ -1,4 +1,4 @@
-// Records the robot's data at each instant of the controller, for the picture.
+// Records the robot's data whenever the controller runs, for the picture.
 #pragma once
 
 #include <cstdint>

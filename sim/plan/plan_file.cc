@@ -74,7 +74,7 @@ class PlanReader {
         const toml::array *list = node->as_array();
         if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() ||
             !list->get(1)->is_integer()) {
-            mistake(*node, "`seeds` takes the first and the last seed, as in [1, 20]");
+            mistake(*node, "`seeds` must be the first and the last seed, as in [1, 20]");
             return;
         }
         const auto first = *list->get(0)->value<std::int64_t>();
@@ -107,13 +107,13 @@ class PlanReader {
         const toml::array *list = node->as_array();
         if (list == nullptr || list->empty()) {
             mistake(*node,
-                    "`" + std::string(key) + "` takes a list of strings, such as [\"a\", \"b\"]");
+                    "`" + std::string(key) + "` must be a list of strings, such as [\"a\", \"b\"]");
             return;
         }
         for (const toml::node &item : *list) {
             const std::optional<std::string> value = item.value<std::string>();
             if (!item.is_string() || !value)
-                mistake(item, "`" + std::string(key) + "` takes a list of strings");
+                mistake(item, "`" + std::string(key) + "` must be a list of strings");
             else if (is_plain(item, *value))
                 line({one, place(item), *value});
         }
@@ -133,12 +133,11 @@ class PlanReader {
                                    "\"` needs the number of points: add the key `points`");
         else if (!is_sampled_ && reader_.any("points") != nullptr)
             reader_.mistake_at("points",
-                               "`points` is only for `sampling = \"random\"` or `\"latin\"`; "
-                               "a grid uses the steps of its ranges");
+                               "`points` is only for `sampling = \"random\"` or `\"latin\"`: " "for a grid, remove it and write the number of steps in each range");
         line({"sampling", how, std::to_string(points), std::to_string(seed)});
     }
 
-    // Reads a value that `--param` takes: a number, boolean or string.
+    // Reads a value that `--param` accepts: a number, boolean or string.
     std::optional<std::string> setting(const toml::node &node) {
         if (const auto *value = node.as_string())
             return is_plain(node, value->get()) ? std::optional(value->get()) : std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace frob::sim {
 
-// Converts the plan to text: one line for each item, with tabs between its cells. An item in which
-// only the compiler can find mistakes has its place in the file as the second cell:
+// Converts the plan to text: one line for each item, with tabs between its cells. If only the
+// compiler can check an item, its second cell is the item's place in the file:
 //     program PLACE FILE
 //     trial PLACE LABEL
 //     seeds FIRST LAST            lasts SECONDS            rate HZ

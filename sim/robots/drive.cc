@@ -9,7 +9,7 @@ namespace frob::sim {
 namespace {
 
 constexpr double tyre_grip = 60.0;   // N, the largest sideways force before the wheels skid
-constexpr double slip_lasts_s = 0.1; // time after which each wheel's slip is drawn again
+constexpr double slip_lasts_s = 0.1; // time after which each wheel gets a new random slip
 constexpr double stall_after_s = 0.2;
 constexpr double standing = 0.02; // m/s; a slower wheel counts as stationary
 

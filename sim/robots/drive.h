@@ -17,8 +17,8 @@ class DifferentialDrive {
     DifferentialDrive(const Chassis &chassis, const DriveSettings &settings, Noise noise);
 
     // Sets the speed for the following steps: forward in m/s, turn counter-clockwise in rad/s. The
-    // drive limits both. It also rounds them as the robot's driver does, unless a firmware has
-    // already done so. If either of them is not finite, the robot stops.
+    // drive limits both. It also rounds them as the robot's driver does, unless simulated firmware
+    // has already done so. If either of them is not finite, the robot stops.
     void command(std::int64_t time_ns, double forward, double turn);
 
     // Applies the wheels' forces to the body for the next physics step.
@@ -51,8 +51,8 @@ class DifferentialDrive {
     DriveLimits limits_;
     double slip_;
     Noise noise_;
-    bool behind_wire_; // whether commands come from a firmware, which has already rounded them to
-                       // whole steps
+    bool behind_wire_; // whether commands come from simulated firmware, which has already rounded
+                       // them to whole steps
     frob_wire_numbers numbers_{};
     double forward_ = 0.0, turn_ = 0.0;
     Wheel left_, right_;

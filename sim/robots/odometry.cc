@@ -17,7 +17,7 @@ double Odometry::counted(double &way, double speed) const {
 
 // Let d be the distance travelled and a the angle turned in a step:
 //   d = h (v_right + v_left) / 2,   a = h (v_right - v_left) / b.
-// Both have a relative error, and a also has an error that grows with d:
+// Both have a relative error. The angle a has a further error, which grows with d:
 //   a += veer d + noise sqrt(|d|).
 // The position moves along the heading at the middle of the step.
 void Odometry::advance(double left_speed, double right_speed) {

@@ -39,7 +39,7 @@ class OwnRobot : public Robot {
     Photocells photocells_;
 };
 
-// Returns the kind of robot that has this body. The body must outlive all robots of this kind.
+// Makes a kind of robot with this body. The body must outlive all robots of this kind.
 RobotKind own_robot_kind(const OwnBody &body);
 
 } // namespace frob::sim

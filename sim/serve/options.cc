@@ -25,7 +25,7 @@ const char usage[] =
     "  --unpaced          transmit bytes without delay\n"
     "  --log FILE         log each command to this file, with its time on the monotonic clock\n"
     "  --link PATH        maintain a symbolic link to the device\n"
-    "  --target METRES    the wall distance that the robot should keep\n"
+    "  --target METRES    the distance that the robot should keep from the wall\n"
     "  --node FILE        for the robot `ros`: executable of its node, instead of a serial line\n"
     "  --stamped          for the robot `ros`: cmd_vel has the type TwistStamped\n"
     "  --ros-args ARG...  pass all the following arguments to ROS 2\n"

@@ -15,7 +15,8 @@ void print_summary(const frob_sim *sim) {
     if (s.measured) {
         std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
         if (std::isnan(s.mean_error_m)) {
-            std::printf("wall distance error: not measured, the run ended while settling\n");
+            std::printf("wall distance error: not measured, because the run ended before "
+                        "the robot had settled\n");
         } else {
             std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
             std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
@@ -23,7 +24,8 @@ void print_summary(const frob_sim *sim) {
     }
     if (s.tape_measured) {
         if (std::isnan(s.mean_tape_m)) {
-            std::printf("distance from the tape: not measured, the run ended while settling\n");
+            std::printf("distance from the tape: not measured, because the run ended before "
+                        "the robot had settled\n");
         } else {
             std::printf("mean distance from the tape: %.4f m\n", s.mean_tape_m);
             std::printf("largest distance from the tape: %.4f m\n", s.largest_tape_m);

@@ -3,4 +3,4 @@
 open Basis
 
 val into : Diagnostic.sink -> Core.Fact.t Facts.t
-(** Translates each fact to a diagnostic and emits it to the sink. *)
+(** Translates each fact into a diagnostic and emits it to the sink. *)

@@ -76,7 +76,7 @@ let cycle cycle (cause : Fact.cause) =
       Diagnostic.hint
         "for a loop over 0, 1, … up to `n`, write `foldl (\\s k -> if k <= n then s + k else s) 0 \
          (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, \
-         0 is the first result, and 100 must be greater than `n`"
+         0 is the initial result, and the array size, here 100, must be greater than `n`"
         diagnostic
   | Itself ->
       Diagnostic.hint

@@ -11,7 +11,7 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "make the wait at least 1 ns long, for example with `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "make the wait at least 1 ns long, for example with `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where \
+      "to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where \
        `restingOutput` is the output of a robot at rest"
   | _, Statement _ ->
       "use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at \
@@ -30,7 +30,7 @@ let circle hops =
   in
   Enumeration.circle (List.concat_map names hops)
 
-(* A note that says in which instants the modes follow each other immediately. *)
+(* A note that says when no time passes between the modes. *)
 let note modes =
   let at_which what = Printf.sprintf "no time passes between these steps when %s" what in
   match List.sort_uniq compare modes with
@@ -46,7 +46,8 @@ type cycle = { entry : Span.t; program : Ir.program }
 let mode_node cycle mode = cycle.program.nodes.(mode)
 let is_own cycle = Own_code.is_own ~entry:cycle.entry
 
-(* Whether a place is in the prelude. Messages show where the program uses the prelude instead. *)
+(* Whether a place is in the prelude. Instead of such a place, messages show where the program uses
+   the prelude. *)
 let in_prelude cycle (at : Span.t) =
   String.equal (Filename.basename at.file) "Prelude.frob" && not (is_own cycle at)
 
@@ -140,7 +141,8 @@ let diagnostic ~at ~entry program steps ~limit =
   let by : Ir.follower = match steps with step :: _ -> step.by.by | [] -> Continuation "" in
   let event step = if by_prelude cycle step then None else Option.map fst step.source in
   let far limit =
-    Diagnostic.note "frobc found no end within %d steps, the maximum for one instant" limit
+    Diagnostic.note
+      "frobc stopped after %d steps, the maximum for one instant, without finding an end" limit
   in
   List.fold_left label d (List.fold_left (add_step cycle name) [] steps)
   |> Diagnostic.note "%s"

@@ -28,5 +28,5 @@ let diagnostic ~entry (measure : Fact.measure) ~amount ~limit largest =
        "each use of a signal function has its own copy of the state, including the state of all \
         signal functions inside it"
   |> Diagnostic.hint
-       "name the output of a signal function in an equation, so that you can use it twice and run \
-        the signal function only once"
+       "to run a signal function only once, name its output in an equation, and use that name \
+        wherever you need the output"

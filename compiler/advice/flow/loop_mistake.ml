@@ -12,9 +12,9 @@ let through = function
       in
       ", through " ^ String.concat " and " (List.map name via)
 
-(* The outputs in other files that pass an input through. If the loop is closed in the library, for
-   example by [loop], around a signal function of the program, such an output is the only place that
-   the user can change. *)
+(* The outputs in other files that depend on an input in the same instant. If the library closes the
+   loop around a signal function of the program, as [loop] does, such an output is the only place
+   that the user can change. *)
 let elsewhere (hop : Fact.hop) =
   List.filter_map
     (fun (passage : Fact.passage) ->
@@ -161,7 +161,7 @@ let rotate_to first hops =
   in
   go [] hops
 
-(* Shows the loop starting at its first place in the source. *)
+(* Shows the loop, starting with the place that comes first in the source. *)
 let unnamed hops =
   let earlier (a : Fact.hop) (b : Fact.hop) = if Span.compare b.at a.at < 0 then b else a in
   let first = List.fold_left earlier (List.hd hops) hops in
@@ -170,7 +170,7 @@ let unnamed hops =
   in
   let label d (hop : Fact.hop) =
     if Span.compare hop.at first.at = 0 then d
-    else Diagnostic.label ~at:hop.at "the loop goes through here%s" (through hop.via) d
+    else Diagnostic.label ~at:hop.at "the loop continues here%s" (through hop.via) d
   in
   List.fold_left label d (fst (shorten (rotate_to first hops)))
   |> Diagnostic.here "the value comes back here%s" (through first.via)

@@ -3,5 +3,5 @@
 open Basis
 
 val into : ?sources:Source.t -> Diagnostic.sink -> Flow.Fact.t Facts.t
-(** Translates each fact to a diagnostic and emits it to the sink. Hints and fixes quote the
+(** Translates each fact into a diagnostic and emits it to the sink. Hints and fixes quote the
     sources. *)

@@ -30,7 +30,7 @@ type absent = {
   unknown : Unknown.t;
 }
 
-(* An import of a module that exports the name, but whose list of names does not contain it. *)
+(* An import of a module that exports the name, with a list of names that does not contain it. *)
 let incomplete_import (t : Unknown.t) =
   let visible = t.module_.visible in
   let lacks (import : Syntax.Ir.import) =

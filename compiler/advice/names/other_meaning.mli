@@ -1,4 +1,4 @@
-(** Unknown names that have a meaning in another namespace, or in another spelling. *)
+(** Unknown names that have a meaning in another namespace, or with a different spelling. *)
 
 open Basis
 

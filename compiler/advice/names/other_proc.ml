@@ -43,8 +43,8 @@ let hint_of_this (t : Unknown.t) (signal : Proc_signals.t) =
     "the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: \
      move that bracket to the end of the last equation"
   else
-    "the `proc` ends at the bracket or comma that follows it: use its signals only before that, \
-     not in a later `where`"
+    "the `proc` ends at the bracket or comma that follows it: use its signals only before that \
+     point, not in a later `where`"
 
 let of_this (t : Unknown.t) =
   Option.map
@@ -67,8 +67,8 @@ let hint_of_another (t : Unknown.t) (signal : Proc_signals.t) =
   with
   | Some equation, Some (definition, has_where) ->
       Printf.sprintf
-        "a signal can only be used inside its `proc`: %s, or make the value a part of this \
-         `proc`'s input"
+        "a signal can only be used inside its `proc`: %s, or make the value part of this `proc`'s \
+         input"
         (if has_where then Printf.sprintf "add `%s` to the `where` of `%s`" equation definition
          else
            Printf.sprintf "add a `where` to the `proc` in `%s`, and write `%s` below it" definition
@@ -76,7 +76,7 @@ let hint_of_another (t : Unknown.t) (signal : Proc_signals.t) =
   | _ ->
       Printf.sprintf
         "a signal can only be used inside its `proc`: move the equation to the `where` of that \
-         `proc`, or write a signal function, `proc %s -> …`"
+         `proc`, or write a signal function with its own input: `proc %s -> …`"
         t.name.text
 
 let of_another (t : Unknown.t) =
@@ -105,7 +105,7 @@ let of_lambda (t : Unknown.t) =
         in
         Other_meaning.diagnostic t
         |> Diagnostic.label ~at
-             "this function ends before the `where`, which cannot use its parameter"
+             "this function ends before the `where`, so the `where` cannot use its parameter"
         |>
         if is_signal_function then fun d ->
           Diagnostic.hint "for a signal function, write `proc %s -> …`" x d

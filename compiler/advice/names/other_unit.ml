@@ -136,7 +136,7 @@ let explain_known name (u : t) literal d =
         "1 `%s` is `%s[%s]`: use `%s`, or declare the unit on a line of its own: `unit %s = %s %s`"
         name scale u.unit_ u.unit_ name scale u.unit_ d
 
-(* Units of quantities that Frob has no units for. *)
+(* Whether the name is a unit of a quantity for which Frob has no unit. *)
 let is_of_another_quantity name =
   List.mem name [ "lux"; "lx"; "lumen"; "lumens"; "lm"; "candela"; "cd"; "mol"; "ppm"; "pH"; "dBA" ]
 

@@ -26,8 +26,8 @@ let of_a_type : rule =
     let title = Printf.sprintf "remove `%s.`" qualifier.text in
     Some
       (fun d ->
-        Diagnostic.hint "`%s` is a type, which does not qualify its constructors: %s" qualifier.text
-          title d
+        Diagnostic.hint "`%s` is a type, not a module, so it cannot qualify a constructor: %s"
+          qualifier.text title d
         |> Diagnostic.fix title [ ({ qualifier.span with stop = name.span.start }, "") ])
   else None
 

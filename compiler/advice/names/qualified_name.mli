@@ -22,5 +22,5 @@ val absent :
   to_:string ->
   Syntax.Ir.name ->
   Diagnostic.t
-(** Reports a name in an export or import list that the module does not define. [to_]: the purpose
-    of the list, [export] or [import]. *)
+(** Reports a name that an export or import list contains but the module does not define. [to_]: the
+    purpose of the list, [export] or [import]. *)

@@ -105,8 +105,9 @@ let other_spelling (t : Unknown.t) =
         |> Diagnostic.write t.name.span other)
       (Other_meaning.spelling t)
 
-(* The first rule that applies determines the outcome. Certain explanations come first, and those
-   that depend on the text around the name come before those that depend only on its letters. *)
+(* The first rule that applies determines the outcome. Rules whose explanation is certain come
+   first. Rules that look at the text around the name come before rules that look only at the
+   name. *)
 let outcome suggestions (t : Unknown.t) =
   let report rule t = Option.map (fun d -> Report d) (rule t) in
   let rules =

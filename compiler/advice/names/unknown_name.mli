@@ -1,5 +1,6 @@
 (** Messages about undefined unqualified names, with advice: a similar name, the module to import,
-    Frob's equivalent for a word of another language, or the place where the name would be valid. *)
+    Frob's equivalent of a word from another language, or the place where the name would be valid.
+*)
 
 open Basis
 

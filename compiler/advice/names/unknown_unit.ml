@@ -28,7 +28,7 @@ let other_unit : rule =
 let farad : rule =
  fun _ name ->
   if name.text = "F" then
-    Some (Diagnostic.hint "write `A s/V` for a farad, and use kelvin, `K`, for a temperature")
+    Some (Diagnostic.hint "for a farad, write `A s/V`; for a temperature, use kelvin, `K`")
   else None
 
 let word : rule =

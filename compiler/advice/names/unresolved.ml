@@ -75,12 +75,12 @@ let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
     { fix with edits = fix.edits @ List.concat_map of_other others }
   in
   List.fold_left label { first with fixes = List.map everywhere first.fixes } shown
-  |> if more = 0 then Fun.id else Diagnostic.note "and in %d more places" more
+  |> if more = 0 then Fun.id else Diagnostic.note "and in %d more place%s" more (if more = 1 then "" else "s")
 
 let is_of code (d : Diagnostic.t) = String.equal d.code code
 
-(* Merges the diagnostics of an unknown name and an unknown constructor next to each other. Both
-   probably come from the same library. *)
+(* Merges consecutive diagnostics on the same line if one is about an unknown name and the other
+   about an unknown constructor, because both probably come from the same library. *)
 let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
   | a :: b :: rest
     when a.code <> b.code

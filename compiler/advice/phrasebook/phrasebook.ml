@@ -87,7 +87,7 @@ let name row =
 
 (* {1 Arguments} *)
 
-(* Replaces each argument name in the text by the argument. *)
+(* Replaces each argument name in the text with the argument. *)
 let with_arguments named text =
   let n = String.length text in
   let rec stop i = if i < n && Character.is_name text.[i] then stop (i + 1) else i in

@@ -14,5 +14,5 @@ val name : Phrase.t -> string option
 (** The replacement, if it is one word and the row has no hint. *)
 
 val applied : Phrase.place -> string -> string list -> (string * Phrase.t) option
-(** The replacement in the first row for the word at this place that has the given number of
-    arguments, with these arguments substituted. *)
+(** Finds the first row for the word at this place with this number of arguments. Returns its
+    replacement, with these arguments substituted, and the row. *)

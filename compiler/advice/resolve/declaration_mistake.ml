@@ -202,7 +202,8 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
            "single lower-case letters are reserved for unit variables and the library's units"
       |> Diagnostic.hint "use a name of at least two characters, or a capital letter"
   | Pattern_in_instance at ->
-      Diagnostic.error ~code:"E0226" ~at "an instance defines methods by name, not by a pattern"
+      Diagnostic.error ~code:"E0226" ~at
+        "an instance must define each method by name, not with a pattern"
   | Method_twice { first; second } ->
       Diagnostic.error ~code:"E0211" ~at:second.span "the method `%s` is defined twice" second.text
       |> Diagnostic.label ~at:first.span "first defined here"

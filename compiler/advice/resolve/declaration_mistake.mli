@@ -1,5 +1,4 @@
-(** Messages about declarations of types, units, classes and instances, and about types that are
-    used wrongly. *)
+(** Messages about declarations of types, units, classes and instances, and about misused types. *)
 
 open Basis
 

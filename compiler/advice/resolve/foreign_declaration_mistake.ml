@@ -27,7 +27,7 @@ let diagnostic : Resolve.Fact.in_foreign_code -> Diagnostic.t = function
         ~hint:"write the path relative to this file's folder, as in `\"blob.h\"`"
   | Reserved_name { name; meaning = of_c } ->
       Diagnostic.error ~code:"E0232" ~at:name.span
-        "your function cannot be called `%s` in C: that name is %s" name.text (meaning of_c)
+        "`%s` cannot be the C name of your function: it is %s" name.text (meaning of_c)
       |> Diagnostic.hint "give the function another name in C"
   | Header_elsewhere text ->
       Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside this module's folder" text.text

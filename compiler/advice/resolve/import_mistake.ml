@@ -87,7 +87,7 @@ let no_program ~tests ~program reason =
   |> Diagnostic.hint "put the tests of `NAME.frob` into `NAME.test.frob` in the same folder"
 
 let in_tests ~at what hint =
-  Diagnostic.error ~code:"E0237" ~at "a test file cannot have %s" what |> Diagnostic.hint "%s" hint
+  Diagnostic.error ~code:"E0237" ~at "a test file cannot %s" what |> Diagnostic.hint "%s" hint
 
 let diagnostic : Fact.in_modules -> Diagnostic.t = function
   | Missing_module { target; imported; known } -> missing_module { target; imported; known }
@@ -104,9 +104,10 @@ let diagnostic : Fact.in_modules -> Diagnostic.t = function
       |> Diagnostic.hint "give your own module another name"
   | No_program { tests; program; reason } -> no_program ~tests ~program reason
   | Header_in_tests at ->
-      in_tests ~at "`module` header" "remove the header: the tests belong to the program's module"
+      in_tests ~at "have a `module` header"
+        "remove the header: the tests belong to the program's module"
   | Main_in_tests at ->
-      in_tests ~at "`main`"
+      in_tests ~at "define `main`"
         "a program is compiled without its test file: define `main` in the program, or give this \
          definition another name"
   | Primitive_outside_library name ->

@@ -45,10 +45,10 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
       Diagnostic.warning ~code:"W0305" ~at:first.at "`%s` is never used" first.name
       |> instead_of_zero first.name first.zero
       |> Diagnostic.hint
-           (if first.zero <> None then "if it is unused on purpose, replace it by `_` or `_%s`"
+           (if first.zero <> None then "if it is unused on purpose, replace it with `_` or `_%s`"
             else if first.is_parameter then
-              "use it in the definition; if it is unused on purpose, replace it by `_` or `_%s`"
-            else "replace it by `_` or `_%s`")
+              "use it in the definition; if it is unused on purpose, replace it with `_` or `_%s`"
+            else "replace it with `_` or `_%s`")
            first.name
       |> Diagnostic.fix ~safe:(first.zero = None)
            (Printf.sprintf "write `_%s`" first.name)
@@ -59,7 +59,7 @@ let unused_variables (first : Fact.variable) (others : Fact.variable list) =
       let quoted = List.map (fun (v : Fact.variable) -> Printf.sprintf "`%s`" v.name) told in
       Diagnostic.warning ~code:"W0305" ~at:first.at "%s are never used"
         (Enumeration.some quoted ~more:(List.length all - List.length told))
-      |> Diagnostic.hint "replace them by `_` or by names such as `_%s`" first.name
+      |> Diagnostic.hint "replace them with `_` or with names such as `_%s`" first.name
       |> Diagnostic.fix ~safe:true
            (Printf.sprintf "write `_%s`, and prefix the other names with `_`" first.name)
            (List.map (fun (v : Fact.variable) -> (v.at, "_" ^ v.name)) all)

@@ -46,8 +46,8 @@ let is_constant value =
       let first = if value.[0] = '-' && String.length value > 1 then value.[1] else value.[0] in
       Character.is_digit first && not (String.contains value ' ')
 
-(* Does the second equation, such as `v = if stop then 0 else v`, override the value of the first?
-   (If that value is a Bool, the second equation is a latch instead.) *)
+(* Does the second equation sometimes override the value of the first, as `v = if stop then 0 else
+   v` does? (If the first value is `True` or `False`, the second equation is a latch instead.) *)
 let overrides ~name ~before ~after =
   before <> "True" && before <> "False"
   && String.starts_with ~prefix:"if " after
@@ -123,7 +123,9 @@ let top_level_pattern ~at (pattern : Syntax.Ir.pattern) =
        | Constructed ({ qualifier = None; name; _ }, { desc = Bound f; _ } :: parameters)
          when typed_parameters parameters <> [] ->
            let types, names = List.split (typed_parameters parameters) in
-           Printf.sprintf "write the types in a signature, `%s :: %s`, and below it `%s = …`" f.text
+           Printf.sprintf
+             "write the types in a signature, `%s :: %s`, and the definition below it, `%s = …`"
+             f.text
              (String.concat " -> " (types @ [ name.text ]))
              (String.concat " " (f.text :: names))
        | Constructed ({ qualifier = None; name; _ }, _) ->

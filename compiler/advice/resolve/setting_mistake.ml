@@ -17,7 +17,7 @@ let diagnostic ~name ~at : Resolve.Fact.setting -> Diagnostic.t = function
              Diagnostic.hint "did you mean `%s`?" near)
   | Several_modules { qualified } ->
       error at "several modules have a parameter `%s`" name
-      |> Diagnostic.hint "write the name of its module too: %s"
+      |> Diagnostic.hint "qualify the parameter with the name of its module: %s"
            (Enumeration.one_of (quoted qualified))
   | Invalid_value { value } ->
       error at "`%s` is not an expression" value

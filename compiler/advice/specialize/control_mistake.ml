@@ -23,8 +23,8 @@ let diagnostic ({ at; problem } : Control_fact.t) =
   | Unknown_knob ->
       value ~at "the limits and the initial value of this knob must be known at compile time"
       |> Diagnostic.note
-           "you can use literals, constants, parameters with a constant value, and operators on \
-            these"
+           "you can use literals, constants, parameters with a constant value, and operators \
+            applied to these"
       |> Diagnostic.hint "give the knob a fixed range, and scale its value"
   | Unknown_toggle -> value ~at "the initial position of this toggle must be known at compile time"
   | Taken { label = taken; kind; by } ->

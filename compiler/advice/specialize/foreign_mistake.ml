@@ -4,7 +4,7 @@ open Specialize
 let component ~at symbol =
   Diagnostic.(
     error ~code:"E0431" ~at "the program and the C component `%s` have the same name" symbol
-    |> note "both would have `struct %s_state`, `%s_reset` and `%s_step`" symbol symbol symbol
+    |> note "both would define `struct %s_state`, `%s_reset` and `%s_step`" symbol symbol symbol
     |> hint "rename the program's file")
 
 let function_ ~at symbol =

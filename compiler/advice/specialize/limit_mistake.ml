@@ -27,7 +27,7 @@ let elements ~at ~numbers ~by =
   Diagnostic.(
     error ~code:"E0413" ~at "an array of %s functions or signal functions is too large to compile"
       (String.concat " times " (List.map string_of_int numbers))
-    |> here "`%s` needs a separate copy of each of them here" by
+    |> here "`%s` needs a separate copy of each element here" by
     |> note
          "an array of numbers is computed in a loop, but each function or signal function in an \
           array gets its own code"
@@ -74,7 +74,9 @@ let work ~at (definition : Core.Ir.definition) most_called =
        "frobc evaluates a call at compile time if its result or an argument is a function or \
         signal function; if each function calls the next one twice, every level of calls doubles \
         the work"
-  |> Diagnostic.hint "use fewer levels of calls, or name a result and use the name twice"
+  |> Diagnostic.hint
+       "nest the calls less deeply, or name a result and use the name twice instead of repeating \
+        the call"
 
 let name_of : Core.Ir.ty -> string = function
   | Data (tycon, _) -> Printf.sprintf "the type `%s`" tycon.name

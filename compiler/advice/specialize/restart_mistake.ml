@@ -7,7 +7,7 @@ let most_shown = 10
 
 let in_one_instant ~at (hops : Restart_fact.hop list) own =
   let others = List.filteri (fun i _ -> i < most_shown) (List.sort_uniq Span.compare own) in
-  (* names the task that ends before this place, if it is known *)
+  (* the label for this place, with the name of the task that ends before it, if it is known *)
   let this_starts place =
     let newest_first = List.rev hops in
     let is_here (hop : Restart_fact.hop) = Span.compare hop.place place = 0 in
@@ -29,8 +29,8 @@ let in_one_instant ~at (hops : Restart_fact.hop list) own =
        "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
         next instant"
   |> Diagnostic.hint
-       "add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least \
-        one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output"
+       "to the loop, add a task that takes time: `untilT (proc x -> (…, condition))` takes at \
+        least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output"
 
 (* {1 Growth} *)
 
@@ -54,7 +54,7 @@ let growing ~at ~name ~is_task ~added ~is_choice way =
   let on_the_way (diagnostic, shown) (name, place) =
     if List.mem place shown then (diagnostic, shown)
     else
-      let text = Printf.sprintf "between the restarts, `%s` starts here" name in
+      let text = Printf.sprintf "`%s` starts here, between two restarts" name in
       (Diagnostic.label ~at:place "%s" text diagnostic, place :: shown)
   in
   let what = if is_task then "tasks" else "signal functions" in
@@ -69,7 +69,7 @@ let growing ~at ~name ~is_task ~added ~is_choice way =
       hint "pass the condition of the `if` as an argument, and choose inside `%s`" name
     else Fun.id)
 
-(* {1 Machines inside themselves} *)
+(* {1 Nested restarts} *)
 
 let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
   let _, at = List.hd calls in
@@ -80,7 +80,7 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
   in
   let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
   let own (place : Span.t) = String.equal place.file at.file in
-  (* does it restart itself directly, rather than through functions around the call? *)
+  (* does it restart itself directly, not inside calls to other functions? *)
   let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
   let place = if by_itself then span else at in
   let label d (text, where) =
@@ -102,7 +102,7 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
   |> Diagnostic.note "%s"
        (if is_task then
           "a task may only restart itself as the last statement of its `do`, and nothing around \
-           the task may continue; otherwise each restart would need more memory"
+           that `do` may keep running; otherwise each restart would need more memory"
         else
           "a signal function may only restart itself as the whole result of a continuation; \
            otherwise each restart would need more memory")
@@ -114,8 +114,8 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
           "use `switch`, which ends when its continuation starts; `rSwitch` never ends"
         else if by_itself then
           Printf.sprintf
-            "end `%s` in a `switch` whose continuation starts the other signal function, or choose \
-             between the two with a signal"
+            "start this signal function in the continuation of a `switch` that ends `%s`, or \
+             choose between the two with a signal"
             name
         else
           Printf.sprintf "apply %s once, where the first mode starts, not in each mode"

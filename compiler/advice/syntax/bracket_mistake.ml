@@ -182,8 +182,8 @@ let unclosed_bracket found ((opener, closer), by) =
     | "(" -> Diagnostic.hint "a `;` ends a definition: write each task on its own line of a `do`"
     | "[" ->
         Diagnostic.hint
-          "a `;` ends a definition: write a `,` between elements, and each row of a matrix as an \
-           array, as in `[[1, 2], [3, 4]]`"
+          "a `;` ends a definition: write a `,` between elements, and write each row of a matrix \
+           as an array, as in `[[1, 2], [3, 4]]`"
     | _ -> Fun.id
   else Fun.id
 

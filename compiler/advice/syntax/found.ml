@@ -52,7 +52,7 @@ let rec first_word_from found i =
 
 let part found (first, last) = String.sub found.text first (last - first)
 
-(* The word at the left margin of the token's line, which is often a keyword of another language. *)
+(* The word at the left margin of the token's line, often a keyword from another language. *)
 let first_word found = part found (word_from found found.token.start.pos_bol)
 let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
 

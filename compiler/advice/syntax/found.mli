@@ -49,8 +49,7 @@ val first_word_from : t -> int -> int * int
 val part : t -> int * int -> string
 
 val first_word : t -> string
-(** The word at the left margin of the token's line, which is often a keyword of another language.
-*)
+(** The word at the left margin of the token's line, often a keyword from another language. *)
 
 val first_word_of_line : t -> string
 (** The first word of the token's line, after the indentation. *)

@@ -16,8 +16,8 @@ let hint_after_number ~base ~number ~rest ~has_unit =
   | _ when is_suffix rest -> Printf.sprintf "remove the suffix: `%s`" number
   | _ when has_unit -> Printf.sprintf "put the unit in brackets: `%s[%s]`" number rest
   | _ ->
-      Printf.sprintf "for a product write `%s * %s`; put a unit in brackets: `%s[%s]`" number rest
-        number rest
+      Printf.sprintf "for a product, write `%s * %s`; for a unit, write `%s[%s]`" number rest number
+        rest
 
 let number_followed ~at ~base ~number ~rest ~has_unit =
   let problem =

@@ -9,4 +9,4 @@ type colons
 val no_colons : colons
 
 val diagnostic : text:string -> colons -> Syntax.Lexical_fact.t -> Diagnostic.t option * colons
-(** [None] if the diagnostic of an earlier character explains this one. *)
+(** [None] if the diagnostic for an earlier character explains this one. *)

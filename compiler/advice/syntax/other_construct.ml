@@ -10,7 +10,7 @@ let is_a_name : Layout.token option -> bool = function
   | Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } -> true
   | Some _ | None -> false
 
-(* The span between two offsets on one line, which is the token's line or above it. *)
+(* The span between two offsets on the same line: the token's line or one above it. *)
 let span_before found first last =
   let bol = Option.fold (String.rindex_from_opt found.text first '\n') ~none:0 ~some:succ in
   let lines = lines_between found first found.token.start.pos_cnum in
@@ -108,7 +108,7 @@ let type_before_equation found =
 
 let words_of_a_choice = [ "switch"; "match"; "when"; "select"; "if"; "cond" ]
 
-(* The offsets of the last of these words between two offsets, and the text after it. *)
+(* The start and end of the last such word between two offsets, and the text after the word. *)
 let choice_in found first last =
   let rec back i =
     if i < first then None
@@ -187,7 +187,7 @@ let loop_as_value found =
 
 (* {1 Guards} *)
 
-(* The offset of each [=] in this part of the text that does not belong to a longer operator. *)
+(* The offset of each [=] between these offsets, except in longer operators such as [==]. *)
 let signs_in found first last =
   let is_one i =
     found.text.[i] = '='
@@ -372,8 +372,8 @@ let index_in_brackets found =
       let whole = Build.span (found.token.start, { found.token.stop with pos_cnum = stop }) in
       no_index found
       |> Diagnostic.hint
-           "write `(%s ! %s)` for an element of an array; to take a tuple apart, write an \
-            equation, `(a, b) = %s`; to pass an array as an argument, put a space before the `[`"
+           "write `(%s ! %s)` for an element of an array; to take a tuple apart, write an equation \
+            such as `(a, b) = %s`; to pass an array as an argument, put a space before the `[`"
            name digits name
       |> Diagnostic.write whole (" ! " ^ digits)
       |> Option.some
@@ -421,7 +421,7 @@ let bracket_after_name found =
         (if holds_a_unit found then
            error found "a unit in brackets can follow a literal number or a type, but not a name"
            |> Diagnostic.hint
-                "remove the unit if the value has one already; to give a plain number a unit, \
+                "remove the unit if the value already has one; to give a plain number a unit, \
                  multiply: `x * 1[m]`"
          else if Option.fold (computed_index found) ~none:false ~some:is_delayed then
            no_index found
@@ -437,8 +437,8 @@ let bracket_after_name found =
          else
            no_index found
            |> Diagnostic.hint
-                "use `xs ! 0` for an element of an array; to take a tuple apart, write an \
-                 equation, `(a, b) = p`; to pass an array as an argument, put a space before the \
+                "use `xs ! 0` for an element of an array; to take a tuple apart, write an equation \
+                 such as `(a, b) = p`; to pass an array as an argument, put a space before the \
                  `[`")
   | _ -> None
 

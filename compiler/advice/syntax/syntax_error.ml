@@ -5,7 +5,7 @@ open Found
 open Syntax_hint
 open Syntax_topic
 
-(* {1 Description of the found token} *)
+(* {1 Description of the unexpected token} *)
 
 let item_of : Layout.block -> string = function
   | Top | Let | Where -> "definition"
@@ -22,7 +22,7 @@ let describe found =
       Printf.sprintf "the end of the %s" (item_of (innermost_block found.context))
   | CLOSE | OPEN -> "the end of the block"
   | DOC _ -> "a documentation comment"
-  | STRING _ -> "a text"
+  | STRING _ -> "a string"
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found found.token))
   | CLAIM _ | CHECK _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _
@@ -214,7 +214,7 @@ let plain found =
     | _ when lacks_else found && block_without_else found <> None ->
         [
           Diagnostic.suggestion
-            "to run these tasks only if the condition holds, replace the line of the `if` with \
+            "to run these tasks only if the condition holds, replace the `if` line with \
              `%s`; to choose between two blocks of tasks, add an `else`"
             (Option.get (block_without_else found));
         ]
@@ -257,7 +257,7 @@ let choice_of_commands found =
 
 (* {1 Commands in a `do` of tasks} *)
 
-(* The line of the command, split at the start of the command. *)
+(* The command's line, split where the command starts. *)
 let around_command found (command : Span.t) =
   let line = List.nth (String.split_on_char '\n' found.text) (Span.line command.start - 1) in
   let column = Span.column command.start - 1 in
@@ -340,7 +340,7 @@ let function_of_c found =
     (fun (d : Other_definition.t) ->
       let start = first_position found bol in
       let at = Build.span (start, { start with pos_cnum = snd d.head }) in
-      Diagnostic.error ~code:"E0110" ~at "this function definition is not in Frob's syntax"
+      Diagnostic.error ~code:"E0110" ~at "this function definition is not valid Frob syntax"
       |> Diagnostic.hint "%s" (Other_definition.advice d))
     (match Other_definition.of_c found.text bol with
     | Some d -> Some d
@@ -350,7 +350,7 @@ let function_of_c found =
 let is_body_of_c found =
   match (found.token.token, found.before) with
   | LBRACE, None ->
-      (* the last line before this offset that is not empty *)
+      (* the last nonempty line before this offset *)
       let rec line_above stop =
         if stop <= 1 then (0, "")
         else

@@ -19,7 +19,7 @@ let words_of text =
   let blank c = if Character.is_name c || c = '=' then c else ' ' in
   List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text))
 
-(* May a task start at this word? *)
+(* Could a task start at this word? *)
 let mentions_tasks word = String.equal word "do" || String.ends_with ~suffix:"Task" word
 
 let is_certain words at =

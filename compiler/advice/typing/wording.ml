@@ -4,7 +4,7 @@ open Type_text
 
 type t = {
   around : Surroundings.t;
-  mutable namesakes : string list;  (** names that data types of several modules share *)
+  mutable namesakes : string list;  (** names shared by data types from different modules *)
   names : (int, string) Hashtbl.t;  (** names chosen for unsolved variables, by id *)
   taken : (string, unit) Hashtbl.t;
 }
@@ -12,7 +12,7 @@ type t = {
 let of_surroundings around =
   { around; namesakes = []; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
 
-(* Messages elide types below this depth. *)
+(* Messages elide the parts of a type that are nested more deeply than this. *)
 let deepest = 12
 let longest_quote = 60
 
@@ -216,7 +216,7 @@ let has_any_representation t =
       | _ -> false)
   | _ -> false
 
-(* A type as part of a sentence. The text of a number with an undetermined representation needs no
+(* The text of a type, for use in a sentence. A number with an undetermined representation needs no
    generated name for the representation. *)
 let described words t =
   match Type.expand t with

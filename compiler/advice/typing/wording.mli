@@ -1,15 +1,15 @@
-(** The words of one message: the texts of types and units, and the parts of the program that the
+(** The wording of one message: the texts of types and units, and the parts of the program that the
     message may mention.
 
     Unsolved variables get names in the usual style: [a], [b] for types, [u], [v] for units, [n] for
-    representations. A name is the same in all texts of one message and differs from all names that
-    a signature uses. *)
+    representations. Within one message, a variable always has the same name, and that name does not
+    occur in any signature. *)
 
 open Basis
 open Typing
 
 type t
-(** The variable names chosen so far, and the surroundings of the fact. *)
+(** The variable names chosen so far, and the fact's {!Surroundings}. *)
 
 val of_surroundings : Surroundings.t -> t
 val sources : t -> Source.t
@@ -58,8 +58,8 @@ val signal : t -> Type.t -> string option
 (** An input of the enclosing proc that may have this type. *)
 
 val tell_apart : t -> Type.t list -> unit
-(** From now on, qualifies the name of a data type with its module if these types include data types
-    of that name from several modules. *)
+(** From now on, qualifies a data type's name with its module if these types include data types with
+    that name from different modules. *)
 
 val namesakes : t -> string list
 (** The names that are shown with their module. *)
@@ -79,7 +79,7 @@ val has_any_representation : Type.t -> bool
 (** Is this a number whose representation is undetermined? *)
 
 val described : t -> Type.t -> string
-(** A type as part of a sentence: quoted, or [a number]. *)
+(** The text of a type, for use in a sentence: quoted, or [a number]. *)
 
 val constraint_ : t -> Ir.class_ -> Type.t -> string
 (** For example [Eq (Maybe a)]. *)

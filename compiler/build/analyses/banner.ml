@@ -32,8 +32,8 @@ let library_line = function
       ]
 
 let lines (r : Request.t) sources =
-  (* The names of library modules do not contain their folder, so this function compares the
-     texts. *)
+  (* The file names of library modules do not contain their folder, so this function recognizes a
+     library module by its text. *)
   let is_library (file, text) =
     r.files.read (Filename.concat r.library (Filename.basename file)) = Ok text
   in

@@ -1,4 +1,4 @@
-(** The lines at the top of generated C that say how to generate it again. *)
+(** The lines at the top of generated C that say how to regenerate it. *)
 
 val lines : Request.t -> Basis.Source.t -> string list
 (** The version of frobc, the options that change the generated C, and the MD5 sum of each source

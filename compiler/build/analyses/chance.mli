@@ -19,6 +19,6 @@ val decide : t -> bool list -> decision * int
     number of runs that the decision took. *)
 
 val bounds : confidence:float -> held:int -> int -> float * float
-(** A confidence interval for the proportion of all runs in which the property holds, if it held in
-    [held] of this many runs: the Clopper–Pearson interval (Biometrika 26, 1934), which is never too
-    narrow. *)
+(** A confidence interval for the proportion of all runs in which the property holds, given that it
+    held in [held] of a sample of this many runs: the Clopper–Pearson interval (Biometrika 26,
+    1934), which is never too narrow. *)

@@ -6,8 +6,8 @@ type t = {
       (** for example [in.odometry.position.x] or [probe.follow.v]; for an array, without [[0]] *)
   unit_ : string;  (** such as [m/s]; may be empty *)
   is_event : bool;
-      (** for a probe: whether it is an event in the program, rather than a signal that exists only
-          in some instants *)
+      (** for a probe: whether it is an [Event] in the program, and not just a signal that has no
+          value in some instants *)
   instance : string;  (** for a probe: the signal function that contains it; otherwise empty *)
   own : string;  (** for a probe: its name within that function; otherwise empty *)
   file : string;  (** for a probe: the source file without folders; otherwise empty *)

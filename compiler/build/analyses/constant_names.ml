@@ -4,8 +4,8 @@ module Constants = Cgen.Named_constants
 
 type value = { constant : Constants.constant; value : float }
 
-(** The constant that is an operand with a given value, or [Ambiguous] if several operands have it.
-*)
+(** The constant used as the operand with a given value, or [Ambiguous] if several operands have
+    this value. *)
 type use = One of Constants.constant | Ambiguous
 
 type t = {
@@ -68,8 +68,8 @@ let operand t place (e : Ir.expr) =
   | Some { constant; value } -> note t place value (One constant)
   | None -> Option.iter (fun value -> note t place value Ambiguous) (value t e)
 
-(* The arguments of a primitive operation. Returns no arguments for a function call: they are
-   operands in the function's own body. *)
+(* The arguments of a primitive operation. Returns no arguments for a function call, because the
+   function's own body contains the operations on them. *)
 let rec arguments (e : Ir.expr) others =
   match e.desc with
   | Apply (f, argument) -> arguments f (argument :: others)

@@ -35,7 +35,7 @@ let check_labels sink (written : Typing.Ir.definition) (program : Flow.Ir.progra
   in
   if Array.exists too_many program.sums then (
     Diagnostic.error ~code:"E0413" ~at:(Probes.name_of written)
-      "`%s` draws more than %d different texts" written.name.name most_labels
+      "`%s` draws more than %d different strings" written.name.name most_labels
     |> Diagnostic.emit sink;
     None)
   else Some ()

@@ -14,7 +14,7 @@ val trace :
     - [input]: a path, or [-] for standard input.
     - [output]: a path; the default is standard output.
 
-    Returns the errors of {!Interp.Trace.run}, and errors in opening or writing files. *)
+    Returns the errors of {!Interp.Trace.run}, and errors from opening or writing files. *)
 
 val no_interpreter : string
 (** The code of the diagnostic for a program that the interpreter cannot run. *)

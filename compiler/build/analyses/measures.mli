@@ -1,5 +1,5 @@
-(** The measurements of a trial's judge: the numbers that equations of its module define with a
-    measuring function of the library, for example [error = meanOf e]. A run reports their final
+(** The measurements of a trial's judge: the numbers that equations in its module define with one of
+    the library's measuring functions, for example [error = meanOf e]. A run reports their final
     values. *)
 
 type t = {

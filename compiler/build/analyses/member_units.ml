@@ -46,7 +46,7 @@ let numbers (program : Ir.program) =
 
 let number ty = Option.value (Types.unit_ ty) ~default:""
 
-(* If a record contains only numbers of the same unit, like a vector, returns that unit. *)
+(* Returns the unit of a record whose numbers all have the same unit, such as a vector. *)
 let record_unit known (ty : Ir.ty) tycon =
   let is_it (d : Ir.data) = d.tycon = tycon in
   match List.find_opt is_it known.typed.data with

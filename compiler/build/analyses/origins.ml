@@ -3,8 +3,8 @@ open Probe.Origin
 
 let line = Span.line
 
-(* The end of a span is exclusive: if it is the first column of a line, the last line is the
-   previous one. *)
+(* The end of a span is exclusive: if it is the first column of a line, the span's last line is the
+   line before. *)
 let last_line (place : Span.t) =
   let start = Span.position ~line:(line place.stop) ~column:1 in
   max (line place.start) (if place.stop = start then line place.stop - 1 else line place.stop)

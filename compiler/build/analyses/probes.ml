@@ -7,7 +7,7 @@ let refuse sink diagnostic =
   Diagnostic.emit sink diagnostic;
   None
 
-(* The place of the entry's name, with which its definition starts. *)
+(* The place of the entry's name, which is at the start of its definition. *)
 let name_of (entry : Typing.Ir.definition) =
   let { Span.file; start; _ } = entry.span in
   Span.make ~file ~start ~stop:(Span.forward (String.length entry.name.name) start)

@@ -11,7 +11,7 @@ val unknown : string
 (** The code of the diagnostic for an unknown name. *)
 
 val claims : string
-(** The name of the probe that represents all verdicts of assertions. *)
+(** The probe name that selects the verdicts of all assertions. *)
 
 val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list -> string
 (** A line for each probe: its name, its type, and its place in the source. *)
@@ -40,10 +40,9 @@ val causal :
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   Probe.Catalogue.probe list * Probe.Catalogue.probe list
-(** Splits probes into those that can be shown together, which are as many as possible, and the
-    others. All outputs of a switch depend on every input that any of its signal functions reads.
-    Showing an input that was not read before may therefore create a dependency of a signal on
-    itself within an instant. *)
+(** Splits probes into a maximal set of probes that can be shown together, and the rest. All outputs
+    of a switch depend on every input that any of its signal functions reads. Showing an input that
+    was not read before may therefore make a signal depend on itself within an instant. *)
 
 val warn_of_claims :
   Diagnostic.sink -> Typing.Ir.definition -> Core.Ir.program -> Flow.Ir.program -> unit

@@ -1,12 +1,13 @@
 let plain c = if c < ' ' || c = '\127' || c = '"' || c = '\\' then '_' else c
 
-(* Tests have the same name as their program, because the user's C includes the program's header. *)
+(* A test file's C files are named after its program, because the user's C includes the program's
+   header. *)
 let name file =
   let program = Resolve.Test_file.program_or_self file in
   String.map plain (Filename.remove_extension (Filename.basename program))
 
-(* Headers that generated C and [<frob/step.h>] include, and those that C libraries include for
-   them. *)
+(* Headers that generated C and [<frob/step.h>] include, and headers that these include in some C
+   libraries. *)
 let needed = [ "features"; "float"; "math"; "stdbool"; "stddef"; "stdint"; "string"; "strings" ]
 
 (* Other headers of C and POSIX that the user's C may include. *)

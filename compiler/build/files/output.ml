@@ -70,7 +70,7 @@ let kind = function
   | World -> "a world file written by frobc"
   | Program -> "a program built by frobc"
   | Link -> "a link"
-  | Log -> "a log of a served robot"
+  | Log -> "a log written by `frobc serve`"
   | Source -> "a program"
 
 let is_link path =
@@ -123,7 +123,7 @@ let may_be_replaced { path; content; asked } =
     | Source when not (is_regular path) -> refuse "not a regular file"
     | Source when (Unix.stat path).st_perm land 0o222 = 0 ->
         Error
-          (Printf.sprintf "cannot write %s: it is read-only (`chmod u+w` changes that)"
+          (Printf.sprintf "cannot write %s: it is read-only; make it writable with `chmod u+w`"
              (Basis.Printable.name path))
     | Source -> may_be_written path
     | _ when not (is_regular path) -> Ok ()
@@ -159,9 +159,9 @@ let check ~reads outputs =
 
 let remove path = try Sys.remove path with Sys_error _ -> ()
 
-(* A path for a temporary file next to the target. If the path is a link, the target of the link is
-   replaced. The temporary name is short, because the target may already have the longest possible
-   name. *)
+(* The path of the file to replace, and the path of a temporary file next to it. If the path is a
+   link to an existing file, that file is replaced. The temporary name is short, because the name of
+   the file may already have the maximum length. *)
 let beside n path =
   let path = if is_link path && Sys.file_exists path then Unix.realpath path else path in
   let next = Printf.sprintf ".frobc-%d-%d" (Unix.getpid ()) n in
@@ -280,7 +280,7 @@ let folder path =
   | () when Sys.is_directory path -> Ok ()
   | () ->
       Error
-        (Printf.sprintf "cannot create the folder %s: a file has this name"
+        (Printf.sprintf "cannot create the folder %s: there is a file with this name"
            (Basis.Printable.name path))
   | exception Unix.Unix_error (reason, _, _) ->
       Error

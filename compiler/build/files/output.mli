@@ -11,7 +11,7 @@ type content =
   | World  (** a world, recognized by its first line *)
   | Program  (** an executable that contains [frob_program], the table for hosts *)
   | Link  (** a symbolic link *)
-  | Log  (** the log of a served robot, to which new lines are appended *)
+  | Log  (** a log of [frobc serve], to which new lines are appended *)
   | Source  (** a program's source, which has been read and will be rewritten *)
 
 type t = {

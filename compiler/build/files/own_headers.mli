@@ -17,7 +17,8 @@ val includes : string list -> folders:string list -> string -> bool
 
 type t = {
   path : string;  (** path of the file *)
-  name : string;  (** path relative to the including files, as if these were all in one folder *)
+  name : string;
+      (** path relative to the folder of the including files, as if these were all in one folder *)
 }
 
 val of_sources : string list -> (t list, string) result

@@ -103,7 +103,7 @@ let entry_span p = (typed_entry p).span
 let not_said p robots =
   Diagnostic.error ~code:"E0502" ~at:(entry_span p)
     "the type of `%s` does not say which robot it runs on" p.entry.name
-  |> Diagnostic.hint "%s %s everything that it needs: compile it with %s"
+  |> Diagnostic.hint "%s %s everything that the program needs: compile it with %s"
        (Enumeration.all (List.map quoted robots))
        (match robots with [ _ ] -> "has" | _ -> "have")
        (Enumeration.one_of (List.map option robots))
@@ -122,7 +122,7 @@ let having p class_ diagnostic =
   in
   Diagnostic.note "%s"
     (match robots with
-    | [] -> "no robot of the library has this capability"
+    | [] -> "no robot in the library has this capability"
     | [ robot ] -> Printf.sprintf "only %s has this capability" (quoted robot)
     | robots -> Printf.sprintf "%s have this capability" (Enumeration.all (List.map quoted robots)))
     diagnostic
@@ -132,7 +132,7 @@ let lacking p (robot : t) (lack : Fit.lack) =
   Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot) lack.class_.name
   |> Diagnostic.here "%s needs it" lack.need.by
   |> having p lack.class_
-  |> Diagnostic.note "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
+  |> Diagnostic.note "`%s` is compiled for %s, but there is no instance `%s %s`" p.entry.name
        (quoted robot) lack.class_.name lack.of_.name
 
 (* Reports the first capability that each candidate lacks. *)
@@ -218,7 +218,8 @@ let open_program sink asked p =
 
 let is_open p = Fit.openness (typed_entry p) = Open_program
 
-(* A signal function that requires capabilities is compiled for a robot. *)
+(* Whether a signal function requires capabilities that some robot has, so that it is compiled for a
+   robot. *)
 let asks p = (typed_entry p).scheme.context <> [] && fitting p <> []
 
 let closed sink asked p =

@@ -13,7 +13,7 @@ val unfit : string
 (** The error code for a program that does not fit the chosen robot, or does not fit any robot. *)
 
 val known : string option -> (t option, string) result
-(** The robot that the option names, if the option is given: a robot of the library by its name, or
+(** The robot that the option names, if the option is given: a robot in the library by its name, or
     a user-defined robot by the file of its module, which ends in [.frob]. The error is a message
     for the user. *)
 
@@ -45,5 +45,5 @@ val closed : Diagnostic.sink -> t option -> program -> (Core.Ir.program * Core.I
     [RobotInput]. Returns [None] after an error. *)
 
 val sampled : program -> (Core.Ir.program * Core.Ir.Global.t) option
-(** An open program for the first robot that fits, for checks that need a robot; [None] if none
-    fits. *)
+(** Like {!closed}, but chooses the first robot that fits an open program, for checks that need a
+    robot; [None] if none fits. *)

@@ -69,7 +69,7 @@ let hint ~name (f : F.field) =
       match List.assoc_opt (package, type_) Library_messages.all with
       | Some (_, _, record) -> say record ""
       | None when type_ = "Vector3" -> say "Vec3[m]" ", with any unit"
-      | None -> say type_ (Printf.sprintf ", a record of fields of %s/msg/%s" package type_))
+      | None -> say type_ (Printf.sprintf ", a record with fields of %s/msg/%s" package type_))
 
 let mismatch c ~at ~in_ ~message ~name (f : F.field) ty =
   refuse c ~code:"E0510" ~at

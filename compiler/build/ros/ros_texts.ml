@@ -17,7 +17,7 @@ let of_type c (ty : Ir.ty) =
 
 let is_enumeration c ty = Option.is_some (of_type c ty)
 
-(* The text of a constructor in the branches of a [case]. *)
+(* The string literal that the branches of a [case] return for a constructor. *)
 let text_among branches (k : Ir.constructor) =
   let is_for (b : Ir.branch) =
     match b.pattern.desc with
@@ -65,8 +65,8 @@ let check c ~at ~in_ ty =
           Option.iter
             (fun text ->
               refuse c ~at:i.span
-                (Printf.sprintf "two constructors of `%s` have the text \"%s\"" name text)
-                "give each constructor a different text")
+                (Printf.sprintf "two constructors of `%s` have the string \"%s\"" name text)
+                "give each constructor a different string")
             (repeated texts))
 
 let all c =

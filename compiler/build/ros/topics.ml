@@ -28,9 +28,9 @@ let is_type text =
   | _ -> false
 
 let messages =
-  "messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an \
-   instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes \
-   the record of any other message"
+  "use Bool, Int, Float, an enumeration with an instance of `RosText`, or a record with an \
+   instance of `Message`, such as those in the module Ros; `frobc ros2 import PACKAGE/Type` writes \
+   the record for any other message"
 
 (* The ROS 2 message type for a Frob type. *)
 let message c ~at ~in_ (ty : Ir.ty) =

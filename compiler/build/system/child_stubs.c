@@ -43,8 +43,8 @@ static void become(char *const *arguments, const int streams[3], int report)
 {
     int copies[3], error;
     put_stack_back();
-    /* First move the descriptors above 2, so that dup2 does not overwrite one that is still
-     * needed. */
+    /* First copy the descriptors to numbers above 2, so that dup2 does not overwrite one that is
+     * still needed. */
     for (int i = 0; i < 3; i++)
         copies[i] = fcntl(streams[i], F_DUPFD_CLOEXEC, 3);
     for (int i = 0; i < 3; i++)

@@ -33,4 +33,4 @@ let protect ~finally work =
   | exception Signal signal ->
       Unix.kill (Unix.getpid ()) signal;
       (* If the signal is ignored, the process exits here, because it cannot continue. *)
-      exit (128 + if signal = Sys.sigint then 2 else 15)
+      exit (128 + if signal = Sys.sigint then 2 else if signal = Sys.sighup then 1 else 15)

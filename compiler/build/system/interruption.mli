@@ -1,8 +1,9 @@
-(** Handles Ctrl-C and SIGTERM while a file is being written. *)
+(** Handles signals that end the process: Ctrl-C, SIGTERM and SIGHUP. *)
 
 val protect : finally:(unit -> unit) -> (unit -> 'a) -> 'a
-(** Like [Fun.protect], but one of these signals ends the function early, and ends the process only
-    after [finally] has run. If a file exceeds the size limit, writing it returns an error. *)
+(** Like [Fun.protect], but if one of these signals arrives, the function ends early, and the
+    process ends after [finally] has run. If a file exceeds the size limit, writing to it fails with
+    an error instead of ending the process. *)
 
 val reported : (unit -> string) -> (unit -> 'a) -> 'a
 (** Runs the second function. On Ctrl-C, prints the line that the first function returns (what was

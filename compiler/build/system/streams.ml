@@ -3,8 +3,8 @@ let null mode = Unix.openfile "/dev/null" [ mode ] 0
 let is_open stream =
   match Unix.fstat stream with _ -> true | exception Unix.Unix_error (Unix.EBADF, _, _) -> false
 
-(* Opening a file takes the lowest free descriptor. /dev/null is opened for the opposite direction,
-   so that reading or writing the stream still fails. *)
+(* A newly opened file gets the lowest free descriptor. /dev/null is opened for the opposite
+   direction, so that reading or writing the stream still fails. *)
 let keep_numbers () =
   List.iter
     (fun (stream, mode) ->

@@ -1,4 +1,4 @@
-(** Temporary folders, which exist only as long as this process, or the program that replaces it, is
+(** Temporary folders, which exist only while this process (or the program that replaces it) is
     running. *)
 
 val folder : unit -> string

@@ -43,8 +43,8 @@ let for_robot ~name ~sees ?(ros2 = false) (files : Cgen.Emit.t) =
   | Some _, camera :: _, _ when not sees ->
       Error
         (Printf.sprintf
-           "%s uses the camera `%s`, but only the simulator and Linux robots have cameras, not \
-            boards"
+           "%s uses the camera `%s`, but cameras are available only in the simulator and on Linux \
+            robots, not on boards"
            name camera)
   | Some _, _, _ -> Ok ()
 

@@ -15,9 +15,9 @@ val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 
 val for_robot : name:string -> sees:bool -> ?ros2:bool -> Cgen.Emit.t -> (unit, string) result
 (** Checks that an executable can be built from the program [name]. The program must be for a robot,
-    or be a ROS 2 node if the host is one. It must not use cameras if the host does not support
-    them. If the host is not a ROS 2 node, it must not be for the robot [ros], or use a sensor that
-    only the simulator has. *)
+    or be a ROS 2 node if the host is one. If the host does not support cameras, the program must
+    not use them. If the host is not a ROS 2 node, the program must not be for the robot [ros], and
+    must not use a sensor that only the simulator has. *)
 
 val built :
   ?quiet:bool ->

@@ -13,7 +13,7 @@ let listed line =
 let lines = String.split_on_char '\n'
 
 (* For each file that it compiles, gcc may suggest include guards: it prints a line that says so,
-   and then one line with the path of each header. *)
+   and then the path of each header on a separate line. *)
 let other_lines output =
   let is_message line = String.contains line ':' || String.contains line '^' || line = "" in
   let rec without_suggestions ~inside = function

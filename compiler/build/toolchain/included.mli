@@ -9,8 +9,8 @@ val option : string
 (** Makes the compiler list the included files on standard error. *)
 
 val in_folder : string -> string
-(** The spelling of the folder's path to pass to the compiler, so that {!check} recognizes the files
-    found in that folder. *)
+(** Spells the folder's path in the form that the compiler must receive, so that {!check} recognizes
+    the files found in that folder. *)
 
 val lists_some : string -> bool
 (** Whether the compiler's output lists at least one file. Each program that [frobc] generates
@@ -31,5 +31,5 @@ val check :
   string ->
   (unit, string) result
 (** Checks the compiler's output: each file that was found in one of [folders] must be one of
-    [allowed], or be in the same folder as an allowed file that includes it, or as one of [sources].
+    [allowed], or be in the same folder as one of [sources] or as an allowed file that includes it.
 *)

@@ -127,7 +127,7 @@ let find () =
   | [] -> found prefixes
   | missing -> Error (lacks (List.map fst missing))
 
-(* The version in the package's description: <version>9.2.8</version>. *)
+(* The version in the package's manifest: <version>9.2.8</version>. *)
 let version_of prefix package =
   let file = prefix / "share" / package / "package.xml" in
   match Own_headers.read file with
@@ -146,6 +146,7 @@ let untried () =
   else
     Some
       (Printf.sprintf
-         "frobc is tested with ROS 2 %s, not with the one in this shell, whose rcl has version %s"
+         "frobc is tested with ROS 2 %s, but not with the installation in this shell, which has \
+          rcl %s"
          (Basis.Enumeration.all (List.map snd tried))
          version)

@@ -66,7 +66,11 @@ let machine t options =
   match t.compiler with
   | None -> { (Toolchain.this_machine ()) with options }
   | Some compiler ->
-      { compiler; fix = Printf.sprintf "on Debian: apt-get install %s" t.package; options }
+      {
+        compiler;
+        fix = Printf.sprintf "install it (on Debian: apt-get install %s)" t.package;
+        options;
+      }
 
 let files folder =
   let names = Sys.readdir folder in

@@ -135,12 +135,13 @@ let not_found machine program =
   | _ when is_path && Sys.file_exists program && Sys.is_directory program ->
       Printf.sprintf "`%s` is a folder, not a C compiler; %s" shown machine.fix
   | _ when is_path && Sys.file_exists program ->
-      Printf.sprintf "the C compiler `%s` cannot be started: it is not executable (`chmod +x %s`)"
+      Printf.sprintf
+        "the C compiler `%s` cannot be started: it is not executable; run `chmod +x %s`"
         shown (Basis.Printable.path program)
   | first :: _ when first <> program && not is_path ->
       Printf.sprintf
-        "there is no C compiler `%s`: frobc interprets the whole text as the name of one program; \
-         name a program without options, or a script that adds them"
+        "there is no C compiler `%s`: frobc takes the whole value of CC as the name of one \
+         program; set CC to a program without options, or to a script that adds them"
         shown
   | _ -> Printf.sprintf "there is no C compiler `%s`; %s" shown machine.fix
 
@@ -157,7 +158,7 @@ let lists_nothing machine =
     machine.compiler Included.option
 
 (* Compiles, and rejects the result if the compiler included a file that the user does not allow.
-   [lists]: whether C or C++ is compiled, in which case the compiler must list some files. *)
+   [lists]: whether C or C++ is compiled; if so, the compiler must list at least one file. *)
 let compile_allowed machine ~lists foreign arguments =
   let open Basis.Let_syntax.Result in
   let* output = Result.map_error (explain machine) (Process.output machine.compiler arguments) in
@@ -166,8 +167,8 @@ let compile_allowed machine ~lists foreign arguments =
   | Some _ when lists && not (Included.lists_some output) -> Error (lists_nothing machine)
   | Some { sources; folders; allowed } -> Included.check ~allowed ~sources ~folders output
 
-(* The flags for one of the user's files. A C compiler recognizes C++ by the file's name, but
-   rejects the flags of C for it. *)
+(* The flags for one of the user's files. A C compiler recognizes a C++ file by its name, but then
+   rejects the flags for C. *)
 let own_flags kind file =
   if is_cpp file then [ "-std=c++17"; "-O2"; "-ffp-contract=off"; "-fPIC" ]
   else flags @ compile_flags kind
@@ -216,7 +217,7 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
          machine.compiler machine.fix)
 
 (* [frob-tcc] cannot list the files that it includes. A program that only calls vision kernels
-   includes no file of the user. *)
+   includes none of the user's files. *)
 let without_own_files machine foreign =
   match foreign with
   | Some { sources = []; allowed = []; _ } when Tcc.is_own machine.compiler -> Ok None

@@ -1,4 +1,4 @@
-(* Writes an OCaml module with the pages in the subfolders of the folder given as the argument. *)
+(* Takes a folder as its argument, and writes an OCaml module with the pages in its subfolders. *)
 
 let read path =
   let channel = open_in_bin path in

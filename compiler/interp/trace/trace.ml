@@ -37,7 +37,9 @@ let next_row name csv =
               "there is a space before a quote; remove the spaces next to the commas" )
         | Zero_byte -> (0, "there is a zero byte: this is not a CSV file")
         | Too_long ->
-            (0, "the row has more than 16 MB or more than a million cells: this is not a recording")
+            ( 0,
+              "the row is larger than 16 MB or has more than a million cells: this is not a \
+               recording" )
       in
       reject [ complaint name row cell "%s" text ]
 
@@ -217,7 +219,7 @@ let read_row name ~dialect ~frames header (row : Csv.row) =
     reject
       [
         complaint name row header.width
-          "this row has the wrong number of cells: the header has %d columns, found %d%s"
+          "wrong number of cells: the header has %d columns, but this row has %d%s"
           header.width (List.length row.cells)
           (Dialect.width_hint dialect ~width:header.width ~cells:(List.length row.cells));
       ];

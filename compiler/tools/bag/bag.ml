@@ -1,5 +1,5 @@
-(* Reads the profile from the header of an MCAP file. It follows the magic bytes, the opcode and two
-   lengths. *)
+(* Reads the profile from the header of an MCAP file. The profile follows the magic bytes, the
+   opcode and two lengths. *)
 let profile path =
   let read channel =
     let head = really_input_string channel 21 in
@@ -33,7 +33,7 @@ let read ~program bag =
   else
     match Extras.python ~modules with
     | None ->
-        cannot "this needs Python: on Debian, install it with `sudo apt-get install python3-venv`"
+        cannot "reading it needs Python: on Debian, run `sudo apt-get install python3-venv`"
     | Some python -> (
         match
           Process.result python [ "-m"; "frob.bag_command"; bag; C_file.name program; table ]

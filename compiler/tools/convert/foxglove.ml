@@ -6,7 +6,7 @@ let number text =
   match float_of_string text with
   | x when Float.is_nan x || Float.abs x = infinity -> ""
   | x -> (
-      (* Keeps the text if it already is a JSON number, which must have digits on both sides of the
+      (* Keeps the text if it is already a JSON number, which must have digits on both sides of the
          decimal point and no leading plus sign. *)
       let n = String.length text in
       let digit i = i < n && text.[i] >= '0' && text.[i] <= '9' in
@@ -63,7 +63,7 @@ let frame_transform =
       ("rotation", quaternion);
     ]
 
-(* The other kinds of shapes that an entity can contain, besides lines. *)
+(* The kinds of shapes, other than lines, that an entity can contain. *)
 let other_shapes = [ "arrows"; "cubes"; "spheres"; "cylinders"; "triangles"; "texts"; "models" ]
 
 let scene_update =

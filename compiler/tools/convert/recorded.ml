@@ -102,7 +102,7 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
         | Ok cells when Array.length cells <> !width ->
             let text =
               Printf.sprintf
-                "this row has the wrong number of cells: the header has %d columns, found %d%s"
+                "wrong number of cells: the header has %d columns, but this row has %d%s"
                 !width (Array.length cells)
                 (Interp.Dialect.width_hint dialect ~width:!width ~cells:(Array.length cells))
             in

@@ -242,7 +242,7 @@ let write resources (t : Recorded.t) out =
       Mcap_writer.finish writer;
       if frames.missing > 0 then
         Printf.eprintf
-          "warning: %d frames that %s names are missing from %s or are not frames; they were omitted\n"
+          "warning: %d frames named in %s are missing from %s or are not valid; they were omitted\n"
           frames.missing (Basis.Printable.name t.path)
           (Basis.Printable.name frames.folder))
     (Recorded.iter t row)

@@ -63,8 +63,8 @@ let versions () =
   | _ ->
       Missing
         (Printf.sprintf
-           "this is %s, %s, but the PATH has another version: %s; remove one of them, or put the \
-            folder of the one that you want first in the PATH"
+           "this is frobc %s at %s, but the PATH has another version: %s; remove one of \
+            them, or put the folder of the one that you want first in the PATH"
            Version.number Sys.executable_name (String.concat ", " different))
 
 let host_fault path = function
@@ -121,7 +121,7 @@ let c_compiler () =
       Fine
         (shown
        ^ ", which comes with frobc, handles generated code correctly; programs with C files need \
-          another one: `sudo apt-get install gcc libc6-dev`")
+          another one: run `sudo apt-get install gcc libc6-dev`")
   | Ok text when has_word "verdict: fit" text -> Fine (shown ^ " handles generated code correctly")
   | Ok text | Error (Failed { errors = text; _ }) ->
       let is_error = String.starts_with ~prefix:"error: " in
@@ -143,7 +143,8 @@ let c_compiler () =
 let cross name ~compiler ~package =
   if on_path compiler <> [] then Fine compiler
   else
-    Missing (Printf.sprintf "for `frobc build --target %s`: `sudo apt-get install %s`" name package)
+    Missing
+      (Printf.sprintf "for `frobc build --target %s`: run `sudo apt-get install %s`" name package)
 
 (* {1 Libraries and programs that some commands load} *)
 
@@ -159,24 +160,24 @@ let library_folders =
 let library name ~purpose ~package =
   match List.find_opt (fun folder -> Sys.file_exists (folder / name)) library_folders with
   | Some folder -> Fine (folder / name)
-  | None -> Missing (Printf.sprintf "for %s: `sudo apt-get install %s`" purpose package)
+  | None -> Missing (Printf.sprintf "for %s: run `sudo apt-get install %s`" purpose package)
 
 let program name ~purpose ~package =
   match on_path name with
   | path :: _ -> Fine path
-  | [] -> Missing (Printf.sprintf "for %s: `sudo apt-get install %s`" purpose package)
+  | [] -> Missing (Printf.sprintf "for %s: run `sudo apt-get install %s`" purpose package)
 
 let fonts () =
   if
     List.exists Sys.file_exists
       [ "/usr/share/fonts/truetype"; "/usr/share/fonts/opentype"; "/usr/share/fonts/TTF" ]
   then Fine "/usr/share/fonts"
-  else Missing "for text in pictures: `sudo apt-get install fonts-dejavu-core fontconfig`"
+  else Missing "for text in pictures: run `sudo apt-get install fonts-dejavu-core fontconfig`"
 
 (* {1 Python} *)
 
 let python () =
-  let install = "`sudo apt-get install python3-venv`" in
+  let install = "run `sudo apt-get install python3-venv`" in
   match
     Process.output "python3"
       [ "-c"; "import sys, venv, ensurepip; print('%d.%d' % sys.version_info[:2])" ]
@@ -252,7 +253,7 @@ let ros () =
   | None, None -> (
       match entries "/opt/ros" with
       | setup :: _ ->
-          Missing (Printf.sprintf "ROS is not set up in this terminal: `. %s/setup.sh`" setup)
+          Missing (Printf.sprintf "ROS is not set up in this terminal: run `. %s/setup.sh`" setup)
       | [] -> Missing "ROS 2 is not installed; only `--ros2` and `frobc serve --robot ros` need it")
 
 (* {1 The command} *)

@@ -10,15 +10,14 @@ let files folder =
   Array.sort compare names;
   List.filter (fun name -> not (Sys.is_directory (folder / name))) (Array.to_list names)
 
-(* The contents of the files directly in a folder, with their new paths. *)
 let copies_of source target =
   let one name =
     Result.map (fun text -> (target / name, text)) (Own_headers.read (source / name))
   in
   all (List.map one (files source))
 
-(* PlatformIO requires a version number: that of the user's library, not that of Frob. frobc does
-   not know it. *)
+(* PlatformIO requires the version number of the user's library (not that of Frob), which frobc does
+   not know. *)
 let manifest name =
   Printf.sprintf
     {|{

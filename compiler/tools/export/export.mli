@@ -9,8 +9,8 @@ val platformio :
 (** {1 Functions for other exports} *)
 
 val copies_of : string -> string -> ((string * string) list, string) result
-(** [copies_of source target]: the files directly in a folder, with their paths in another folder
-    and their contents. *)
+(** [copies_of source target]: for each file directly in the folder [source], its path in the folder
+    [target] and its contents. *)
 
 val own_files :
   into:string ->

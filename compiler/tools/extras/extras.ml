@@ -14,12 +14,12 @@ let groups =
     {
       name = "mcap";
       packages = [ ("mcap", "mcap") ];
-      purpose = "frobc convert of MCAP files of other programs";
+      purpose = "frobc convert with MCAP files from other programs";
     };
     {
       name = "ros";
       packages = [ ("mcap", "mcap"); ("mcap-ros2-support", "mcap_ros2") ];
-      purpose = "frobc convert of ROS 2 bags in MCAP files";
+      purpose = "frobc convert with ROS 2 bags in MCAP files";
     };
     {
       name = "jupyter";
@@ -139,7 +139,7 @@ let refused packages errors =
 
 let make_environment path =
   let missing =
-    "`frobc extras` needs Python with the module venv: on Debian, `sudo apt-get install \
+    "`frobc extras` needs Python with the module venv: on Debian, run `sudo apt-get install \
      python3-venv`"
   in
   let base =
@@ -268,22 +268,23 @@ let state group =
       match environment () with
       | Some environment when not (works (python_of environment)) ->
           Error
-            (Printf.sprintf "the environment %s is damaged, or its Python was removed: %s"
+            (Printf.sprintf "the environment %s is damaged, or its Python was removed: run %s"
                environment again)
       | Some _ | None -> (
           match Sys.getenv_opt "VIRTUAL_ENV" with
           | Some active when active <> "" && not (works (python_of active)) ->
               Error
                 (Printf.sprintf
-                   "the active virtual environment %s is damaged, or its Python was removed: \
+                   "the active virtual environment %s is damaged, or its Python was removed: run \
                     `deactivate`"
                    (Basis.Printable.name active))
           | Some active when active <> "" ->
               Error
                 (Printf.sprintf
-                   "not in the active virtual environment: `pip install %s`, or `deactivate` and %s"
+                   "not installed in the active virtual environment: run `pip install %s`, or run \
+                    `deactivate` and then %s"
                    (String.concat " " packages) again)
-          | Some _ | None -> Error ("not installed: " ^ again)))
+          | Some _ | None -> Error ("not installed: run " ^ again)))
 
 let list () =
   List.iter

@@ -23,10 +23,10 @@ val list : unit -> int
 
 val python : modules:string list -> string option
 (** The Python interpreter for a command that needs these modules. If a virtual environment is
-    active, returns its interpreter. Otherwise tries the interpreter of frobc's environment, the one
-    that frobc was installed for, and [python3], in this order. Returns the first one that has the
-    modules, or else the first one that exists. If it does not have the package frob, sets
-    [PYTHONPATH] so that it finds the package of this frobc. *)
+    active, returns its interpreter. Otherwise tries three interpreters in this order: the one in
+    frobc's environment, the one for which frobc was installed, and [python3]. Returns the first one
+    that has the modules, or else the first one that exists. If that interpreter does not have the
+    package frob, sets [PYTHONPATH] so that it finds the package of this frobc. *)
 
 val state : group -> (string list, string) result
 (** The installed packages of a group, with their versions, or the reason why the group cannot be

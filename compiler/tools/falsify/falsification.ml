@@ -53,15 +53,15 @@ let run general ~entry ~sources search file =
     match Extras.python ~modules with
     | None ->
         missing
-          "frobc falsify needs Python 3: on Debian, `sudo apt-get install python3-venv`, then \
+          "frobc falsify needs Python 3: on Debian, run `sudo apt-get install python3-venv`, then \
            `frobc extras install search`"
     | Some python -> (
         match Process.result python [ "-c"; "import " ^ package ] with
         | Error (Not_found _) | Error (Failed _) ->
             missing
               (Printf.sprintf
-                 "frobc falsify cannot use the Python package frob, which %s does not find: \
-                  reinstall frobc"
+                 "frobc falsify needs the Python package frob, but %s cannot load it: reinstall \
+                  frobc"
                  (Basis.Printable.name python))
         | Ok _ -> (
             let arguments = arguments general ~entry ~sources search file in

@@ -19,8 +19,8 @@ let check_name (resources : Resources.t) name =
   if not (is_name name) then
     Error
       (Printf.sprintf
-         "`%s` cannot be the name of a project: use a name of letters, digits, `_` and `-` that \
-          begins with a letter%s"
+         "`%s` cannot be the name of a project: use a name that begins with a letter and contains \
+          only letters, digits, `_` and `-`%s"
          (Basis.Printable.name name) (suggestion name))
   else if Sys.file_exists (resources.library / (name ^ ".frob")) then
     Error (Printf.sprintf "%s is the name of a library module: use another name" name)

@@ -8,14 +8,13 @@ let band_height = 20.
 let legend_height = 18.
 let most_in_panel = 5
 
-(* The color palette of Okabe and Ito; its black is used for text. *)
+(* The colour palette of Okabe and Ito; its black is used for text. *)
 let colours = [| "#0072b2"; "#d55e00"; "#009e73"; "#cc79a7"; "#e69f00"; "#56b4e9" |]
 let dashes = [| ""; "7 3"; "2 2"; "9 3 2 3"; "4 4"; "1 3" |]
 let pick choices k = choices.(k mod Array.length choices)
 
 (* {1 Scales} *)
 
-(* Approximately [about] round numbers in the range. *)
 let ticks low high ~about =
   let rough = (high -. low) /. float_of_int about in
   let magnitude = 10. ** Float.floor (Float.log10 rough) in
@@ -38,7 +37,6 @@ type frame = { low : float; high : float; from : float; upto : float }
 
 let place f x = f.from +. ((x -. f.low) /. (f.high -. f.low) *. (f.upto -. f.from))
 
-(* The range of the values with a margin, which is not empty even if all values are equal. *)
 let range values =
   let low = List.fold_left min infinity values and high = List.fold_left max neg_infinity values in
   if low > high then (0., 1.)
@@ -116,8 +114,8 @@ let curve out ~colour ~dash points =
         colour dash
         (String.concat " " (List.map pair (thinned points)))
 
-(* Writes the name of each line with a sample of the line, in rows. Returns the position below the
-   rows. *)
+(* Draws the legend, in rows: a sample of each line, followed by its name. Returns the position
+   below the rows. *)
 let legend out ~top columns =
   let next (x, y) (k, column) =
     let needed = 44. +. (7. *. float_of_int (String.length column.name)) in
@@ -175,8 +173,8 @@ let runs times cells =
   in
   from 0 []
 
-(* The color of a band and of the text in it. True is dark and false is light. Each other value has
-   a color of its own. *)
+(* The colours of a band and of the text in it. True is dark, false is light, and every other value
+   has its own colour. *)
 let fill known cell =
   match cell with
   | "true" -> ("#0072b2", "#ffffff")

@@ -1,8 +1,8 @@
 (** Draws a trace as SVG: numbers as lines over time, those with the same unit in one panel; Bools,
     modes and other data as bands; events as dots.
 
-    A line has a gap where its cells are empty. The colors are suitable for color-blind readers, and
-    lines also differ in their dashes. *)
+    A line has a gap where its cells are empty. The colours are suitable for colour-blind readers,
+    and lines also differ in their dashes. *)
 
 type column = {
   name : string;
@@ -21,7 +21,7 @@ val range : float list -> float * float
 (** The range of the numbers with a margin. Not empty even if all numbers are equal. *)
 
 val ticks : float -> float -> about:int -> float list
-(** Approximately [about] round numbers between the limits. *)
+(** The ticks of an axis: approximately [about] round numbers between the limits. *)
 
 val number : float -> string
 

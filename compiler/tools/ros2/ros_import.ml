@@ -81,7 +81,7 @@ let unit_of comment =
 
 type context = {
   most : int;
-  mutable imports : (string * string) list;  (** each imported name, after its module *)
+  mutable imports : (string * string) list;  (** each imported name, preceded by its module *)
   mutable records : (string * string) list;  (** each message type, with the name of its record *)
   mutable written : string list;  (** the declarations, in reverse order *)
 }

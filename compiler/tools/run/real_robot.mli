@@ -41,7 +41,7 @@ val build :
 *)
 
 val with_markers : Common_options.t -> Common_options.t
-(** Makes the ROS 2 node of a program that draws publish the drawing as markers. *)
+(** Options with which the ROS 2 node also publishes the program's drawing, if any, as markers. *)
 
 val build_node :
   Common_options.t -> entry:string -> sources:string list -> output:string option -> string -> int

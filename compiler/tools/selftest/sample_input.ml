@@ -3,8 +3,8 @@ type row = { time_ns : int; cells : string list }
 (* The columns of `Sample.frob`. *)
 let header = "time,in.a,in.b,in.i,in.j,in.p,in.q,in.e,in.choice,in.xs[0],in.xs[1],in.xs[2],in.xs[3]"
 
-(* A linear congruential generator with a multiplier from L'Ecuyer's tables (1999). We do not use
-   OCaml's generator because it may change. Only the upper bits are sufficiently random. *)
+(* A linear congruential generator with a multiplier from L'Ecuyer's tables (1999). OCaml's own
+   generator may change, so we do not use it. Only the upper bits are sufficiently random. *)
 type random = { mutable state : int }
 
 let below random n =

@@ -67,7 +67,7 @@ let compiled t arguments =
 let warn t said =
   if not (String.equal said "") then (
     t.warned <- true;
-    prerr_endline ("warning: the compiler warns:\n" ^ beginning said))
+    prerr_endline ("warning: the C compiler reports:\n" ^ beginning said))
 
 (* Runs a program whose output ends with the word `right` if the program was compiled correctly.
    Ignores the exit status, because not every runner passes it on. The error is the program's
@@ -194,7 +194,7 @@ let made t group =
       match (files.host_table, Interp.Trace.run core ~entry ~name ~read ~write) with
       | Some table, Ok () -> (files, table, Buffer.contents output)
       | _, Error errors -> Diagnostic.bug ~stage:"Tools.Selftest" "%s" (String.concat "; " errors)
-      | None, _ -> Diagnostic.bug ~stage:"Tools.Selftest" "%s cannot be run by any host" file)
+      | None, _ -> Diagnostic.bug ~stage:"Tools.Selftest" "no host can run %s" file)
   | _, _ -> Diagnostic.bug ~stage:"Tools.Selftest" "%s is rejected" file
 
 (* Writes the recording in the format of recording.h. Each row has a separate array, because C++ has

@@ -49,12 +49,12 @@ let trial_of (plan : Plan.t) file trials =
   match (plan.trial, trials) with
   | _, [] ->
       refuse_at plan.program
-        "%s has no trial, but a sweep needs one to judge and measure the runs; write `trial \"…\" \
+        "%s has no trial, but a sweep needs one to judge and measure the runs: write `trial \"…\" \
          = Trial { … }`"
         file
   | None, [ only ] -> Ok only
   | None, _ ->
-      refuse_at plan.program "the program has several trials; choose one by `trial = \"…\"`: %s"
+      refuse_at plan.program "the program has several trials; choose one with `trial = \"…\"`: %s"
         (labels trials)
   | Some wanted, _ -> (
       let is_it (_, ((check : Checks.t), _)) = String.equal check.label wanted.value in

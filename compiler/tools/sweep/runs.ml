@@ -129,7 +129,10 @@ let make t resources ~jobs ~folder rows numbers =
         | WSIGNALED _ | WSTOPPED _ ->
             if List.compare_lengths left process.numbers = 0 then incr failures;
             if !failures > most_failures then
-              stopped := Some "the system keeps killing processes; is there enough memory?");
+              stopped :=
+                Some
+                  "the system keeps killing processes, perhaps for lack of memory: use fewer of \
+                   them (`--jobs`)");
         if left <> [] then Queue.add left waiting
   in
   let rec go () =

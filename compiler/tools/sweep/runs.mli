@@ -16,7 +16,7 @@ type shard = { number : int; of_ : int }
 (** One of [of_] shards, numbered from 1. *)
 
 val missing : Setup.t -> shard -> Rows.t -> int list
-(** The shard's runs without a row, in order. *)
+(** The numbers of the shard's runs that have no row yet, in order. *)
 
 val make :
   Setup.t -> Resources.t -> jobs:int -> folder:string -> Rows.t -> int list -> (unit, string) result

@@ -70,7 +70,7 @@ let interrupted (t : Setup.t) options ~folder () =
   | Error _ -> "run the same command to continue"
   | Ok rows ->
       let left = List.length (Runs.missing t options.shard rows) in
-      Printf.sprintf "%d of %s are saved in %s; run the same command to perform the other %d"
+      Printf.sprintf "%d of %s are saved in %s; run the same command to perform the remaining %d"
         (all - left) (plural all "run") folder left
 
 let made (t : Setup.t) options resources rows ~folder =

@@ -34,8 +34,8 @@ let panels (t : Setup.t) rows =
 
 (* {1 Axes} *)
 
-(* [place_of] maps a parameter's value to its coordinate: the number itself, or the index of a
-   text. *)
+(* [place_of] maps a parameter's value to its coordinate: the number itself or, if not all values
+   are numbers, the value's index. *)
 type axis = { label : string; place_of : string -> float; name_of : (float * string) list }
 
 let axis_of k (axis : Points.axis) values =
@@ -81,7 +81,7 @@ let frame out ~top ~across ~up ~bottom_label ~left_label ~columns ~rows =
 
 (* {1 Heat maps} *)
 
-(* Matplotlib's viridis: uniform in brightness, and suitable for color-blind readers. *)
+(* Matplotlib's viridis: uniform in brightness, and suitable for colour-blind readers. *)
 let stops =
   [| (68., 1., 84.); (59., 82., 139.); (33., 145., 140.); (94., 201., 98.); (253., 231., 37.) |]
 

@@ -1,4 +1,5 @@
-(** Tests without a robot: a signal function without input, which runs for a certain time. *)
+(** Runs tests without a robot. Such a test is a signal function that has no input and runs for a
+    given time. *)
 
 val run : Session.t -> string -> Checks.t -> Outcome.t
 (** Runs a test of the program in this file. *)

@@ -1,7 +1,6 @@
 type t = { table : string; key : string }
 
-(* The tables of a world file that can contain disturbances, each with the keys of these
-   disturbances. *)
+(* The tables of a world file that can contain disturbances, each with the keys that set them. *)
 let keys =
   [
     ("sonar", [ "noise"; "dropout" ]);

@@ -16,6 +16,7 @@ val name : t -> string
 (** The disturbance in a readable form, such as [[sonar] noise]. *)
 
 val needed : still_fails:(t list -> bool) -> t list -> t list
-(** The disturbances that are needed for a failure. If the run still fails without any disturbance,
-    the list is empty. Otherwise, the function removes one disturbance at a time, and restores it if
-    the run no longer fails. The argument of [still_fails] is the list of removed disturbances. *)
+(** The disturbances that are needed to reproduce a failure. If the run still fails without any
+    disturbance, the list is empty. Otherwise, the function removes one disturbance at a time, and
+    restores it if the run no longer fails. The argument of [still_fails] is the list of removed
+    disturbances. *)

@@ -1,8 +1,8 @@
 (** Parses the hosts' output about the runs of tests. *)
 
 val of_trace : string -> Outcome.run
-(** The result of a test without a robot, from the trace of its judge with the verdicts of
-    assertions. *)
+(** The result of a test without a robot, from the trace of its judge, which includes the verdicts
+    of assertions. *)
 
 val of_trial : string -> Outcome.run list
 (** The results of a trial, from the output of [frob-sim --judge]: one line for each seed. *)

@@ -52,7 +52,7 @@ let written ~input ~golden is =
 let compared context file ~input ~golden =
   let* () = there input in
   let* is = traced context file input in
-  (* A file that is much longer is not a trace of this program. *)
+  (* A file that is much longer than the output cannot be a trace of this program. *)
   let most = max (4 * String.length is) Interp.Csv.longest in
   let* was =
     if Sys.file_exists golden then Result.map Option.some (Packed.read ~most golden) else Ok None

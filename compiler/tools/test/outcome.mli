@@ -4,14 +4,14 @@ type fate =
   | Held
   | Violated
   | Undecided  (** an obligation was still open at the end *)
-  | Unasked  (** no condition applied at any instant *)
+  | Unasked  (** no condition ever applied *)
   | Void  (** an assumption failed, so the run proves nothing *)
 
 type collision = {
   time : float;  (** s *)
-  x : float;  (** in m, a position in the world *)
+  x : float;  (** in m, in world coordinates *)
   y : float;
-  clearance : float;  (** in m, measured from the robot's center at that time *)
+  clearance : float;  (** in m, measured from the robot's centre at that time *)
   with_ : string;  (** for display, for example [the wall (room.toml, line 12)] *)
 }
 (** The beginning of a collision, when the robot first touches an object. *)
@@ -36,7 +36,7 @@ type look = {
 
 type simpler = {
   needs : string list;  (** the remaining disturbances *)
-  world : string;  (** the path of a world file that contains only those disturbances *)
+  world : string;  (** path of a world file that contains only [needs] *)
   again : run;
   seen : look;
 }

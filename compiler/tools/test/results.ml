@@ -5,8 +5,8 @@ let runs t = Result.value t.result ~default:[]
 let failures t = List.filter is_failure (runs t)
 let counted t = List.filter (fun r -> r.fate <> Void) (runs t)
 
-(* The decision about the chance, based on the runs so far, and the number of runs that the decision
-   required. *)
+(* Decides, from the runs so far, whether the property holds in the required proportion of runs.
+   Also returns the number of runs that the decision took. *)
 let decision t chance = Chance.decide chance (List.map (fun r -> not (is_failure r)) (counted t))
 
 let decided t =
@@ -53,10 +53,11 @@ let of_chance t (chance : Chance.t) =
     | Open -> "undecided whether it holds in at least"
   in
   Printf.sprintf
-    "%s %g of runs, with confidence %g: held in %d of %s, so the true fraction is %.4f to %.4f" said
-    chance.share chance.confidence held (plural total "run") least most
+    "%s %g of runs, with confidence %g: held in %d of %s, so the true fraction is between %.4f and \
+     %.4f"
+    said chance.share chance.confidence held (plural total "run") least most
 
-(* The failed runs. The run with evidence comes first. *)
+(* The failed runs, beginning with the one for which there is evidence. *)
 let told t =
   match (t.evidence, failures t) with
   | Some e, _ :: others -> e.run :: others
@@ -87,7 +88,7 @@ let verdict t =
         (some (count Void t) "void because an assumption failed")
         (if count Unasked t = total then "; never checked" else "")
 
-(* Describes a collision with the text that the simulator's summary of a run contains. *)
+(* Describes a collision in the same words as the simulator's summary of a run. *)
 let collision_line c =
   Printf.sprintf "collision at %.3f s: %s, x %.3f m, y %.3f m, clearance %.3f m" c.time c.with_ c.x
     c.y c.clearance
@@ -126,9 +127,10 @@ let simpler_lines { needs; world; again; seen } =
     match needs with
     | [] -> "without any of the world's disturbances"
     | names ->
-        Printf.sprintf "with only %s of the world's disturbances" (Basis.Enumeration.all names)
+        Printf.sprintf "with none of the world's disturbances except %s"
+          (Basis.Enumeration.all names)
   in
-  Printf.sprintf "a simpler run fails too, %s: %s%s" disturbances (seed again) (why again)
+  Printf.sprintf "a simpler run, %s, also fails: %s%s" disturbances (seed again) (why again)
   :: List.map (( ^ ) "  ") (("world: " ^ world) :: look_lines again seen)
 
 (* The details of the reported run, then separately those of a simpler run. *)

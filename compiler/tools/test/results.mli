@@ -4,8 +4,8 @@ val failures : Outcome.t -> Outcome.run list
 val has_failed : Outcome.t -> bool
 
 val decided : Outcome.t -> int option
-(** The number of runs after which it was decided whether the required chance is reached; [None] if
-    this is undecided, or if the test requires no chance. *)
+(** The number of runs that it took to decide whether the property holds in the required proportion
+    of runs; [None] if this is undecided, or if the test requires no proportion. *)
 
 val print : Outcome.t -> unit
 (** Prints one line on standard output, and details if the test has failed. *)

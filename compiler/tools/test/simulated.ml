@@ -71,8 +71,8 @@ let ended_by p ~first (result : Workers.result) =
   match Signals.name result.status with
   | Some signal when String.trim result.errors = "" ->
       let seed = first + List.length (Found.of_trial result.output) in
-      Printf.sprintf "%s ended the simulator in the run with seed %d; `%s` repeats that run" signal
-        seed (run_again p ~world:p.world seed)
+      Printf.sprintf "%s ended the simulator during the run with seed %d; `%s` repeats that run"
+        signal seed (run_again p ~world:p.world seed)
   | Some _ | None -> complaint result
 
 let runs p progress first last =
@@ -116,9 +116,9 @@ let may_write p ~world outputs =
   let* () = Output.folder p.context.options.keep in
   Output.check ~reads:[ p.file; world ] outputs
 
-(* Repeats the run, and saves a recording and a picture of it at this path. If a file cannot be
-   saved, omits it and returns the reason as the last result. If the recording cannot be saved,
-   writes it to a temporary file instead; the command for the user then repeats the run. *)
+(* Repeats the run, and saves a recording and a picture of it at this path. The last result is the
+   reason why a file could not be saved. If that file is the recording, records the run in a
+   temporary folder instead, and the command for the user repeats the run. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in
@@ -158,7 +158,7 @@ let looked_at p (run : Outcome.run) ~world ~path seed =
           (again, { Outcome.around; picture; view }, String.concat "; " (notes [ drawn ])))
 
 (* Splits the disturbances into those that can be removed and those that must stay, because without
-   them the run does not fail in the same way. Returns [None] if all must stay, and for a world that
+   them the run does not fail in the same way. Returns [None] if all must stay, or if the world
    names files, because a copy of it in another folder would not find them. *)
 let left_out p (run : Outcome.run) seed text =
   let all = Disturbances.of_world text in
@@ -210,7 +210,7 @@ let evidence p (run : Outcome.run) seed : Outcome.evidence =
 
 (* {1 The trial} *)
 
-(* The failed run with the earliest failure. *)
+(* The run that failed earliest. *)
 let shortest = function
   | [] -> None
   | (first : Outcome.run) :: others ->

@@ -6,5 +6,5 @@ val world_of : Session.t -> string -> string -> (string, string) result
 
 val run : Session.t -> string -> Checks.t -> Checks.trial -> Outcome.t
 (** Runs a trial of the program in a file. If it fails, repeats the run that failed earliest, and
-    saves its recording and picture. Also saves a simpler run, with only those disturbances of the
-    world that are needed for the failure, and reports that run separately. *)
+    saves its recording and picture. Also saves a simpler run, with only those of the world's
+    disturbances that are needed to reproduce the failure, and reports that run separately. *)

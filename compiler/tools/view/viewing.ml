@@ -4,7 +4,7 @@ open Reporting
 
 type look = { browser : bool; control : bool }
 
-(* The argument that replaces the recording for a live run. *)
+(* The argument passed instead of a recording for a live run. *)
 let live = "-"
 
 (* Optimization level for the program. Optimizing a program with all its probes takes seconds, which

@@ -23,7 +23,7 @@ val shown :
 
 type view = {
   recording : string option;
-      (** [None] for a run that is still in progress: only builds the program *)
+      (** [None] for a run that is still in progress; allowed only with [only_build] *)
   dialect : Interp.Dialect.t;  (** dialect of the recording *)
   browser : bool;  (** whether to open a browser, if there is a desktop *)
   port : int option;  (** [None]: any free port *)

@@ -65,8 +65,8 @@ size_t frob_create_stream_pause(uint8_t *bytes);
  * and brightness of the light around the Clean button. */
 size_t frob_create_leds(unsigned lights, unsigned colour, unsigned brightness, uint8_t *bytes);
 
-/* SONG and PLAY: one note, by its MIDI number (69 is 440 Hz; 31 to 127), with its duration in 1/64
- * s (1 to 255). */
+/* SONG and PLAY: one note, given by its MIDI number (69 is 440 Hz; 31 to 127) and its duration in
+ * 1/64 s (1 to 255). */
 size_t frob_create_note(unsigned note, unsigned duration, uint8_t *bytes);
 
 #ifdef __cplusplus

@@ -65,8 +65,8 @@ static int64_t ns(double seconds)
 static enum frob_status write(struct frob_create *d, const uint8_t *bytes, size_t size)
 {
     enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
-    /* If the port has no space for the bytes, they are lost. The zeros before the next command
-     * complete a truncated command. */
+    /* If the port has no space for the bytes, they are lost. If this truncates a command, the zeros
+     * before the next one complete it. */
     return status == FROB_TIMEOUT ? FROB_OK : status;
 }
 
@@ -125,7 +125,7 @@ static enum frob_status begin_stream(struct frob_create *d, int64_t now_ns)
     return status == FROB_OK ? ask_for_stream(d, now_ns) : status;
 }
 
-/* Performs the next step of connecting if it is due. The robot needs a pause after a change of
+/* Performs the next connection step if it is due. The robot needs a pause after a change of
  * mode. */
 static enum frob_status connect_further(struct frob_create *d, int64_t now_ns)
 {
@@ -380,12 +380,12 @@ static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
     { "baud", 115200, 300, 115200,
       "rate of the serial line, bits per second (57600 for a Create 1)" },
     { "full", 0, 0, 1,
-      "1 for mode Full, in which the robot does not stop at cliffs and wheel drops" },
+      "1 for mode Full, in which the robot does not stop at cliffs or wheel drops" },
     { "header-in-sum", 1, 0, 1, "1 if the checksum includes the header (0 for a Create 1)" },
     { "wheel-separation", 0.235, 0.1, 1, "distance between the wheels, m (0.258 for a Create 1)" },
     { "mode-pause", 0.05, 0.02, 1, "pause after a change of mode, s" },
     { "padding", 4, 0, MOST_PADDING,
-      "number of zeros before each drive command, which complete a truncated command" },
+      "number of zero bytes sent before each drive command to complete a truncated command" },
     { "right-overcurrent", 3, 0, 7, "bit in packet 14 (pycreate2 uses 2)" },
     { "left-overcurrent", 4, 0, 7, "bit in packet 14 (pycreate2 uses 3)" },
 };

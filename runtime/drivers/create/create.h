@@ -9,15 +9,16 @@
  *
  * Commands have neither a frame nor a checksum. After a lost byte the robot reads the first byte of
  * the next command as data, and may stay out of step for a long time. Therefore the driver sends a
- * few zeros before each drive command: they complete an incomplete command, and zero is not an
- * opcode itself. Noise can start a command of up to 513 bytes (a song), during which the robot
- * ignores all commands. Therefore the driver sends 513 zeros when it connects, and when it stops a
- * robot from which it does not receive anything.
+ * few zeros before each drive command: they complete a truncated command, and zero itself is not an
+ * opcode. Noise can start a command of up to 513 bytes (a song), during which the robot ignores all
+ * commands. Therefore the driver sends 513 zeros when it connects, and when it stops a robot from
+ * which it does not receive anything.
  *
  * The driver requests only packets that some field of the input needs, so that frames stay short.
- * It omits packet 45, which has a bit for each light bumper, because the signals 46 to 51 contain
- * more information. It also omits packet 23, the battery's current, because packet 21 reports
- * whether the battery charges, and packets 25 and 26 its charge and capacity.
+ * It omits packet 45, which has a bit for each light bumper, because the signals in
+ * packets 46 to 51 contain more information. It also omits packet 23, the battery's current,
+ * because packet 21 reports whether the battery is charging, and packets 25 and 26 report its
+ * charge and capacity.
  *
  * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_CREATE_CREATE_H
@@ -71,8 +72,8 @@ struct frob_create {
                                       * none */
     int64_t asked_ns;                /* when the stream was requested */
     unsigned out_of_mode;            /* number of consecutive frames that report a different mode */
-    bool refused;                    /* whether the robot has left the driving mode, or has not
-                                      * entered it */
+    bool refused;                    /* whether the robot has left driving mode, or has failed to
+                                      * enter it */
     struct frob_wire_numbers speeds; /* the wheel speeds that were sent last */
     uint8_t lights[4];               /* the LEDS command that was sent last */
     int64_t lights_ns;               /* time at which this LEDS command was sent */

@@ -15,8 +15,8 @@ extern "C" {
 /* Writes the LEDS command; returns its size, 4. */
 size_t frob_create_lights(const struct frob_create_output *output, uint8_t *bytes);
 
-/* Writes the commands that play the tone; returns their size. The robot plays the notes of the
- * scale from 49 Hz up, and tones of up to 4 s. */
+/* Writes the commands that play the tone; returns their size. The robot can only play notes of the
+ * chromatic scale, from 49 Hz up, for at most 4 s. */
 size_t frob_create_tone(const struct frob_create_output *output, uint8_t *bytes);
 
 #ifdef __cplusplus

@@ -23,10 +23,10 @@ struct frob_create_odometry {
     uint16_t left_counts, right_counts;
     int64_t taken_ns;       /* time at which the counts arrived */
     unsigned refused;       /* number of consecutive rejected frames */
-    double x_m, y_m;        /* relative to the first pose, which points along x */
+    double x_m, y_m;        /* relative to the first pose, which faces along x */
     double heading_rad;     /* not reduced to a single turn */
     double left_m, right_m; /* distances that the wheels have travelled since measured_ns */
-    int64_t measured_ns;    /* start time of the current measurement of speeds */
+    int64_t measured_ns;    /* start time of the current speed measurement */
     double left_m_s, right_m_s;
 };
 

@@ -45,8 +45,8 @@ enum frob_create_packet_id {
     FROB_CREATE_LIGHT_RIGHT = 51
 };
 
-/* The modes. In OFF and PASSIVE the robot ignores drive commands. At a cliff, a wheel drop or a
- * charger it switches from SAFE to PASSIVE. It does not drive in modes with other values either. */
+/* The modes. In OFF, in PASSIVE and in any mode not listed here, the robot ignores drive commands.
+ * At a cliff, a wheel drop or a charger it switches from SAFE to PASSIVE. */
 enum frob_create_mode {
     FROB_CREATE_MODE_OFF = 0,
     FROB_CREATE_MODE_PASSIVE = 1,

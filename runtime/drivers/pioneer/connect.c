@@ -37,7 +37,7 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
 
-/* Checks whether the line can change to this rate, and restores the previous rate. */
+/* Checks whether the line can change to this rate, then restores the previous rate. */
 static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *can)
 {
     const uint32_t before = d->rate;
@@ -62,10 +62,10 @@ static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 }
 
 /* Sends SYNC0 after listening to the line. A robot in a session reads SYNC0 as PULSE, and would
- * resume the speed at which its watchdog stopped it. A robot outside a session echoes packets other
- * than SYNC, or ends the connection. So if bytes have arrived, the driver sends zero speeds first;
- * if the line was silent, it sends only SYNC0. (SIPs prove that the robot is in a session; bytes
- * that are not packets prove nothing.) */
+ * resume the speed that it had before its watchdog stopped it. A robot outside a session echoes
+ * packets other than SYNC, or ends the connection. So if bytes have arrived, the driver sends zero
+ * speeds first; if the line was silent, it sends only SYNC0. (SIPs prove that the robot is in a
+ * session; bytes that are not packets prove nothing.) */
 static enum frob_status overheard(struct frob_pioneer *d)
 {
     bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
@@ -201,8 +201,8 @@ static bool switches(const struct frob_pioneer *d)
            baud_number(d->model.switch_rate) >= 0;
 }
 
-/* Asks the robot to switch its rate, unless the line cannot follow: the robot would then be
- * unreachable in this connection and in later ones. */
+/* Asks the robot to switch its rate, but only if the line can follow; otherwise the robot would be
+ * unreachable, in this connection and in later ones. */
 static enum frob_status send_hostbaud(struct frob_pioneer *d)
 {
     bool can = false;
@@ -214,8 +214,8 @@ static enum frob_status send_hostbaud(struct frob_pioneer *d)
     return status;
 }
 
-/* Sends the next command that opens the session. Both speeds are set to zero before anything that
- * could resume an old motion. */
+/* Sends the next of the commands that open the session. Both speeds are set to zero before
+ * anything that could resume an old motion. */
 static enum frob_status open_step(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;

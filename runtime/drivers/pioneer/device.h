@@ -1,5 +1,5 @@
-/* device.h -- shared by the files of the Pioneer driver: pioneer.c, the driver's table, calls
- * connect.c and sense.c, and all of them call send.c. Unless stated otherwise here, a status has
+/* device.h -- shared by the files of the Pioneer driver: pioneer.c contains the driver's table and
+ * calls connect.c and sense.c; all three call send.c. Unless stated otherwise here, a status has
  * the meaning defined in driver.h. */
 #ifndef FROB_DRIVERS_PIONEER_DEVICE_H
 #define FROB_DRIVERS_PIONEER_DEVICE_H

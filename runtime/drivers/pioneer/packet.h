@@ -54,10 +54,10 @@ struct frob_p2os_packet {
  * its FA. If bytes directly after a valid packet look like an incomplete packet, the receiver waits
  * for the rest of it, because the data of a packet may itself look like a packet. Elsewhere, an
  * incomplete packet does not hide a valid one after it. Therefore the receiver finds a valid packet
- * after garbage as soon as the packet's last byte arrives, whatever length the garbage contains.
- * There are two exceptions: the garbage may form a packet with a valid checksum together with the
- * beginning of the valid packet, and garbage that looks like the start of a packet may directly
- * follow a valid packet. An all-zero receiver is empty. */
+ * after garbage as soon as the packet's last byte arrives, whatever length bytes the garbage
+ * contains. There are two exceptions: the garbage may form a packet with a valid checksum together
+ * with the beginning of the valid packet, and garbage that looks like the start of a packet may
+ * directly follow a valid packet. An all-zero receiver is empty. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
     size_t start, end; /* range of bytes that have not been examined yet, or that may belong to an
@@ -65,8 +65,8 @@ struct frob_p2os_receiver {
     bool in_step;      /* `start` is directly after a valid packet */
 };
 
-/* Adds bytes and returns the number added. It is at least one if `count` is not 0 and
- * frob_p2os_next has been called until it returned false. */
+/* Adds bytes and returns the number added, which is at least 1 if `count` is not 0 and the last
+ * call of frob_p2os_next returned false. */
 size_t frob_p2os_feed(struct frob_p2os_receiver *receiver, const uint8_t *bytes, size_t count);
 
 /* Finds the next complete packet. Returns false if there is none. */

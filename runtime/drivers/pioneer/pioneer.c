@@ -9,7 +9,7 @@
 #define PI 3.14159265358979323846
 
 enum {
-    PAUSE_MS = 5,    /* interval between two commands; the AROS manual requires 3 to 5 */
+    PAUSE_MS = 5,    /* interval between two commands; the AROS manual requires 3 to 5 ms */
     REFRESH_MS = 100 /* interval at which an unchanged command is repeated */
 };
 
@@ -21,17 +21,17 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "speed", NAN, 1e-6, 100, "mm/s per unit of wheel speed" },
     { "range", NAN, 1e-6, 100, "mm per unit of sonar range" },
     { "difference", NAN, 1e-6, 1,
-      "twice the turn rate, rad/s, per mm/s of difference between the wheels" },
+      "twice the turn rate, rad/s, per mm/s of difference between the wheel speeds" },
     { "vel2-divisor", NAN, 1, 100, "mm/s per unit of the VEL2 command" },
     { "max-speed", FROB_PIONEER_MOST_M_S, 0.01, 2.2, "maximum commanded speed, m/s" },
     { "max-turn", FROB_PIONEER_MOST_RAD_S, 0.01, 9, "maximum commanded turn rate, rad/s" },
-    { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turn rate" },
-    { "no-echo", 5.0, 0.1, 30, "m; this range or a longer one means that there was no echo" },
+    { "wheels", 0, 0, 1, "1: command wheel speeds (VEL2) instead of forward speed and turn rate" },
+    { "no-echo", 5.0, 0.1, 30, "minimum range that counts as no echo, m" },
     { "motors-flag", NAN, 0, 1, "1: the robot's flags report whether its motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
-    { "silence", 1.0, 0.1, 60, "s without a packet before the driver reconnects" },
+    { "silence", 1.0, 0.1, 60, "time without a packet after which the driver reconnects, s" },
     { "interval", NAN, 0.01, 1,
-      "minimum s between commands; default: 0.01, or 0.025 at 9600 baud or an unknown rate" },
+      "minimum time between commands, s; default: 0.01, or 0.025 at up to 9600 baud or an unknown rate" },
     { "carry-on", 1, 0, 1, "1: between packets, extrapolate odometry from the wheel speeds" },
 };
 
@@ -123,9 +123,9 @@ static enum frob_status send_second(struct frob_pioneer *d)
     return frob_pioneer_send_int(d, FROB_P2OS_RVEL, number(&d->sent, 1));
 }
 
-/* Minimum interval between commands. VEL and RVEL together have 18 bytes. Sent at every step of a
- * program, they would saturate a slow line and accumulate in a queue. A line of unknown rate may be
- * slow. */
+/* Minimum interval between commands. VEL and RVEL together take up 18 bytes. If they were sent at
+ * every step of a program, they would saturate a slow line and accumulate in a queue. A line of
+ * unknown rate counts as slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];
@@ -133,7 +133,7 @@ static double interval_s(const struct frob_pioneer *d)
 }
 
 /* Returns the time at which VEL or VEL2 may be sent: immediately if the driver has not sent a
- * command yet, or if this one stops the robot. */
+ * command yet, or if the pending command stops the robot. */
 static int64_t first_due_ns(const struct frob_pioneer *d)
 {
     bool changed = differ(&d->wanted, &d->sent);

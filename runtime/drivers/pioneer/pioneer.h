@@ -11,7 +11,7 @@
  * it is in a session, so the driver sends it zero speeds and CLOSE. If the robot is silent, the
  * driver sends nothing before SYNC0, or only CLOSE if it has already tried another rate. Once the
  * robot can be commanded, the driver does not send PULSE. Therefore only commands reset the robot's
- * watchdog, and the robot itself detects that a host has stopped commanding. */
+ * watchdog, and the robot itself detects that a host has stopped sending commands. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 
@@ -67,7 +67,7 @@ enum frob_pioneer_phase {
 struct frob_pioneer_sonar {
     double range_m;
     int64_t heard_ns; /* INT64_MIN: never */
-    bool fresh;       /* whether it is new since the last input */
+    bool fresh;       /* whether the range arrived after the last input */
 };
 
 /* The driver's state for one robot. All zero before the first start. After that, the caller must
@@ -82,7 +82,7 @@ struct frob_pioneer {
     uint8_t sync;       /* number of the SYNC: 0, 1 or 2 */
     uint8_t attempt;    /* number of attempts in this phase */
     uint8_t tried;      /* number of bit rates tried so far */
-    uint8_t step;       /* current step of opening */
+    uint8_t step;       /* current step of opening the session */
     bool still_open;    /* whether a SIP has arrived after CLOSE */
     int64_t heard_ns;   /* time at which the last byte arrived */
     bool motors_seen;   /* whether the motors have been on in this session */

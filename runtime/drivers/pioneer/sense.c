@@ -6,7 +6,7 @@
 
 #define PI 3.14159265358979323846
 
-/* Maximum time for which odometry is extrapolated with the speeds of a SIP. */
+/* Maximum time for which odometry is extrapolated from the speeds in a SIP. */
 #define CARRIED_MOST_S 0.2
 
 /* Returns the difference of two values of a 15-bit counter, modulo 2^15. If the jump is larger than

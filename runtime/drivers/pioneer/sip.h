@@ -32,7 +32,7 @@ struct frob_p2os_sip {
     uint8_t rear_bumpers, front_bumpers; /* one bit for each bumper, starting with bit 0 */
     uint16_t flags;
     uint8_t compass;
-    uint8_t echo_count; /* a SIP contains only sonars with new readings */
+    uint8_t echo_count; /* a SIP omits sonars without new readings */
     struct frob_p2os_echo echoes[FROB_P2OS_SONARS_MOST];
     unsigned known;        /* bits of enum frob_p2os_known */
     uint16_t battery_fine; /* 0.1 V */
@@ -67,7 +67,7 @@ bool frob_p2os_read_config(const struct frob_p2os_packet *packet,
 
 enum { FROB_P2OS_NAME_ROOM = 24 };
 
-/* The answer to SYNC2. Longer names are truncated. */
+/* The answer to SYNC2. Names that do not fit are truncated. */
 struct frob_p2os_identity {
     char name[FROB_P2OS_NAME_ROOM];
     char robot_class[FROB_P2OS_NAME_ROOM];

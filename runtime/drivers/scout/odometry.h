@@ -36,8 +36,8 @@ struct frob_scout_odometry {
  * the same place. */
 void frob_scout_odometry_reconnect(struct frob_scout_odometry *odometry);
 
-/* Adds a state that arrived at `now_ns`. Returns false and rejects it if the robot cannot have
- * reached its position. */
+/* Adds a state that arrived at `now_ns`. Rejects it and returns false if the robot cannot have
+ * reached the position that it contains. */
 bool frob_scout_odometry_add(struct frob_scout_odometry *odometry,
                              const struct frob_scout_state *state, int64_t now_ns);
 

@@ -44,7 +44,7 @@ static enum frob_status send_velocity(struct frob_scout *d)
                               : frob_scout_velocities(right, left));
 }
 
-/* Sends ST, which holds the position, without waiting for a pending answer. */
+/* Sends ST, which makes the robot hold its position, without waiting for a pending answer. */
 static enum frob_status send_stop(struct frob_scout *d)
 {
     static const uint8_t zeros[LONGEST_PACKET] = { 0 };
@@ -88,8 +88,8 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     return FROB_OK;
 }
 
-/* Takes the next step of connecting if this is the answer to the current step's command. The answer
- * to a stop sent in between does not count. */
+/* Moves on to the next connection step if this is the answer to the current step's command. The
+ * answer to a stop sent in between does not count. */
 static void connect_further(struct frob_scout *d, uint8_t answered)
 {
     static const uint8_t commands[] = { FROB_SCOUT_ST, FROB_SCOUT_CONF_TM, FROB_SCOUT_AC,
@@ -112,9 +112,9 @@ static void take_state(struct frob_scout *d, const struct frob_scout_packet *pac
                          FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
 }
 
-/* Handles an answer. If the robot refuses a command while the driver is connecting, connecting
- * fails. Later, the robot may occasionally refuse velocities, while somebody presses the stop
- * button. */
+/* Handles an answer. If the robot refuses a command while the driver is connecting, the connection
+ * fails. After that, the robot may occasionally refuse velocities because somebody is pressing
+ * the stop button. */
 static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
     bool refused = packet->type == FROB_SCOUT_NAK;
@@ -298,7 +298,7 @@ static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
     { "poll-period", 0.05, 0.01, 1, "time between two state requests, s" },
     { "patience", 0.1, 0.02, 1, "timeout for the answer to a command, s" },
     { "flush", LONGEST_PACKET, 0, LONGEST_PACKET,
-      "number of zero bytes sent before a stop command to a robot that does not answer" },
+      "number of zero bytes sent before a stop command is repeated if the robot does not answer" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),

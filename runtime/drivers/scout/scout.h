@@ -4,11 +4,11 @@
  * command waits for the answer to the command before it; between velocity commands the driver
  * requests the state. When it connects, the driver sets the robot's own watchdog (CONF_TM). Any
  * command feeds this watchdog, including a request for the state. Therefore, while the robot moves,
- * the driver requests the state only as long as the host keeps commanding.
+ * the driver requests the state only as long as the host keeps sending commands.
  *
  * Noise can start a packet of up to 259 bytes, and the robot ignores commands until the packet
  * ends. Therefore, if the robot does not answer, the driver stops it by sending the stop command,
- * this number of zeros, and the stop command again.
+ * that many zeros, and the stop command again.
  *
  * The settings cover the values on which sources disagree. */
 #ifndef FROB_DRIVERS_SCOUT_SCOUT_H

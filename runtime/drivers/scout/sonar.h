@@ -4,7 +4,8 @@
  * The transducers fire in turn, so a reading counts as new if it differs from the previous one, or
  * if somewhat more than a whole round has passed since the last new one. A reading must not count
  * as new too early: if an old reading is mistaken for a new one, its echo is located relative to
- * the robot's current place, although it was received where the robot was one round ago. */
+ * the robot's current position, although the robot received it one round ago, when it was
+ * elsewhere. */
 #ifndef FROB_DRIVERS_SCOUT_SONAR_H
 #define FROB_DRIVERS_SCOUT_SONAR_H
 
@@ -21,7 +22,7 @@ struct frob_scout_sonar {
     int64_t new_ns[FROB_SCOUT_SONARS];     /* time at which the last new reading arrived */
 };
 
-/* Adds the readings of a state that arrived at `now_ns`. All transducers fire once in
+/* Adds the readings of a state that arrived at `now_ns`. Each transducer fires once in
  * `round_ns`. */
 void frob_scout_sonar_add(struct frob_scout_sonar *sonar, const struct frob_scout_state *state,
                           int64_t now_ns, int64_t round_ns);

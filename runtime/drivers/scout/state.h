@@ -2,8 +2,8 @@
  *
  * The layout follows the order in which Ndirect 2.6.13 reads the packet for models other than the
  * Nomad 200. The bits of the motor status are the ones that two ROS nodes for the Scout use. The
- * three velocity fields are ignored, because sources interpret them in two ways (wheels, or forward
- * and turn); velocities are computed from odometry instead. */
+ * three velocity fields are ignored, because sources interpret them in two ways (as wheel speeds,
+ * or as forward speed and turn rate); velocities are computed from odometry instead. */
 #ifndef FROB_SCOUT_STATE_H
 #define FROB_SCOUT_STATE_H
 
@@ -38,7 +38,8 @@ struct frob_scout_state {
     double cpu_v, motor_v;               /* volts */
 };
 
-/* Returns whether this packet is a state: a reply to any command that moves or configures. */
+/* Returns whether this packet is a state: a reply to any command that moves or configures the
+ * robot. */
 bool frob_scout_is_state(const struct frob_scout_packet *packet);
 
 /* Reads a packet that is a state. */

@@ -34,7 +34,7 @@ static bool put(struct frob_fake_queue *queue, uint8_t byte, int64_t arrive_ns)
     return true;
 }
 
-/* Takes bytes that have arrived by `now`. */
+/* Removes at most `room` of the bytes that have arrived by `now`, and returns their number. */
 static size_t take(struct frob_fake_queue *queue, uint8_t *bytes, size_t room, int64_t now)
 {
     size_t taken = 0;

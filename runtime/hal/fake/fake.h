@@ -37,7 +37,7 @@ struct frob_fake_line {
     struct frob_fake_clock *clock;
     struct frob_fake_queue to_driver, from_driver;
     uint32_t rate;
-    bool lost;          /* the test sets this to pull the cable */
+    bool lost;          /* the test sets this to simulate a pulled cable */
     bool blocked;       /* the test sets this to make writes time out */
     bool refuses_rates; /* the test sets this to make set_rate unsupported */
     uint32_t fastest;   /* the test sets this to make higher rates unsupported; 0: no limit */
@@ -54,7 +54,7 @@ struct frob_serial frob_fake_serial(struct frob_fake_line *line);
 void frob_fake_send(struct frob_fake_line *line, const uint8_t *bytes, size_t count,
                     int64_t delay_ns);
 
-/* Takes at most `room` of the bytes that the driver wrote; returns their number. */
+/* Reads at most `room` of the bytes that the driver wrote; returns their number. */
 size_t frob_fake_receive(struct frob_fake_line *line, uint8_t *bytes, size_t room);
 
 #ifdef __cplusplus

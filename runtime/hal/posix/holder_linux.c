@@ -1,4 +1,4 @@
-/* Finds the process that has a device open, in Linux's /proc. */
+/* Searches Linux's /proc for the process that has a device open. */
 #include "hal/posix/parts.h"
 
 #include <dirent.h>

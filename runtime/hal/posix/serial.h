@@ -2,9 +2,9 @@
  * a robot or a serial server.
  *
  * A terminal is set to raw mode and locked. A second program that opens it with this module gets a
- * message that names the first one. A device is named by its path, preferably one in
- * /dev/serial/by-id, which persists when the adapter is plugged in again; or by `tcp:HOST:PORT`, or
- * by `tcp:HOST` for port 8101, the usual port of robots. */
+ * message that names the first one. A device is given as its path (preferably one in
+ * /dev/serial/by-id, which persists when the adapter is plugged in again), as `tcp:HOST:PORT`, or
+ * as `tcp:HOST` for port 8101, the usual port for robots. */
 #ifndef FROB_HAL_POSIX_SERIAL_H
 #define FROB_HAL_POSIX_SERIAL_H
 

@@ -1,4 +1,4 @@
-/* hal/template/template.h -- a port to copy: it compiles, and does nothing.
+/* hal/template/template.h -- a port to copy: it compiles but does nothing.
  *
  * For a new board, copy this folder, and replace each function with code for the board.
  * docs/porting.md explains each function, and the order in which to test them. A board with one

@@ -1,4 +1,4 @@
-// The main program on a board with the Arduino framework: the robot is on Serial1, and
+// The main program for a board with the Arduino framework: the robot is on Serial1, and
 // human-readable messages go to Serial. `frobc export --platformio` copies this file.
 //
 // Nothing here supervises the loop. A step of a Frob program always ends, but C code that it calls

@@ -29,8 +29,8 @@ extern void *const frob_program_state;
 
 enum { SETTINGS_MOST = 32, RESULT_MOST = 256, CONSOLE_MOST = 256 };
 
-/* For a user-defined robot that needs more memory than the library's robots: its driver's
- * device_size and input_size, in bytes. */
+/* If a user-defined robot needs more memory than the library's robots, compile this file with the
+ * device_size and input_size of its driver, in bytes. */
 #ifndef FROB_DEVICE_MOST
 #define FROB_DEVICE_MOST 1
 #endif
@@ -75,8 +75,8 @@ static volatile int64_t alive_ns; /* start time of the last round of the loop; 0
 static int64_t stopped_ns;
 static struct loop_counts counts;
 
-/* The driver of a user-defined robot; NULL if the program is for another robot. frobc writes this
- * into the program. */
+/* The driver of the program's user-defined robot; NULL if the robot is not user-defined. frobc
+ * generates the definition. */
 extern const struct frob_driver *const frob_own_driver;
 
 static const struct frob_driver *find_driver(void)
@@ -123,7 +123,8 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     if (!fits(found))
         return "not enough memory for the robot's driver: compile loop.c with a larger "
                "FROB_DEVICE_MOST or FROB_INPUT_MOST";
-    /* Checks both the program and the code that limits its commands. */
+    /* Checks the arithmetic of the program, and that of this host, because the host limits the
+     * program's commands. */
     if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)
         return "this program must not drive a robot, because its arithmetic is not IEEE 754: "
                "compile it with -ffp-contract=off and without -ffast-math";

@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Positions of the frames: the writer's frame, the middle frames, newest first, and the reader's
+/* Positions of the frames: the writer's frame, the middle frames (newest first), and the reader's
  * frame. */
 enum { BACK = 0, NEWEST = 1, FRONT = NEWEST + BUFFERS_KEPT, COUNT = FRONT + 1 };
 
@@ -22,7 +22,7 @@ struct buffers {
  * old state is never mistaken for the current one (the ABA problem). */
 struct order {
     uint32_t at[COUNT]; /* index of the frame at each position, 3 bits each */
-    uint32_t fresh;     /* number of the newest middle frames that have not been taken: 2 bits */
+    uint32_t fresh;     /* count of middle frames newer than the frame taken last; 2 bits */
     bool has_any;       /* whether a frame has been published */
     uint32_t changes;   /* 14 bits */
 };
@@ -73,7 +73,7 @@ static uint32_t read_state(const struct buffers *b)
     return __atomic_load_n(&b->state, __ATOMIC_ACQUIRE);
 }
 
-/* Replaces the state if it is still the one that was seen. */
+/* Replaces the state if it is still `*seen`. */
 static bool change(struct buffers *b, uint32_t *seen, struct order *next)
 {
     next->changes++;

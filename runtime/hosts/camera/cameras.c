@@ -34,7 +34,7 @@ bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
         if (length == 0)
             continue;
         if (at == CAMERAS_MOST) {
-            fprintf(stderr, "error: %s uses more than %d cameras, the maximum for a robot\n",
+            fprintf(stderr, "error: %s uses more cameras than the maximum of %d for a robot\n",
                     program->name, CAMERAS_MOST);
             return false;
         }

@@ -30,7 +30,7 @@ struct camera {
 struct stereo_pair {
     struct camera *left, *right; /* NULL: none */
     struct pair pair;
-    int64_t paired_ns; /* last time at which there was a pair, or a camera did not work */
+    int64_t paired_ns; /* last time at which a pair arrived, or a camera was not working */
     bool has_failed;
     uint32_t failures;
 };
@@ -51,8 +51,8 @@ struct cameras {
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program);
 
-/* Starts the processes, which do not inherit descriptors opened later. Prints a line on standard
- * error and returns false on failure, including a missing tag finder. */
+/* Starts the processes, which do not inherit descriptors opened later. On failure, for example if
+ * there is no tag finder, prints a line on standard error and returns false. */
 bool cameras_start(struct cameras *c, const struct frob_program *program,
                    const struct camera_options *options, size_t count, bool tells);
 

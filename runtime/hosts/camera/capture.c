@@ -195,8 +195,8 @@ static void got_frame(struct capture *c, struct captured *frame)
     report(c, CAPTURE_WORKS, text);
 }
 
-/* Handles a wait without a frame. If frames have been missing for too long, reports why, and
- * reopens the source if that may help. */
+/* Handles a missing frame. If frames have been missing for too long, reports why, and reopens the
+ * source if that may help. */
 static void got_nothing(struct capture *c)
 {
     if (!is_silent(c))

@@ -20,7 +20,7 @@ struct capture_report {
     char text[640];
 };
 
-/* The path of a camera's frames to the program. */
+/* How frames get from a camera to the program. */
 struct capture_way {
     struct buffers *seen;      /* frames as captured */
     struct buffers *given;     /* the frames for the program; the same as `seen` without a tag

@@ -130,7 +130,7 @@ static bool set_form(struct source *s, struct device *d)
          (d->form.width != (uint32_t)width || d->form.height != (uint32_t)height))) {
         source_fail(
             s, SOURCE_FAULT,
-            "it does not deliver frames of %d x %d, but of %u x %u: set width and height to that "
+            "it cannot deliver frames of %d x %d, only of %u x %u: set width and height to that "
             "size",
             width, height, d->form.width, d->form.height);
         return false;
@@ -233,7 +233,7 @@ static bool open_device(struct source *s)
     }
     rate = set_rate(s, d);
     if (!map_buffers(d) || request(d, VIDIOC_STREAMON, &type) != 0) {
-        gone(s, "it does not start delivering frames");
+        gone(s, "its driver cannot start delivering frames");
         leave(d);
         return false;
     }
@@ -262,7 +262,7 @@ static enum source_result take(struct source *s, struct device *d, struct v4l2_b
         if (request(d, VIDIOC_DQBUF, &buffer) != 0) {
             if (errno == EAGAIN)
                 return result;
-            return gone(s, "it delivers no frame");
+            return gone(s, "its driver cannot deliver a frame");
         }
         if (buffer.index >= d->count)
             return source_fail(s, SOURCE_FAULT, "its driver returned a buffer that does not exist");

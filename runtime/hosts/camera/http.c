@@ -30,7 +30,7 @@ struct http {
 
 /* ---- Connecting */
 
-/* Returns a socket, or -1 with errno set; waits for at most a second. */
+/* Waits at most a second. Returns a socket, or -1 with errno set. */
 static int connect_to(const struct addrinfo *where)
 {
     const int s = socket(where->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);

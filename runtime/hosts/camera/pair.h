@@ -30,7 +30,7 @@ struct pair {
 /* Initializes the periods with `period_s`; `within_s` may be NAN. */
 void pair_init(struct pair *p, double period_s, double within_s);
 
-/* Returns the current maximum time difference of a pair. */
+/* Returns the current maximum time difference within a pair. */
 int64_t pair_most_ns(const struct pair *p);
 
 /* Takes the newest frames that form a pair, each as buffers_take does. Returns false if there is no

@@ -8,18 +8,18 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
     { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as delivered by the source" },
     { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as delivered by the source" },
     { "grey", 0, 0, 1, "1: grey frames; raw frames then have one byte per pixel" },
-    { "rate", 30, 0.1, 200, "Hz; rate of pictures from files, or requested from a device" },
-    { "latency", 0, 0, 10, "s from a frame's exposure to its arrival" },
+    { "rate", 30, 0.1, 200, "frame rate in Hz, used for files and requested from devices" },
+    { "latency", 0, 0, 10, "time in s from a frame's exposure to its arrival" },
     { "pair_within", NAN, 0, 10,
-      "maximum s between the left and right frame of a pair; the default is 0.6 periods" },
+      "maximum time in s between the left and right frames of a pair; the default is 0.6 periods" },
     { "frozen", 1, 0, 3600,
-      "s of identical frames after which the camera counts as frozen; 0: never" },
+      "time in s after which a camera with identical frames counts as frozen; 0: never" },
     { "field_of_view_deg", 60, 1, 175, "horizontal" },
     { "focal_x", NAN, 1, 1e6, "pixels, from calibration, instead of the field of view" },
     { "focal_y", NAN, 1, 1e6, "pixels; the default is focal_x" },
     { "centre_x", NAN, -1e4, 1e4,
-      "pixels; optical axis in the picture; the default is the middle" },
-    { "centre_y", NAN, -1e4, 1e4, "pixels; the default is the middle" },
+      "pixels; position of the optical axis; the default is the centre" },
+    { "centre_y", NAN, -1e4, 1e4, "pixels; the default is the centre" },
     { "k1", 0, -100, 100, "distortion, as in OpenCV" },
     { "k2", 0, -100, 100, "" },
     { "k3", 0, -100, 100, "" },
@@ -36,7 +36,7 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
 bool camera_options_init(struct camera_options *o, const char *label, size_t length)
 {
     if (length >= sizeof o->label) {
-        fprintf(stderr, "error: the camera label `%.*s` is longer than %d bytes, the maximum\n",
+        fprintf(stderr, "error: the camera label `%.*s` is longer than the maximum of %d bytes\n",
                 (int)length, label, CAMERA_LABEL_ROOM - 1);
         return false;
     }

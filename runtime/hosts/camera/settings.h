@@ -1,4 +1,4 @@
-/* settings.h -- the user's settings of a camera: the source of its frames, its projection and its
+/* settings.h -- the user's settings for a camera: the source of its frames, its projection and its
  * pose. The settings have the same names as the keys of a camera in a world file
  * (sim/README.md). */
 #ifndef FROB_HOST_CAMERA_SETTINGS_H
@@ -56,7 +56,7 @@ struct camera_options {
  * standard error and returns false if the label is too long. */
 bool camera_options_init(struct camera_options *o, const char *label, size_t length);
 
-/* Returns the camera's projection for frames of this size, and its pose. */
+/* Returns the camera's pose, and its projection for frames of this size. */
 struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height);
 
 #endif

@@ -34,7 +34,7 @@ struct source_kind {
 struct source {
     const struct source_kind *kind;
     const struct camera_options *options;
-    void *state;      /* state of this kind, while it is open */
+    void *state;      /* what `kind` stores while the source is open */
     bool is_recorded; /* whether its first frame waits until the program starts */
     uint32_t lost;    /* total number of frames known to have been skipped */
     char fault[512];  /* cause and fix */

@@ -106,7 +106,8 @@ const uint8_t *splitter_take(struct splitter *s, size_t *size, int64_t *begun_ns
                 return NULL;
             whole = head.length + (size_t)head.width * (size_t)head.height * (head.is_grey ? 1 : 3);
             if (head.width > FROB_IMAGE_SIDE || head.height > FROB_IMAGE_SIDE || whole > ROOM) {
-                /* If the image is too large, return its header; the decoder reports the error. */
+                /* If the image is too large, return only its header; the decoder reports the
+                 * error. */
                 return take(s, head.length, size, begun_ns);
             }
             return s->to - s->from >= whole ? take(s, whole, size, begun_ns) : NULL;

@@ -118,7 +118,7 @@ bool claims_open(struct claims *claims, const struct frob_program *program)
     }
     for (size_t i = 0; i < program->claim_count; i++)
         claims->each[i].last = VERDICT_NONE;
-    if (program->output != NULL) /* a handwritten table may not describe the output */
+    if (program->output != NULL) /* NULL if a handwritten table does not describe the output */
         frob_trace_columns(program->output, "out", add_column, claims);
     return true;
 }

@@ -50,7 +50,7 @@ enum csv_status {
     CSV_UNCLOSED_QUOTE,
     CSV_LATE_QUOTE, /* the last cell has spaces before its quote */
     CSV_NUL,
-    CSV_RETURN,    /* the header has a carriage return that no line feed follows */
+    CSV_RETURN,    /* the header has a carriage return without a line feed after it */
     CSV_NO_COLUMN, /* the dialect names a column that is missing; see `reason` */
     CSV_TOO_LONG,  /* a row has more than CSV_LONGEST bytes or CSV_MOST_CELLS cells */
     CSV_NO_MEMORY

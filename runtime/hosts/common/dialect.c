@@ -182,7 +182,7 @@ static const char *word_with_escapes(const char *text, char *word, size_t room)
     return word;
 }
 
-/* Quotes an argument for a shell, as far as there is space for it. Returns `word`. */
+/* Quotes an argument for a shell, and truncates it if it does not fit. Returns `word`. */
 static const char *shell_word(const char *text, char *word, size_t room)
 {
     const char *const quote = is_plain_word(text) && *text != '\0' ? "" : "'";

@@ -9,8 +9,8 @@
  * its last argument, and returns true. `dialect->columns` must have room for `argc` entries. */
 bool dialect_option(struct csv_dialect *dialect, int argc, char **argv, int *i);
 
-/* Returns whether the dialect names columns. If so, columns of a recording that the program does
-   not have are ignored. */
+/* Returns whether the dialect names columns. If so, columns of the recording that are unknown to
+ * the program are ignored. */
 bool dialect_names(const struct csv_dialect *dialect);
 
 /* Translates the row that was read last. Returns CSV_ROW, CSV_RETURN, CSV_NO_COLUMN or

@@ -1,7 +1,7 @@
 /* frames.h -- the frames of a recording, in a folder next to it: LOG.frames for LOG.csv (and for
  * LOG.csv.gz, because the recording may be compressed later).
  *
- * Each frame is a file (<frob/frame.h>) named by its number and a part of its hash, so that the
+ * Each frame is a file (<frob/frame.h>) named after its number and a part of its hash, so that the
  * frames of several cameras have different names: 000012-6c62272e07.ppm. The number and this part
  * together are its 64-bit key. */
 #ifndef FROB_HOST_FRAMES_H

@@ -282,7 +282,7 @@ static ssize_t stream_get(void *cookie, char *bytes, size_t size)
     return got;
 }
 
-/* Closes the pipe first, so that the process ends even if it still has output. */
+/* Closes the pipe first, so that the process ends even if it still has output to write. */
 static int stream_close_unpacker(void *cookie)
 {
     struct unpacker *unpacker = (struct unpacker *)cookie;

@@ -19,7 +19,8 @@
 
 static void warn(const char *what)
 {
-    fprintf(stderr, "warning: this run cannot be viewed: %s: %s; it continues without a viewer\n",
+    fprintf(stderr,
+            "warning: this run cannot be viewed: %s: %s; the run continues without a viewer\n",
             what, strerror(errno));
 }
 
@@ -74,7 +75,7 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
     p->program = program;
     if (frames_has_images(program->input) &&
         (p->input = (unsigned char *)malloc(program->input_size)) == NULL) {
-        warn("not enough memory for its input");
+        warn("not enough memory for a copy of the input");
         return;
     }
     if (!ring_make(&p->ring, &sizes, permissions)) {

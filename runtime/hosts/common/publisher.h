@@ -1,4 +1,4 @@
-/* publisher.h -- publishes a run, in shared memory, to a viewer, which is a separate process.
+/* publisher.h -- publishes a run in shared memory for a viewer, which is a separate process.
  *
  * The run does not depend on the viewer, which may be slow, stop reading, or end at any time. */
 #ifndef FROB_HOST_PUBLISHER_H
@@ -14,14 +14,14 @@ struct publisher {
     pid_t viewer;     /* 0: none */
     struct ring ring; /* a ring without memory if there is no viewer */
     const struct frob_program *program;
-    unsigned char *input; /* copy of the input with keys instead of images, which another process
-                           * can read; NULL if the program has no images */
+    unsigned char *input; /* copy of the input for the viewer, with keys instead of images;
+                           * NULL if the program has no images */
     uint32_t beats;       /* the viewer's heartbeat when it was last read */
     int64_t heard_ns;     /* time at which the heartbeat was last seen to change */
 };
 
-/* Starts the viewer: a NULL-terminated command, to which `--ring NUMBER` is added before its other
- * arguments; NULL: no viewer. `truth_size`, `permissions`: see ring.h. If the viewer cannot be
+/* Starts the viewer with `--ring NUMBER` before its other arguments. `viewer`: the NULL-terminated
+ * command; NULL: no viewer. `truth_size`, `permissions`: see ring.h. If the viewer cannot be
  * started, prints a warning, and the run continues without it. */
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer);

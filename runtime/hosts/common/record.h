@@ -31,7 +31,7 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
 bool record_row(struct record *r, int64_t time_ns, void *in, const void *out);
 bool record_close(struct record *r);
 
-/* Prints what was saved of a run that the user interrupted after `time_s`, and how to continue.
+/* Reports that the user interrupted the run at `time_s`, what was saved, and how to start again.
  * `name` is the name of the recording, or NULL. */
 void record_report_interruption(const char *name, double time_s);
 

@@ -29,8 +29,7 @@ struct ring_shared {
     uint32_t ended;
     uint32_t taken;
     uint32_t fate, late;
-    int64_t alive_ns; /* last heartbeat of the host (CLOCK_MONOTONIC); 0 if there was none
-                       * yet */
+    int64_t alive_ns; /* last heartbeat of the host (CLOCK_MONOTONIC); 0 before the first one */
     unsigned char gap_after_host[LINE];
 
     uint32_t beats; /* written by the reader */
@@ -64,7 +63,7 @@ static uint64_t *slot_of(const struct ring *ring, uint64_t k)
     return slots + (k & (ring->shared->slots - 1)) * (words_of_slot(&ring->sizes) + 1);
 }
 
-/* ---- Making and mapping */
+/* ---- Creating and mapping */
 
 /* Opens shared memory and unlinks its name. */
 static int open_memory(void)

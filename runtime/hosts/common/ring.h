@@ -98,7 +98,7 @@ bool ring_is_stopped(const struct ring *ring);
  * the clock. */
 #define RING_MOST_SPEED 1000000.0
 
-/* The pace of the run that a viewer has requested. */
+/* The pace that a viewer has requested for the run. */
 struct ring_pace {
     uint32_t beats; /* heartbeat: changes while the reader is alive */
     bool paused;

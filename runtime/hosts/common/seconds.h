@@ -13,8 +13,8 @@
  * text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
 
-/* Returns a hint for the error message about a rejected text. The hint says that the time exceeds
- * the limit, or is an empty string. */
+/* Returns a hint for the error message about a rejected text if its time exceeds the limit,
+ * otherwise an empty string. */
 const char *seconds_too_far(const char *text);
 
 #endif

@@ -1,4 +1,4 @@
-/* The main program on a Cortex-M board: the loop of hosts/board, the timer interrupt that watches
+/* The main program for a Cortex-M board: the loop of hosts/board, the timer interrupt that watches
  * it, and a periodic status line for the user. */
 #include "hal/cortex_m/board.h"
 #include "hosts/board/loop.h"

@@ -29,7 +29,7 @@ bool controller_start(struct controller *c, const struct params *params,
  * 0. Returns false if the process is gone. */
 bool controller_ask(struct controller *c, int64_t dt_ns, const void *input);
 
-/* Resets the program, which must not be in a step. Returns false if the process is gone. */
+/* Resets the program, which must not be running a step. Returns false if the process is gone. */
 bool controller_reset(struct controller *c, const void *input);
 
 enum controller_answer { CONTROLLER_BUSY, CONTROLLER_ANSWERED, CONTROLLER_GONE };

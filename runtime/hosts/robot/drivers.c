@@ -6,8 +6,8 @@
 #include "drivers/pioneer/pioneer.h"
 #include "drivers/scout/scout.h"
 
-/* The driver of a user-defined robot; NULL if the program is for another robot. frobc writes this
- * into the program. */
+/* The driver of the program's user-defined robot; NULL if the robot is not user-defined. frobc
+ * generates the definition. */
 extern const struct frob_driver *const frob_own_driver;
 
 static const struct frob_driver *const drivers[] = { &frob_pioneer_driver, &frob_scout_driver,

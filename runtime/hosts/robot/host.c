@@ -20,8 +20,8 @@ int host_run(int argc, char **argv, const struct frob_program *program,
     struct options options;
     struct params params;
     int status = WRONG_USE;
-    /* Checks the arithmetic of both the program and this host, which limits the program's
-     * commands. */
+    /* Checks the arithmetic of the program, and that of this host, because the host limits the
+     * program's commands. */
     const unsigned faults = program->arithmetic() | frob_arithmetic_faults();
     streams_open();
     if (program->input_size < driver->input_size || program->output_size < driver->output_size ||

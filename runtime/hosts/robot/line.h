@@ -1,5 +1,5 @@
-/* line.h -- the connection to the robot, which is reopened after a loss: a serial line, or a socket
- * to another process that communicates with the robot. */
+/* line.h -- the connection to the robot: a serial line, or a socket to another process that
+ * communicates with the robot. If it is lost, it is reopened. */
 #ifndef FROB_HOST_ROBOT_LINE_H
 #define FROB_HOST_ROBOT_LINE_H
 
@@ -26,13 +26,13 @@ struct line_orders {
 struct line_opening {
     const char *option; /* its arguments follow this option, up to `--` or the end */
     const char *usage;  /* a description of the arguments, for --help */
-    const char *lost;   /* message for the user that the line was lost */
+    const char *lost;   /* message that tells the user that the line was lost */
 
     /* Opens line->port. `settings` are those of the driver. On failure, nothing is open, and
      * `message`, whose size is `room`, contains a line that explains the problem. */
     enum frob_status (*open)(struct line *line, const double *settings, char *message, size_t room);
 
-    /* Sets the program's controls in the input to the events that have arrived over this line.
+    /* Applies the events that have arrived over this line to the program's controls in the input.
      * `now_ns` is the time of the monotonic clock. NULL if the line has no such events. */
     void (*give)(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 

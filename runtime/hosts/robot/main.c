@@ -16,10 +16,13 @@ int main(int argc, char **argv)
     const struct frob_driver *driver = find_driver(frob_program.robot);
     if (driver == NULL) {
         streams_open();
-        fprintf(stderr,
-                "error: %s is a program for %s, which has no driver; the drivers are for %s\n",
-                frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",
-                driver_names);
+        if (frob_program.robot[0] == '\0')
+            fprintf(stderr, "error: %s is not a program for a robot; there are drivers for %s\n",
+                    frob_program.name, driver_names);
+        else
+            fprintf(stderr,
+                    "error: %s is a program for %s, which has no driver; there are drivers for %s\n",
+                    frob_program.name, frob_program.robot, driver_names);
         return WRONG_USE;
     }
     return host_run(argc, argv, &frob_program, driver, NULL);

@@ -28,7 +28,7 @@ static const char usage[] =
     "  --set NAME=VALUE   change a setting of the driver, see below\n"
     "  --priority N       run with real-time priority N, 1 to 99\n"
     "  --lock-memory      lock all memory, so that none is swapped out\n"
-    "  --console          pass the typed keys to the program, one per instant\n"
+    "  --console          pass typed keys to the program, one per instant\n"
     "  --exit-when-done   end when the program's task ends\n"
     "  --stop-when-violated\n"
     "                     stop the robot and end when an assertion is violated, if the program\n"
@@ -36,7 +36,7 @@ static const char usage[] =
     "  --progress         report connections even if standard error is not a terminal\n"
     "  --control          let viewers send events to the program\n"
     "  --viewer COMMAND...\n"
-    "                     start this viewer; takes the rest of the line\n"
+    "                     start this viewer; must be the last option\n"
     "\n"
     "Exit status: 0 when the run is complete; 2 for a usage error or a device that cannot be\n"
     "opened; 4 when a signal or a fault ended the run and the robot was stopped.\n";
@@ -107,7 +107,7 @@ static bool number(const char *option, const char *text, double low, double high
     return true;
 }
 
-/* Returns the camera for which the text begins with its label and `mark`; NULL if there is none. */
+/* Returns the camera whose label, followed by `mark`, begins the text; NULL if there is none. */
 static struct camera_options *camera_of(struct options *o, const char *text, char mark)
 {
     for (size_t i = 0; i < o->camera_count; i++) {
@@ -173,7 +173,7 @@ static bool check_cameras(const struct options *o, const char *program)
         }
         if ((width > 0.0) != (height > 0.0)) {
             fprintf(stderr,
-                    "error: camera `%s` has only a width or a height: set both, or neither\n",
+                    "error: camera `%s` has only one of width and height: set both, or neither\n",
                     c->label);
             return false;
         }
@@ -255,7 +255,7 @@ static bool valued(const struct frob_driver *driver, const struct frob_program *
             return false;
         o->priority = (int)x;
     } else {
-        fprintf(stderr, "error: unknown option `%s`; --help lists them\n", name);
+        fprintf(stderr, "error: unknown option `%s`; --help lists all options\n", name);
         return false;
     }
     return true;

@@ -20,12 +20,14 @@ void realtime_apply(const struct options *options, enum realtime_process process
             fprintf(
                 stderr,
                 "warning: cannot set real-time priority %d: %s; the run continues without it. Run "
-                "it as root, or add a line `YOU - rtprio %d` to /etc/security/limits.conf\n",
+                "the program as root, or add a line `YOU - rtprio %d` to "
+                "/etc/security/limits.conf\n",
                 options->priority, strerror(errno), options->priority);
     }
     if (options->lock_memory && mlockall(MCL_CURRENT | MCL_FUTURE) != 0 && tells)
         fprintf(stderr,
-                "warning: cannot lock memory: %s; the run continues without it. Run it as root, or "
-                "add a line `YOU - memlock unlimited` to /etc/security/limits.conf\n",
+                "warning: cannot lock memory: %s; the run continues with unlocked memory. Run the "
+                "program as root, or add a line `YOU - memlock unlimited` to "
+                "/etc/security/limits.conf\n",
                 strerror(errno));
 }

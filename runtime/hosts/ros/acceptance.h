@@ -15,7 +15,7 @@ struct ros_topic;
 bool ros_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                  int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
 
-/* Reports that messages no longer arrive. Does so only once, until another message arrives. */
+/* Reports that messages no longer arrive. Repeats this only after another message has arrived. */
 void ros_tell_silence(const struct ros_device *device, struct ros_topic *topic, const char *effect);
 
 /* Returns whether the timestamps of messages are based on /clock. */

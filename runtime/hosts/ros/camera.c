@@ -298,8 +298,7 @@ static bool pass_compressed(struct camera *c)
     return put(c, m->data.data, m->data.size);
 }
 
-/* Reports whether the topic has no publisher, or one with a different type. Reports each problem
- * once. */
+/* Reports a topic without a publisher, and a publisher with a different type; each only once. */
 static void look_at_topic(struct camera *c)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();

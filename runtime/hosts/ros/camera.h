@@ -21,8 +21,8 @@ struct camera_sources {
  * camera NAME. Prints a line on standard error on failure. The result is never freed. */
 struct camera_sources camera_sources_of(int argc, char **argv, const struct frob_program *program);
 
-/* If the command line is that of a camera's process, runs it, and returns true and its exit
- * status. */
+/* If the command line starts a camera's process, runs the camera, sets `status` to its exit status,
+ * and returns true. */
 bool camera_is_node(int argc, char **argv, int *status);
 
 #endif

@@ -10,12 +10,12 @@ struct mapping_fault {
     const char *text;         /* an unknown text; NULL if an array has a different length */
 };
 
-/* Copies a message to the value, in a struct of the program. Returns false if the message cannot be
- * used. Reports an unknown text even if it becomes Nothing. */
+/* Copies a message to the mapped value in `values`, a struct of the program. Returns false if the
+ * message cannot be used. Reports an unknown text even if it becomes Nothing. */
 bool mapping_read(const struct mapping *mapping, const void *message, void *values,
                   struct mapping_fault *fault);
 
-/* The values that the node writes to a header if the program does not set it. */
+/* The values that the node writes to a header if the program does not set them. */
 struct message_origin {
     int64_t stamp_ns;
     const char *frame;

@@ -15,14 +15,15 @@
  * the driver repeats the last command after this time. */
 #define REPEAT_NS INT64_C(100000000)
 
-/* A robot that is slower than this is considered to stand still. */
+/* A robot that is slower than this is considered to be standing still. */
 static const double stands_m_s = 0.01, stands_rad_s = 0.02;
 
 static const struct frob_setting settings[ROS_SETTINGS] = {
     { "late", 0.2, 0.01, 10.0, "maximum delay of an accepted message, s" },
     { "lidar_x", (double)NAN, -10.0, 10.0,
-      "position of the lidar ahead of the robot's centre, instead of reading /tf, m" },
-    { "lidar_y", (double)NAN, -10.0, 10.0, "position of the lidar to the left, m" },
+      "position of the lidar ahead of the robot's centre, used instead of /tf, m" },
+    { "lidar_y", (double)NAN, -10.0, 10.0,
+      "position of the lidar to the left of the robot's centre, m" },
     { "lidar_heading", (double)NAN, -7.0, 7.0,
       "direction of the lidar, positive to the left, rad" },
     { "imu_aligned", 0.0, 0.0, 1.0,

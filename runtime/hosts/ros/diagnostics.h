@@ -20,7 +20,8 @@ struct diagnostics {
 bool diagnostics_start(struct diagnostics *d, const struct frob_program *program,
                        const rcl_node_t *node, char *why, size_t room);
 
-/* Takes the verdict on one assertion. After the last one, publishes all of them. */
+/* Stores the verdict on one assertion. After the last assertion's verdict, publishes all
+ * verdicts. */
 void diagnostics_take(struct diagnostics *d, const struct ros_claim *claim);
 
 /* Returns false if rcl reports an error. */

@@ -6,8 +6,8 @@
 
 #include "device.h"
 
-/* Handles a parameter of the node that was set. When the node restarts, its initial values are
- * ignored, and the program's values apply. */
+/* Handles a parameter that was set in the node. When the node restarts, its initial values are
+ * ignored; the program's values apply. */
 void ros_take_touch(struct ros_device *d, const struct ros_touch *touch)
 {
     struct ros_dial *dial;

@@ -10,7 +10,7 @@
 /* Maximum difference between 1 and the squared norm of a quaternion. */
 #define ROUGHLY 0.02
 
-/* Cosine of the largest tilt of a lidar whose scans count as parallel to the floor: 0.2 rad. */
+/* Cosine of the largest tilt (0.2 rad) at which a lidar's scans count as parallel to the floor. */
 static const double level = 0.98;
 
 /* ---- Poses */
@@ -91,7 +91,7 @@ const char *frames_put(struct frames *frames, const char *parent, const char *na
     parent = frames_name(parent);
     name = frames_name(name);
     if (name[0] == '\0' || parent[0] == '\0' || strcmp(name, parent) == 0)
-        return "it does not name two frames";
+        return "it does not name two different frames";
     if (strlen(name) >= ROS_FRAME || strlen(parent) >= ROS_FRAME)
         return "the name of a frame is too long";
     for (size_t i = 0; i < 3; i++)

@@ -24,7 +24,7 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
         topic->told = true;
         fprintf(
             stderr,
-            "warning: %s has two types, so no message gets through: the node %s %s %s, and this "
+            "warning: %s has two types, so no message gets through: the node %s %s %s, but this "
             "program needs %s%s\n",
             topic->name, other->node_name, their, other->topic_type, topic->type,
             topic->cure != NULL && strcmp(other->topic_type, "geometry_msgs/msg/TwistStamped") == 0
@@ -34,7 +34,7 @@ static void tell_type(struct topic *topic, const rcl_topic_endpoint_info_array_t
 }
 
 /* Reports a subscriber that also requests earlier messages. DDS connects such a subscriber only to
- * publishers that keep earlier messages, and does not report that it refuses others. */
+ * publishers that keep earlier messages, and silently refuses all others. */
 static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_array_t *nodes)
 {
     for (size_t i = 0; i < nodes->size && !topic->told_durability; i++) {
@@ -45,7 +45,7 @@ static void tell_durability(struct topic *topic, const rcl_topic_endpoint_info_a
         fprintf(
             stderr,
             "warning: the node %s subscribes to %s with the durability `transient local`, so no "
-            "message gets through: %s are not kept. Let it subscribe with the durability "
+            "message gets through: %s are not kept. Set the durability of its subscription to "
             "`volatile`\n",
             other->node_name, topic->name, topic->kept);
     }
@@ -63,7 +63,7 @@ static void tell_reliability(struct topic *topic, const rcl_topic_endpoint_info_
         fprintf(
             stderr,
             "warning: the node %s publishes %s with the reliability `best effort`, so no message "
-            "gets through: let it publish with `reliable`\n",
+            "gets through: set the reliability of its publisher to `reliable`\n",
             other->node_name, topic->name);
     }
 }

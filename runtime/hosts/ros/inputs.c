@@ -53,7 +53,7 @@ bool inputs_is_reliable(const struct input *input)
     return input->kind == ROS_CLICK || input->kind == ROS_PRESS || input->kind == ROS_TF_STATIC;
 }
 
-/* Adds a topic of the program's own. */
+/* Adds one of the program's own topics. */
 static bool add_own(struct inputs *inputs, const struct frob_program *program, size_t number,
                     char *why, size_t room)
 {
@@ -91,7 +91,7 @@ static bool has_frames(const struct inputs *inputs)
  * program's own. */
 enum { OTHERS_MOST = 6 };
 
-/* Adds the topics of the console's buttons and its map. Returns false if two buttons have the same
+/* Adds the topics of the console's buttons and map. Returns false if two buttons have the same
  * topic. */
 static bool add_operated(struct inputs *inputs, const struct frob_program *program, char *why,
                          size_t room)
@@ -367,8 +367,8 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
-/* Returns whether a fault in a message is to be reported. Each unknown text is reported only once,
- * and only up to a maximum number of texts. */
+/* Returns whether to report a fault in a message. Each unknown text is reported only once, and none
+ * after the maximum number of texts. */
 static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
 {
     const size_t most = sizeof own->told_texts / sizeof own->told_texts[0];
@@ -409,8 +409,8 @@ static void tell(const struct input *input, const struct mapping_fault *fault, b
     char list[500], text[80];
     if (fault->text == NULL) {
         fprintf(stderr,
-                "warning: a message on %s is ignored: its `%s` does not have %zu elements, as the "
-                "program requires\n",
+                "warning: a message on %s is ignored: its `%s` does not have the %zu elements "
+                "that the program requires\n",
                 input->topic.name, fault->of->member->name_, fault->of->part_count);
         return;
     }
@@ -429,7 +429,7 @@ static void tell(const struct input *input, const struct mapping_fault *fault, b
     fprintf(stderr, "\n");
 }
 
-/* Sends a message on a topic of the program's own. */
+/* Sends a message on one of the program's own topics. */
 static void send_value(struct inputs *inputs, struct input *input, int socket)
 {
     struct own_topic *own = &input->own;

@@ -47,7 +47,7 @@ static void refuse(const struct frob_program *program, const char *label, size_t
     for (size_t i = 0; i < program->control_count; i++) {
         if (!is_operated(&program->console[i]))
             continue;
-        fprintf(stderr, has_any ? ", `%s`" : "has no button or knob of this name; %s `%s`",
+        fprintf(stderr, has_any ? ", `%s`" : "has no button or knob with this name; %s `%s`",
                 has_any ? program->console[i].label : separator, program->console[i].label);
         has_any = true;
     }
@@ -74,8 +74,8 @@ static bool assign(const struct frob_program *program, const char *text)
     if (equals == NULL || end == equals + 1 || *end != '\0' || number < 0 ||
         number >= ROS_JOY_MOST) {
         fprintf(stderr,
-                "error: `%s%.*s` is the number of %s of the joystick, from 0 to %d: write `--set "
-                "\"%s%.*s=0\"`\n",
+                "error: `%s%.*s` must be the number of %s of the joystick, from 0 to %d: write "
+                "`--set \"%s%.*s=0\"`\n",
                 setting, (int)length, text,
                 program->console[i].kind == FROB_KNOB ? "an axis" : "a button", ROS_JOY_MOST - 1,
                 setting, (int)length, text);
@@ -96,7 +96,7 @@ static void tell_idle(int argc, char **argv, const struct frob_program *program)
         if (is_hold(&program->console[i]) && uses[i] == 0)
             fprintf(stderr,
                     "warning: nothing can press the button `%s`: add `--set \"%s%s=NUMBER\"` for a "
-                    "button of the topic joy, or `--view --control`\n",
+                    "joystick button, or `--view --control`\n",
                     program->console[i].label, setting, program->console[i].label);
 }
 
@@ -134,7 +134,8 @@ const char *joy_check(const struct ros_joy *m, const struct frob_program *progra
         if (uses[i] == 0)
             continue;
         if (uses[i] > count) {
-            snprintf(why, room, "`%s%s=%u` needs %u %s, and it has %u: change this setting",
+            snprintf(why, room,
+                     "`%s%s=%u` needs %u %s, but the joystick has %u: change this setting",
                      setting, program->console[i].label, uses[i] - 1, uses[i],
                      uses[i] > 1 ? (is_axis ? "axes" : "buttons") : (is_axis ? "axis" : "button"),
                      count);

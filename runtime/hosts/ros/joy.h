@@ -1,4 +1,4 @@
-/* joy.h -- the joystick of the topic `joy`, which operates controls of the program's console.
+/* joy.h -- the joystick on the topic `joy`, which operates controls of the program's console.
  *
  * The user chooses the controls: `--set joy.LABEL=NUMBER` assigns a button of the joystick to a
  * button or a hold of the console, or an axis to a knob. At rest (0), an axis sets the knob to its
@@ -14,7 +14,7 @@
 
 #include "messages.h"
 
-/* If no message arrives for this time, the joystick no longer operates its controls. */
+/* If no message arrives for this long, the joystick no longer operates its controls. */
 #define JOY_SILENCE_NS INT64_C(500000000)
 
 /* Removes the settings of the joystick from a command line, and applies them. Returns the new
@@ -37,7 +37,8 @@ struct joy {
     bool is_given[ROS_CONTROLS_MOST];
 };
 
-/* Checks a message. Returns NULL, or the reason why it is ignored, in `why`. */
+/* Checks a message. Returns NULL, or the reason why it is ignored; `why` provides space
+ * for the reason. */
 const char *joy_check(const struct ros_joy *message, const struct frob_program *program, char *why,
                       size_t room);
 

@@ -37,7 +37,8 @@ bool message_type_find(struct message_type *type, const char *name, char *why, s
     type->support = late_message_type(package, last + 1);
     type->members = members_of(type->support);
     if (type->members == NULL)
-        snprintf(why, room, "the package %s of this ROS 2 has no message %s", package, last + 1);
+        snprintf(why, room, "the package %s of this ROS 2 installation has no message %s", package,
+                 last + 1);
     return type->members != NULL;
 }
 
@@ -265,8 +266,8 @@ static bool map_member(const struct search *s, struct mapping *m, const member_t
         m->count = upto->fields[0].value;
         if (member->is_upper_bound_ && array->constructors[0].count > member->array_size_) {
             snprintf(s->why, s->room,
-                     "in %s, `%s` has at most %zu elements, but in the record `%s` %zu: declare it "
-                     "with this maximum",
+                     "in %s, `%s` has at most %zu elements, but in the record `%s` it has at most "
+                     "%zu: declare it with the maximum of the message",
                      s->type, member->name_, member->array_size_, s->record,
                      array->constructors[0].count);
             return false;
@@ -277,8 +278,8 @@ static bool map_member(const struct search *s, struct mapping *m, const member_t
         const size_t count = value->constructors[0].count;
         if (!is_sequence && member->array_size_ != count) {
             snprintf(s->why, s->room,
-                     "in %s, `%s` has %zu elements, but in the record `%s` %zu: declare it as an "
-                     "`Array %zu`",
+                     "in %s, `%s` has %zu elements, but in the record `%s` it has %zu: declare it "
+                     "as an `Array %zu`",
                      s->type, member->name_, member->array_size_, s->record, count,
                      member->array_size_);
             return false;

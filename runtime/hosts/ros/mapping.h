@@ -21,8 +21,8 @@ struct message_type {
     const rosidl_typesupport_introspection_c__MessageMembers *members;
 };
 
-/* Looks up a type by name in the packages of the sourced ROS 2. If there is no such type, returns
- * false and explains why in `why`. */
+/* Looks up a type by name in the packages of the sourced ROS 2 installation. If there is no such
+ * type, returns false and explains why in `why`. */
 bool message_type_find(struct message_type *type, const char *name, char *why, size_t room);
 
 /* Allocates an initialized message; NULL if there is not enough memory. */

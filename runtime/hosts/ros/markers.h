@@ -25,7 +25,7 @@ struct markers {
 bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
                    char *why, size_t room);
 
-/* Takes a drawing, and publishes it if another node subscribes. */
+/* Publishes a drawing if another node subscribes. */
 void markers_take(struct markers *m, const struct ros_marks *marks, const struct tf *tf);
 
 /* Removes all markers. Returns false if rcl reports an error. */

@@ -36,7 +36,7 @@ enum ros_kind {
     ROS_TEXT,
     ROS_OUTPUT, /* publish the program's own topics: a struct ros_output, followed by the
                  * output */
-    ROS_REST,   /* publish zeros on those of the topics that are commands */
+    ROS_REST,   /* publish zeros on the program's own topics that are commands */
     ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, followed by its bytes */
     ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
     /* Sent in both directions when a control of the console has a new value; a struct
@@ -149,7 +149,7 @@ struct ros_bumper {
 struct ros_click {
     struct ros_head head;
     struct ros_origin origin;
-    struct ros_placing placing; /* in the frame of odometry */
+    struct ros_placing placing; /* in the frame of the odometry */
     double x_m, y_m;            /* in that frame; valid for ROS_FOUND */
 };
 

@@ -335,7 +335,7 @@ static void publish_text(struct node *n, const struct ros_text *text)
         rcl_reset_error();
 }
 
-/* The thread that publishes. It ends when no other process has the socket's other end open. */
+/* The thread that publishes. It ends when no other process has the other end of the socket open. */
 static void *publish_all(void *of)
 {
     struct node *n = (struct node *)of;

@@ -6,8 +6,8 @@
  * and ends. Until then, it ignores signals from the terminal. The guards (hosts/robot/guard.h)
  * also keep the socket open, and stop the robot through the node.
  *
- * The process has two threads. One waits for messages, the other publishes velocities without
- * waiting for the first one. */
+ * The process has two threads. One waits for messages; the other publishes velocities without
+ * waiting for the first. */
 #ifndef FROB_HOST_ROS_NODE_H
 #define FROB_HOST_ROS_NODE_H
 

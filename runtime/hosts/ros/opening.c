@@ -94,7 +94,7 @@ static enum frob_status wait_until_started(int socket, char *message, size_t roo
     struct ros_refused first;
     ssize_t got;
     if (poll(&wait, 1, START_MS) == 0) {
-        snprintf(message, room, "the ROS 2 node has not started within %d s", START_MS / 1000);
+        snprintf(message, room, "the ROS 2 node did not start within %d s", START_MS / 1000);
         return FROB_TIMEOUT;
     }
     memset(&first, 0, sizeof first);

@@ -11,7 +11,7 @@
 #include "device.h"
 #include "readings.h"
 
-/* If the readings are older than this, the program does not run. */
+/* The program does not run if the readings are older than this. */
 #define RUNNING_NS INT64_C(500000000)
 
 static const struct frob_program *program;
@@ -55,8 +55,8 @@ static bool is_running(const struct ros_device *d)
            (since != INT64_MIN && frob_now_ns(&d->clock) - since < RUNNING_NS);
 }
 
-/* Returns whether the program is running. If not, warns that it ignores the action on this
- * control. */
+/* Returns whether the program is running. If not, warns that the action on this control is
+ * ignored. */
 static bool sees(const struct ros_device *d, const struct frob_control *control)
 {
     if (is_running(d))

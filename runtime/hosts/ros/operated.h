@@ -42,8 +42,9 @@ void operated_take_click(struct ros_device *device, const struct ros_click *mess
 /* Sets the program's input for an instant to the state of the controls. */
 void operated_give(struct operated *operated, void *input, int64_t now_ns);
 
-/* Writes the name of a button's topic, such as `~/buttons/go`: its last part is the label, with
- * underscores for characters other than letters and digits, and in front of a first digit. */
+/* Writes the name of a button's topic, such as `~/buttons/go`: its last part is the label, with an
+ * underscore in place of each character that is not a letter or digit, and one in front if the
+ * label starts with a digit. */
 void operated_topic(const struct frob_control *button, char *name, size_t room);
 
 #endif

@@ -138,8 +138,8 @@ static bool is_plain(const struct own_input *input)
     return input->parts.event == NULL;
 }
 
-/* Returns the time of the plain topic whose newest message is the oldest. Topics that are events do
- * not count, because their messages may arrive at any time. */
+/* Returns the time of the newest message on the plain topic that was updated least recently. Topics
+ * that are events do not count, because their messages may arrive at any time. */
 static int64_t sensed_ns(const void *device)
 {
     const struct own_device *own = (const struct own_device *)device;

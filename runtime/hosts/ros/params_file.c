@@ -30,7 +30,7 @@ bool params_file_matches(const char *pattern, const char *node)
     return matches(pattern + (*pattern == '/' ? 1 : 0), node + (*node == '/' ? 1 : 0));
 }
 
-/* Writes a value as text. A list becomes a text that is not valid for any parameter. */
+/* Writes a value as text. A list becomes a string that is not valid for any parameter. */
 static void write_value(const rcl_variant_t *value, char *text, size_t room)
 {
     if (value->bool_value != NULL)

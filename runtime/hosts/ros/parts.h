@@ -1,4 +1,4 @@
-/* parts.h -- declarations that the files of the node's process share. */
+/* parts.h -- declarations shared by the files of the node's process. */
 #ifndef FROB_HOST_ROS_PARTS_H
 #define FROB_HOST_ROS_PARTS_H
 
@@ -21,7 +21,7 @@ struct topic {
 
 struct inputs;
 
-/* The state of the reports about other nodes. */
+/* State for the reports about other nodes. */
 struct graph {
     struct inputs *inputs;
     struct topic *published;

@@ -61,8 +61,8 @@ static const char *seat_of(const struct ros_device *d, struct ros_sensor *sensor
                            const struct ros_scan *message, struct ros_seat *seat)
 {
     static const char stands[] = ", and the robot stands still",
-                      how[] = "set the place of the lidar with `--set lidar_x=...`, `lidar_y` and "
-                              "`lidar_heading`";
+                      how[] = "set the position of the lidar with `--set lidar_x=...`, `lidar_y` "
+                              "and `lidar_heading`";
     const double *chosen = d->settings;
     seat->x_m = or_zero(chosen[ROS_LIDAR_X]);
     seat->y_m = or_zero(chosen[ROS_LIDAR_Y]);

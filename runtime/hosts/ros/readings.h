@@ -25,8 +25,8 @@ void ros_give_readings(struct ros_device *device, const struct frob_program *pro
 void ros_explain_frame(const struct ros_placing *placing, const char *effect, const char *how,
                        char *why, size_t room);
 
-/* Returns the time since which the program has received no readings because the position of a lidar
- * is unknown. Returns `sensed_ns` if that is earlier, or if all positions are known. */
+/* Returns the time at which a lidar's position became unknown, so that its readings stopped.
+ * Returns `sensed_ns` if that is earlier, or if all positions are known. */
 int64_t ros_placed_ns(const struct ros_device *device, int64_t sensed_ns);
 
 #endif

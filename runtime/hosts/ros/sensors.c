@@ -32,7 +32,7 @@ const char *ros_scan_of(const struct ros_scan *m, const struct ros_seat *seat, d
         return "its rays cover more than a full turn";
     if (!isfinite(m->nearest_m) || !isfinite(m->farthest_m) || m->nearest_m < 0.0 ||
         m->nearest_m >= m->farthest_m)
-        return "range_min and range_max are not the limits of a range";
+        return "range_min and range_max must be finite, with 0 <= range_min < range_max";
     /* Devices that rotate clockwise, or are upside down, send the rays from left to right. */
     for (uint32_t i = 0; i < m->count; i++)
         room[i] = distance(m->ranges_m[signed_step > 0.0 ? i : m->count - 1 - i], m->nearest_m);
@@ -105,7 +105,8 @@ void ros_imu_restart(struct ros_measurements *sums)
 
 /* ---- Names */
 
-/* Returns the length of the sensor's name in the control's label; 0 for other controls. */
+/* Returns the length of the sensor's name in the control's label; 0 if the control is not
+ * a lidar or an inertial measurement unit. */
 static size_t name_length(const struct frob_control *control)
 {
     return control->kind == FROB_IMU ? strlen(control->label) : frob_lidar_label(control);

@@ -1,11 +1,12 @@
 #include "stamps.h"
 
-/* A different clock is accepted after its messages have arrived for this time. For the same time
- * after the start, timestamps may be ahead, because the first message may have been delayed. */
+/* A different clock is accepted after its messages have been arriving for this long. For the same
+ * time after the start, timestamps may be ahead, because the first message may have been
+ * delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
-/* Two clocks run at different speeds (clock drift), so the smallest difference may grow by one part
- * in this number of the elapsed time. */
+/* Two clocks run at different speeds (clock drift), so the smallest difference may grow by the
+ * elapsed time divided by this number. */
 enum { DRIFT = 2000 };
 
 static int64_t apart(int64_t a, int64_t b)

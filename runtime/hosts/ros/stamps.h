@@ -6,8 +6,8 @@
  * delayed by the excess, so a message that waited in a queue is recognized as old.
  *
  * If timestamps go back or jump ahead, somebody has set the clock or restarted a simulation. At
- * first, such messages are rejected, because a single one may be due to an error. After a second of
- * such messages, the new clock is accepted. */
+ * first, such messages are rejected, because a single one may be due to an error. After such
+ * messages have arrived for one second, the new clock is accepted. */
 #ifndef FROB_HOST_ROS_STAMPS_H
 #define FROB_HOST_ROS_STAMPS_H
 
@@ -17,7 +17,7 @@
 struct stamps {
     bool started;
     int64_t first_ns;    /* arrival time of the first message */
-    int64_t previous_ns; /* arrival time of the previous message, except STAMPS_BACK */
+    int64_t previous_ns; /* arrival time of the previous message that was not STAMPS_BACK */
     int64_t shortest_ns; /* smallest difference between arrival time and timestamp */
     int64_t newest_ns;   /* timestamp of the newest accepted message */
     bool doubted;        /* whether messages with another clock have arrived since the last accepted

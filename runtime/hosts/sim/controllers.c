@@ -63,7 +63,7 @@ static bool is_of_a_pair(const char *label)
  * there are none. */
 static bool tell_other_cameras(const struct frob_sim *sim)
 {
-    const char *name, *before = " no camera of this name; it has";
+    const char *name, *before = " no camera with this name; it has";
     for (size_t i = 0; (name = frob_sim_camera_name(sim, i)) != NULL; i++) {
         if (is_of_a_pair(name))
             continue;
@@ -79,7 +79,7 @@ static void tell_missing_camera(const struct frob_sim *sim, const char *label)
 {
     const bool is_pair = is_of_a_pair(label);
     const char *table = is_pair ? "[stereo]" : "[camera]";
-    fprintf(stderr, "error: the program uses a camera, `%s`, but the robot of this world has",
+    fprintf(stderr, "error: the program uses a camera, `%s`, but the robot in this world has",
             label);
     if (!is_pair && tell_other_cameras(sim))
         fprintf(stderr,

@@ -36,7 +36,7 @@ struct controllers {
     struct frob_sim *sim;
     /* For each control of the console that uses a camera: the camera's number in the world. */
     int *cameras;
-    const struct frob_image **frames; /* the new frame of each at this instant; NULL if there is
+    const struct frob_image **frames; /* each camera's new frame at this instant; NULL if it has
                                        * none */
     struct tag_finder finder;         /* the tag finder, if the program uses tags */
     struct devices devices;           /* lidars and inertial measurement units */

@@ -23,10 +23,10 @@ static const struct kind imu = { frob_sim_open_imu, frob_sim_imu_name, "inertial
 /* Prints an error that names the table to add to the world file. */
 static void tell_missing(const struct frob_sim *sim, const struct kind *kind, const char *name)
 {
-    fprintf(stderr, "error: the program uses %s %s, `%s`, but the robot of this world has",
+    fprintf(stderr, "error: the program uses %s %s, `%s`, but the robot in this world has",
             strcmp(kind->title, "lidar") == 0 ? "a" : "an", kind->title, name);
     if (kind->name(sim, 0) != NULL) {
-        fprintf(stderr, " none of this name; it has");
+        fprintf(stderr, " none with this name; it has");
         for (size_t i = 0; kind->name(sim, i) != NULL; i++)
             fprintf(stderr, "%s `%s`", i > 0 ? "," : "", kind->name(sim, i));
         fprintf(stderr,
@@ -41,7 +41,8 @@ static void tell_missing(const struct frob_sim *sim, const struct kind *kind, co
     }
 }
 
-/* Returns the length of the device's name in the control's label; 0 for other controls. */
+/* Returns the length of the device's name in the control's label; 0 if the control is not
+ * a lidar or an inertial measurement unit. */
 static size_t name_length(const struct frob_control *control)
 {
     return control->kind == FROB_IMU ? strlen(control->label) : frob_lidar_label(control);
@@ -112,7 +113,8 @@ static void give_scan(const struct devices *d, size_t first, const struct frob_s
             frob_lidar_give(&program->console[i], input, scan, now_ns);
 }
 
-/* Presses the bumpers of the robot `ros`. Bumpers are held buttons with these labels. */
+/* Presses the bumpers of the robot `ros`. The bumpers are the console's hold buttons with these
+ * labels. */
 static void give_bumpers(const struct devices *d, size_t robot, void *input)
 {
     const struct frob_sim_bumps bumps = frob_sim_bumps_robot(d->sim, robot);

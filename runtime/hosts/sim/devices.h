@@ -1,4 +1,4 @@
-/* devices.h -- the lidars and inertial measurement units of the world that the program uses. */
+/* devices.h -- the simulated lidars and inertial measurement units that the program uses. */
 #ifndef FROB_SIM_DEVICES_H
 #define FROB_SIM_DEVICES_H
 

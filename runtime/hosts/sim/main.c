@@ -198,7 +198,8 @@ static bool run(const struct options *options, struct controllers *controllers,
     return ok;
 }
 
-/* Viewers find camera frames next to the recording, so a program with images needs one. */
+/* Viewers find camera frames next to the recording, so a program that uses images must be
+ * recorded. */
 static bool has_frames_for_viewer(const struct options *options, const struct frob_program *program)
 {
     if (options->viewer == NULL || options->record != NULL || !frames_has_images(program->input))
@@ -227,7 +228,7 @@ static bool is_writable(const char *path)
     return true;
 }
 
-/* Runs the program in an opened simulation, and prints the summary. */
+/* Runs the program in an open simulation, and prints the summary. */
 static int simulate(const struct options *options, const struct params *params,
                     struct frob_sim *sim)
 {

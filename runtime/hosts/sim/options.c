@@ -14,22 +14,22 @@ const char usage[] =
     "  --rate HZ          how often the controller runs (50)\n"
     "  --seed N           the seed for all noise (1)\n"
     "  --param NAME=VALUE set a parameter of the program, in its unit\n"
-    "  --target METRES    the wall distance that the robot should keep\n"
+    "  --target METRES    the distance that the robot should keep from the wall\n"
     "  --realtime         run in real time instead of as fast as possible\n"
     "  --record FILE.csv  record the inputs and outputs of the program (FILE.csv.gz: compressed)\n"
     "  --picture FILE     draw the run as .svg or .png\n"
-    "  --console          pass the typed keys to the program, one per instant\n"
+    "  --console          pass typed keys to the program, one per instant\n"
     "  --exit-when-done   end when the program ends, even if the --for time is not up\n"
     "  --stop-when-violated\n"
-    "                     end with status 4 when an assertion of the program is violated\n"
+    "                     exit with status 4 when an assertion of the program is violated\n"
     "  --strict           exit with status 4 if the robot collided with something\n"
     "  --judge JUDGE.so   judge each run, and print a line for it instead of a summary\n"
     "  --last-seed N      with --judge: run with each seed from the --seed value to N\n"
     "  --runs LIST        with --judge: run each line of a list, with its seed and parameters\n"
     "  --progress         show progress even if standard error is not a terminal\n"
     "  --viewer COMMAND...\n"
-    "                     start this viewer and run in real time, until interrupted if\n"
-    "                     there is no --for; takes the rest of the line\n"
+    "                     start this viewer and run in real time; without --for, run\n"
+    "                     until interrupted; must be the last option\n"
     "\n"
     "       frob-sim --robot-of WORLD.toml\n"
     "\n"
@@ -37,7 +37,7 @@ const char usage[] =
     "\n"
     "       frob-sim --plan PLAN.toml\n"
     "\n"
-    "                     prints the content of a sweep's plan\n";
+    "                     prints the contents of a sweep's plan\n";
 
 static bool number(const char *option, const char *text, double low, double high, double *result)
 {
@@ -108,7 +108,7 @@ static bool valued(struct options *o, const char *name, const char *value)
     else if (strcmp(name, "--last-seed") == 0)
         return whole(name, value, &o->last_seed);
     else {
-        fprintf(stderr, "error: unknown option `%s`; `frob-sim --help` lists them\n", name);
+        fprintf(stderr, "error: unknown option `%s`; `frob-sim --help` lists all options\n", name);
         return false;
     }
     return true;

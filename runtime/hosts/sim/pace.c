@@ -5,8 +5,8 @@
 #include <time.h>
 
 #define LOOK_NS INT64_C(5000000) /* interval between checks for requests while waiting */
-/* Above this speed, the simulator waits while the viewer has not read half of the published
- * instants. Otherwise the viewer would miss some of them. */
+/* Above this speed, the simulator waits while more than half of the ring is unread. Otherwise the
+ * viewer would miss some instants. */
 #define UNSEEN_SPEED 100.0
 #define UNSEEN_NS INT64_C(500000)
 #define LATE_NS INT64_C(100000000) /* the run does not catch up after a longer delay */
@@ -47,7 +47,7 @@ static void begin_again(struct pace *pace, int64_t time_ns, double speed)
     pace->speed = speed;
 }
 
-/* Waits for the instant while there is a viewer, which may change the pace at any time. */
+/* Waits until the instant is due. The viewer may change the pace at any time. */
 static bool wait_as_wanted(struct pace *pace, int64_t time_ns)
 {
     while (!*pace->interrupted && !ring_is_stopped(&pace->publisher->ring)) {

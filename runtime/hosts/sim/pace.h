@@ -1,5 +1,5 @@
-/* pace.h -- the speed of a simulated run: as fast as possible, in real time, or as a viewer sets
- * it. A viewer can also pause the run and single-step it. */
+/* pace.h -- the speed of a simulated run: as fast as possible, in real time, or as set by a
+ * viewer. A viewer can also pause the run and single-step it. */
 #ifndef FROB_SIM_PACE_H
 #define FROB_SIM_PACE_H
 
@@ -13,12 +13,12 @@ struct pace {
     bool is_free; /* whether to run as fast as possible if there is no viewer */
     bool was_paused;
     double speed;
-    int64_t clock_ns, time_ns; /* the same moment as a time on the clock and as a time of the run */
+    int64_t clock_ns, time_ns; /* one moment, as clock time and as time since the run started */
     int64_t last_ns;           /* time of the last instant */
     uint32_t steps;            /* number of steps taken while paused */
 };
 
-/* Starts the pace now, when the time of the run is 0. */
+/* Starts the pace, with 0 as the current time of the run. */
 void pace_start(struct pace *pace, struct publisher *publisher,
                 const volatile sig_atomic_t *interrupted, bool is_free);
 

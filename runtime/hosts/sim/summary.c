@@ -13,7 +13,9 @@ static void print_wall_distance(const char *who, const struct frob_sim_summary *
         return;
     printf("%swall distance to keep: %.3f m\n", who, s->wall_distance_m);
     if (isnan(s->mean_error_m)) {
-        printf("%swall distance error: not measured, the run ended while settling\n", who);
+        printf("%swall distance error: not measured, because the run ended before "
+               "the robot had settled\n",
+               who);
     } else {
         printf("%smean wall distance error: %.4f m\n", who, s->mean_error_m);
         printf("%slargest wall distance error: %.4f m\n", who, s->largest_error_m);
@@ -25,7 +27,9 @@ static void print_tape_distance(const char *who, const struct frob_sim_summary *
     if (!s->tape_measured)
         return;
     if (isnan(s->mean_tape_m)) {
-        printf("%sdistance from the tape: not measured, the run ended while settling\n", who);
+        printf("%sdistance from the tape: not measured, because the run ended before "
+               "the robot had settled\n",
+               who);
     } else {
         printf("%smean distance from the tape: %.4f m\n", who, s->mean_tape_m);
         printf("%slargest distance from the tape: %.4f m\n", who, s->largest_tape_m);
@@ -39,7 +43,9 @@ static void print_ball_distance(const char *who, const struct frob_sim_summary *
         return;
     printf("%sball distance to keep: %.3f m\n", who, s->ball_distance_m);
     if (isnan(s->mean_ball_m)) {
-        printf("%sball distance error: not measured, the run ended while settling\n", who);
+        printf("%sball distance error: not measured, because the run ended before "
+               "the robot had settled\n",
+               who);
     } else {
         printf("%smean ball distance error: %.4f m\n", who, s->mean_ball_m);
         printf("%slargest ball distance error: %.4f m\n", who, s->largest_ball_m);

@@ -21,12 +21,12 @@ struct trial {
  * trial_close in this case, too. */
 bool trial_open(struct trial *trial, const struct frob_program *judge);
 
-/* Performs a run in an opened simulation. The run ends at the first instant at which something
+/* Performs a run in an open simulation. The run ends at the first instant at which something
  * fails. Writes a line of tab-separated cells:
  *
  *   the seed;
  *   the verdict: `held`, `violated`, `undecided` (the judge was still waiting for something when
- *     the time was over), `unasked` (nothing had to hold at any instant) or `void` (an assumption
+ *     time ran out), `unasked` (nothing had to hold at any instant) or `void` (an assumption
  *     failed);
  *   the time;
  *   the label of what failed, or `judge`;

@@ -5,13 +5,13 @@
  *              PROGRAM.so IN.csv [OUT.csv]
  *
  * If IN.csv is `-`, reads standard input; without OUT.csv, writes to standard output. --modes adds
- * a column for each machine, with the mode that runs. --param sets a parameter; other parameters
+ * a column for each machine, with its current mode. --param sets a parameter; other parameters
  * keep the values with which the recording was made. The options from --separator on are for
  * recordings from other programs (dialect.h). Camera frames are read from IN.frames, next to the
  * recording. The results of the program's assertions are printed on standard error. Exit status: 0;
  * 2 if a file cannot be read or written or is not a trace of this program; 4 with
- * --stop-when-violated, at the first instant at which an assertion is violated. <frob/trace.h>
- * describes the trace's format. */
+ * --stop-when-violated, which stops at the first instant at which an assertion is violated.
+ * <frob/trace.h> describes the trace's format. */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE /* open_memstream */
 #endif
@@ -174,9 +174,9 @@ static bool readable(const struct trace *t, enum csv_status status)
     case CSV_RETURN: complain(t, 0, "%s", CSV_RETURN_REASON); break;
     case CSV_NO_COLUMN: complain(t, 0, "%s", t->csv.reason); break;
     case CSV_TOO_LONG:
-        complain(
-            t, 0,
-            "the row has more than 16 MB or more than a million cells: this is not a recording");
+        complain(t, 0,
+                 "the row is larger than 16 MB or has more than a million cells: this is not a "
+                 "recording");
         break;
     case CSV_NO_MEMORY: complain(t, 0, "not enough memory for this row"); break;
     }
@@ -213,8 +213,8 @@ static bool is_missing(const struct column *column)
 }
 
 /* Reports the columns that are missing from the header. Names only a few of them, because a robot's
- * input has many columns, and the message also contains the expected header. The header has
- * `unknown` unknown columns, one of which is `other`. */
+ * input has many columns, and the message also contains the expected header. `unknown`: the number
+ * of unknown columns in the header; `other`: one of them. */
 static void complain_missing(struct trace *t, size_t unknown, const char *other)
 {
     const char *first = NULL;
@@ -341,7 +341,7 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
     struct frob_cell_error error;
     if (t->csv.count != t->width) {
         complain(t, t->width,
-                 "this row has the wrong number of cells: the header has %lu columns, found %lu%s",
+                 "wrong number of cells: the header has %lu columns, but this row has %lu%s",
                  (unsigned long)t->width, (unsigned long)t->csv.count,
                  dialect_width_hint(&t->csv, t->width));
         return false;

@@ -1,4 +1,4 @@
-/* buffer.h -- a growing text, and functions that write JSON to it.
+/* buffer.h -- a growable text buffer, and functions that write JSON to it.
  *
  * If memory runs out, the text that does not fit is dropped, and `failed` is set. */
 #ifndef FROB_VIEW_BUFFER_H

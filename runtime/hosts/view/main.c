@@ -46,7 +46,7 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
     files->own_count += is_own ? 1 : 0;
 }
 
-/* Reads the commands that build and drive an edited program, which are separated by `--`. Each
+/* Reads the two commands, separated by `--`, that build and drive an edited program. Each
  * becomes an array that ends with NULL. */
 static void read_commands(struct options *o, char **at)
 {
@@ -107,8 +107,8 @@ static bool read_options(struct options *o, int argc, char **argv)
     return true;
 }
 
-/* Redirects the standard streams to /dev/null, so that readers of the run's output do not wait
- * until the last page is closed. */
+/* Redirects the standard streams to /dev/null, so that programs that read the run's output do not
+ * wait until the last page is closed. */
 static void leave_streams(void)
 {
     int null = open("/dev/null", O_RDWR);

@@ -129,8 +129,8 @@ static inline unsigned frob_arithmetic_faults(void)
 }
 
 /* Checks single precision in the same way, for programs that compute with floats: a processor may
- * have a separate unit for them, with its own settings. Faults that only compiler options cause are
- * left to the checks with doubles. */
+ * have a separate unit for them, with its own settings. Faults that only compiler options can cause
+ * are left to the double-precision checks. */
 static inline unsigned frob_arithmetic_float_faults(void)
 {
     volatile float one_ = 1.0f, half_ulp_ = FLT_EPSILON / 2.0f, less_ = -1.0f;

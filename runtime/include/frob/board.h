@@ -7,8 +7,8 @@
  *
  *   const struct frob_board frob_rover_board = { … };
  *
- * Write it from the description of the protocol, not from the driver, so that each is a check on
- * the other. The functions must not block; the simulation passes them the time. */
+ * Write it from the specification of the protocol, not from the driver, so that the board and the
+ * driver check each other. The functions must not block; the simulation passes them the time. */
 #ifndef FROB_BOARD_H
 #define FROB_BOARD_H
 
@@ -30,11 +30,12 @@ struct frob_board {
     uint32_t rate;     /* bit rate of the line */
     size_t size;       /* size in bytes of the board's memory, which is all zero at power-on */
 
-    /* Passes the body's sensor readings at the time `now_ns` to the board, in the robot's input
+    /* Passes the body's sensor readings at the time `now_ns` to the board, as the robot's input
      * struct. Each event is passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
-    /* Handles a received byte. It arrives at the time of the last call of `sense` or `advance`. */
+    /* Handles a received byte, which arrives at the time of the last call to `sense` or
+     * `advance`. */
     void (*receive)(void *board, uint8_t byte, struct frob_answer *answer);
 
     /* Advances the time, for watchdogs and delayed answers. */

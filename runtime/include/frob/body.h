@@ -71,7 +71,8 @@ struct frob_body {
     const struct frob_seat *rangers; /* the rangers, at least one, in firing order */
     size_t ranger_count;
     double half_angle_rad; /* half the opening angle of each ranger's beam */
-    /* Nearer obstacles read as `nearest_m`; farther ones return no echo. */
+    /* Obstacles nearer than `nearest_m` read as `nearest_m`; those beyond `farthest_m` return no
+     * echo. */
     double nearest_m, farthest_m;
     double resolution_m; /* 0: continuous */
     double period_s;     /* time between the firings of successive rangers */
@@ -94,8 +95,8 @@ struct frob_body {
     size_t photocell_count;
 
     /* Resolution of the speeds in the robot's protocol, for a robot whose driver rounds with
-     * drivers/steps.h; the simulator then rounds in the same way. Set either the resolution of the
-     * wheel speeds, or the other two. */
+     * drivers/steps.h; the simulator then rounds in the same way. Set either `wheel_step_m_s`, or
+     * both `speed_step_m_s` and `turn_step_rad_s`. */
     double wheel_step_m_s;
     double speed_step_m_s, turn_step_rad_s;
 };

@@ -32,7 +32,7 @@ void frob_camera_give_number(const struct frob_field *field, void *input,
  * precision. */
 void frob_camera_set_number(void *input, const struct frob_value *value, double x);
 
-/* Called for each image within a value, with the location of its pointer. */
+/* Called for each image within a value, with the address of its pointer. */
 typedef void frob_image_visitor(void *context, const struct frob_image **image);
 
 /* Visits the images in the struct that `value` describes. */

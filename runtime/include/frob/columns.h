@@ -18,7 +18,7 @@ struct frob_column {
                        * is unknown */
     /* For a probe: whether it is an event. Other probes may also be absent at some instants. */
     int is_event;
-    /* For a probe: the signal function that contains it, as it appears in its name; otherwise
+    /* For a probe: the signal function that contains it, as written in the probe's name; otherwise
      * "". */
     const char *instance;
     const char *own;  /* for a probe: its name within its signal function */

@@ -1,8 +1,8 @@
 /* frob/console.h -- the operator's console, as part of a robot's input.
  *
  * Keys typed on the host set the input field `key`. The program's table (`console`) lists the
- * buttons, knobs, toggles and the map that the program uses; their values follow the robot's struct
- * in the input. A host calls frob_console_start once, and frob_console_clear after each instant. In
+ * buttons, knobs, toggles and map that the program uses; their values follow the robot's struct in
+ * the input. A host calls frob_console_start once, and frob_console_clear after each instant. In
  * between it may call frob_console_touch at any time; the program sees the change at the next
  * instant. */
 #ifndef FROB_CONSOLE_H
@@ -35,7 +35,7 @@ bool frob_console_is_on(const struct frob_program *program, const struct frob_va
  *   a hold     is held down from now on if x is not 0, and released otherwise
  *   a knob     is turned to x, in base units, clamped to its range
  *   a toggle   is on from now on if x is not 0, and off otherwise
- *   the map    is clicked at x, y, in metres, in the frame of odometry
+ *   the map    is clicked at x, y, in metres, in the odometry frame
  * Returns false and changes nothing if there is no such control, if it is a camera, or if a number
  * is NaN. */
 bool frob_console_touch(const struct frob_program *program, void *input, size_t control, double x,

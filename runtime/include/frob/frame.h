@@ -48,8 +48,8 @@ size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
 /* Finds the frames that cells name. `find` returns an image that is valid until the end of the
- * instant. If there is none, it returns NULL and sets `expected` to a text that continues "expected
- * …". */
+ * instant. If there is none, it returns NULL and sets `expected` to the words that follow
+ * "expected" in the error message. */
 struct frob_frames {
     const struct frob_image *(*find)(void *context, const struct frob_frame_name *name,
                                      const char **expected);

@@ -24,7 +24,7 @@ struct frob_imu {
     uint32_t number;             /* number of the last measurement */
 };
 
-/* Sets the event of this instant to the reading and its age at the time `now_ns`. Sets no event if
+/* Sets the event for this instant to the reading and its age at the time `now_ns`. Sets no event if
  * `reading` is NULL. */
 void frob_imu_give(const struct frob_control *imu, void *input, const struct frob_imu *reading,
                    int64_t now_ns);

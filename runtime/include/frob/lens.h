@@ -25,9 +25,9 @@ struct frob_lens {
 
 void frob_image_lens(const struct frob_image *image, struct frob_lens *result);
 
-/* Returns a key that distinguishes images from approximately the same time. It distinguishes images
- * of one camera by their number and capture time, and images of several cameras also by projection
- * and pose. It does not read pixels, and is the same on every machine. */
+/* Returns a key that distinguishes an image from others taken at about the same time. The key
+ * depends on the image's number, capture time and size, and on the camera's projection and pose,
+ * but not on the pixels. It is the same on every machine. */
 int32_t frob_image_key(const struct frob_image *image);
 
 #ifdef __cplusplus

@@ -38,9 +38,9 @@ size_t frob_lidar_label(const struct frob_control *control);
  * event if `scan` is NULL.
  *
  * Direction k of n has the bearing k * 360 / n degrees, and covers the sector of 360 / n degrees
- * around it. Its distance is the smallest one among the rays in the sector, and among the rays that
- * are at most half a step_rad away from its bearing. Therefore no object is lost if the device has
- * more rays than the program has directions, and no direction is empty if the device has fewer. */
+ * around it. Its distance is the smallest one measured by the rays in the sector and by those at
+ * most half a step_rad away from its bearing. Therefore no object is lost if the device has more
+ * rays than the program has directions, and no direction is empty if the device has fewer. */
 void frob_lidar_give(const struct frob_control *lidar, void *input, const struct frob_scan *scan,
                      int64_t now_ns);
 

@@ -1,5 +1,5 @@
-/* frob/origins.h -- the signals from which the values of a trace's columns are computed: one step
- * back along the equations of the program.
+/* frob/origins.h -- for each column of a trace, the signals from which its value is computed, one
+ * step back through the program's equations.
  *
  * `frobc view` builds such a table into the program's shared object. Hosts look up the symbol
  * `frob_origins`; it may be missing. */
@@ -26,7 +26,7 @@ struct frob_source {
     const char *column; /* a column, or the common start of several names, such as `in.sonar` */
     int back;           /* how many instants earlier the source is read (0: in the same
                          * instant), or FROB_FIRST or FROB_ENTRY */
-    /* If the source applies only in one mode of a machine: that machine; otherwise "". */
+    /* The machine, if the source applies only in one of its modes; otherwise "". */
     const char *machine;
     /* The number of that mode, which must run at the source's instant. For FROB_ENTRY, it is
      * instead the number of the mode that ran before the current one began, or FROB_ANY or

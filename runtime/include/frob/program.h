@@ -72,7 +72,7 @@ enum frob_control_kind {
     FROB_HOLD,   /* a bool: whether a button is held down */
     FROB_KNOB,   /* a number from `least` to `most` */
     FROB_TOGGLE, /* a bool */
-    FROB_MAP,    /* an event of a position: two numbers, in metres, in the frame of odometry */
+    FROB_MAP,    /* an event of a position: two numbers, in metres, in the odometry frame */
     FROB_CAMERA, /* an event of a frame (frob/camera.h), set by the host, not by the operator */
     /* An event of the tags in a frame (frob/tags.h), also set by the host. Its label is the
      * camera's label and " tags". */
@@ -111,9 +111,9 @@ struct frob_claim {
     const char *column;
     const char *place; /* "wall_follow.frob:12" */
     int is_assumption;
-    /* The verdict within the output struct: NotAsked, Holds, Open or Fails. It is an event of a
-     * verdict if its signal function does not run at each instant, and an array if there are
-     * several instances. */
+    /* The verdict within the output struct: NotAsked, Holds, Open or Fails. It is an event that
+     * carries the verdict if the signal function does not run at every instant, and an array if
+     * there are several instances. */
     const struct frob_value *value;
 };
 
@@ -123,7 +123,7 @@ struct frob_topic {
     const char *name;  /* before remapping: "cmd_vel" */
     const char *type;  /* "geometry_msgs/msg/Twist" */
     int is_counted;    /* whether the value is an event of a Counted */
-    int is_command;    /* whether a message of zeros stops the controlled device */
+    int is_command;    /* whether an all-zero message stops the controlled device */
 };
 
 /* The texts that represent an enumeration in ROS 2 messages. */
@@ -158,8 +158,8 @@ struct frob_program {
      * seconds, dt_ns / 1e9. Both must be 0 in the first instant after a reset. */
     void (*step)(void *state, const void *params, int64_t dt_ns, double dt, const void *input,
                  void *output);
-    /* Returns whether the number of each running mode is valid. If not, memory was damaged. In that
-     * case, hosts stop the robot, and do not call a step before the next reset. */
+    /* Returns whether the number of each running mode is valid. If not, memory has been corrupted:
+     * hosts then stop the robot, and do not call step again before the next reset. */
     bool (*is_valid)(const void *state);
     /* frob_arithmetic_faults, compiled with the program's options. It also checks floats if the
      * program computes with them. */
@@ -191,10 +191,10 @@ struct frob_program {
 
 #define FROB_PROGRAM_ABI 14u
 
-/* The end of a host's message about an invalid state, after the name of the program or of its
+/* The end of a host's message about an invalid state. The part before it names the program or its
  * process. */
-#define FROB_DAMAGED_STATE                                                           \
-    "the number of a running mode is invalid; if the program calls functions in C, " \
+#define FROB_DAMAGED_STATE                                                        \
+    "the number of a running mode is invalid; if the program calls C functions, " \
     "check that they write only to their own memory"
 
 /* Symbol that hosts look up. */

@@ -1,4 +1,4 @@
-/* frob/result.h -- determines whether a program has ended, and with which result.
+/* frob/result.h -- determines whether a program has ended, and what its result is.
  *
  * A program that is a task ends when the task ends. From that step on, the robot is at rest, and
  * the output contains the task's result. */

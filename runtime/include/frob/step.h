@@ -39,8 +39,8 @@
 /* gcc 11 to 13 for aarch64 read a struct too early if two structs of different types share a stack
  * slot, unless strict aliasing is off (tests/generated/matrix/shared_stack.c is a complete
  * example). An attribute of the structs does not help, because they are variables, not pointers.
- * The pragma is limited to aarch64, because a function with it is not inlined into a caller without
- * it, which link-time optimization would otherwise do. */
+ * The pragma is limited to aarch64, because it prevents link-time optimization from inlining a
+ * function with it into a caller without it. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
@@ -214,7 +214,7 @@ static inline bool frob_runs_out_while(bool condition, uint32_t *left, int64_t n
 static inline int64_t frob_span(int64_t dt_ns)
 {
     const int64_t most = INT64_C(1000000000000000000);
-    /* comparing with a number of 32 bits first is faster */
+    /* comparing with a 32-bit number first is faster */
     if (FROB_BRANCH((uint64_t)dt_ns > (uint64_t)INT32_MAX)) {
         return dt_ns <= 0 ? 0 : dt_ns < most ? dt_ns : most;
     }
@@ -288,7 +288,7 @@ static inline double frob_at_least(double x, double limit)
 }
 
 /* Clamps x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
- * after #else are equivalent, but gcc would translate them to a branch for x86. */
+ * after #else are equivalent, but gcc would compile them to a branch on x86. */
 static inline double frob_clamp(double x, double low, double high)
 {
 #if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__)
@@ -402,7 +402,7 @@ static inline int64_t frob_whole_ns(double dt)
 }
 
 /* Rounds dt, in seconds, to whole nanoseconds. dt is almost always the double nearest to such a
- * number already, and its bits show this faster than a division. From 2^-10 to 2^22 s, the bits of
+ * number already, and checking its bits is faster than dividing. From 2^-10 to 2^22 s, the bits of
  * dt, times 4e9 and shifted left by the exponent, are the fraction of a nanosecond as a 64-bit
  * number; 4e9, shifted in the same way, is one unit in the last place of dt. */
 static inline double frob_whole_dt(double dt)
@@ -514,7 +514,7 @@ static inline float frob_at_leastf(float x, float limit)
 }
 
 /* Clamps x to low … high, two different numbers that are not zero; NaN if x is NaN. The expressions
- * after #else are equivalent, but gcc would translate them to a branch for x86. */
+ * after #else are equivalent, but gcc would compile them to a branch on x86. */
 static inline float frob_clampf(float x, float low, float high)
 {
 #if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__)
@@ -603,9 +603,9 @@ static inline int32_t frob_roundf(float x)
     return rest <= -0.5f && n > INT32_MIN ? n - 1 : n;
 }
 
-/* Converts dt to whole nanoseconds. Whole seconds and their fraction are converted separately,
- * because a float has too few bits for both. Halves round to even: adding 2^23 discards the
- * fraction. Returns 0 for NaN and negative numbers, and at most 1e9 s. */
+/* Converts dt to whole nanoseconds. Whole seconds and the rest are converted separately, because a
+ * float has too few bits for both. Halves round to even: adding 2^23 discards the fraction. Returns
+ * 0 for NaN and negative numbers, and at most 1e9 s. */
 static inline int64_t frob_whole_nsf(float dt)
 {
     if (!(dt > 0.0f)) {

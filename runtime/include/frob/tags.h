@@ -22,7 +22,7 @@ struct frob_tags {
     struct frob_tag each[FROB_MOST_TAGS];
 };
 
-/* Sets the event of this instant to the tags in the frame and the age of the frame at the time
+/* Sets the event for this instant to the tags in the frame and the age of the frame at the time
  * `now_ns`. If there is no frame, `image` and `tags` must both be NULL. */
 void frob_tags_give(const struct frob_control *control, void *input, const struct frob_image *image,
                     const struct frob_tags *tags, int64_t now_ns);

@@ -6,7 +6,7 @@
  * `out.turn`. A `()` has no column. If the program has probes, their columns, `probe.NAME`, follow
  * those of the output. The last columns, which are optional, are `mode.NAME` for each machine, with
  * the name of the mode that runs after the instant. The cell is empty while the machine does not
- * exist: a machine that is part of a mode of another machine exists only while that mode runs. */
+ * exist: a machine inside another machine's mode exists only while that mode runs. */
 #ifndef FROB_TRACE_H
 #define FROB_TRACE_H
 

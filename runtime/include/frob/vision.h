@@ -1,5 +1,5 @@
 /* frob/vision.h -- the image-processing kernels of runtime/vision, for the library's module Vision,
- * which imports them, and for the user's own C.
+ * which imports them, and for the user's own C code.
  *
  * Each kernel passes over the pixels a small number of times; its time is bounded by the size of
  * the image or of the request. No kernel allocates or keeps state. Kernels need at most 30 kB of
@@ -9,7 +9,7 @@
  *
  * Any argument is safe, including NaN. An image that is not sound (frob_image_is_sound) is treated
  * as having no pixels, and a region may extend beyond the image. If nothing is found, the result
- * says so. Functions that also exist in OpenMV are named as there.
+ * says so. Functions that also exist in OpenMV have the same names as there.
  *
  * Coordinates are those of frob/image.h. Angles are in radians from the x axis towards the y axis,
  * which is clockwise in the displayed image. Brightness is grey, 0 … 255; for a colour it is (77
@@ -47,8 +47,8 @@ struct frob_colour_range {
 #endif
 
 /* A set of pixels: their number, centroid and bounding box, and the ellipse with the same second
- * moments: the lengths of both axes, and the direction of the major axis, within (-pi/2, pi/2]. All
- * members are 0 if there are no pixels. */
+ * moments, given by the lengths of both axes and the direction of the major axis, in (-pi/2, pi/2].
+ * All members are 0 if there are no pixels. */
 #ifndef FROB_BLOB_DEFINED
 #define FROB_BLOB_DEFINED
 struct frob_blob {
@@ -120,7 +120,7 @@ struct frob_segment {
 };
 #endif
 
-/* An edge: its signed distance from the centre of the segment, and the change of brightness per
+/* An edge: its signed distance from the centre of the segment, and the change in brightness per
  * pixel there. Both are 0 if there is no edge. */
 #ifndef FROB_EDGE_DEFINED
 #define FROB_EDGE_DEFINED
@@ -141,9 +141,9 @@ struct frob_edges {
 void frob_find_edges(const struct frob_image *image, const struct frob_segment *segment,
                      struct frob_edges *result);
 
-/* Shi and Tomasi's corner score: the smaller eigenvalue of the mean of g g^T, where g are the
- * gradients in the 5 by 5 pixels around the position; in (brightness per pixel)^2. A straight edge
- * scores 0. */
+/* Shi and Tomasi's corner score: the smaller eigenvalue of the mean of g g^T, where g is the
+ * gradient at each of the 5 by 5 pixels around the position; in (brightness per pixel)^2. A
+ * straight edge scores 0. */
 #ifndef FROB_CORNER_DEFINED
 #define FROB_CORNER_DEFINED
 struct frob_corner {
@@ -176,9 +176,9 @@ void frob_get_patch(const struct frob_image *image, const struct frob_placement 
                     double result[FROB_PATCH_SIZE]);
 
 /* The best placement of a patch, and how well it matches: the square root of 1 - r^2, where r is
- * the correlation of the brightness of patch and image; it does not depend on brightness offset and
- * contrast. 0 is a perfect match, 1 no similarity at all. The residual is also 1 if more than a
- * quarter of the patch is outside the image. */
+ * the correlation between the brightness of the patch and of the image. It does not depend on
+ * brightness offset or contrast. 0 is a perfect match, 1 no similarity at all. The residual is also
+ * 1 if more than a quarter of the patch is outside the image. */
 #ifndef FROB_MATCH_DEFINED
 #define FROB_MATCH_DEFINED
 struct frob_match {
@@ -223,9 +223,9 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
 
 /* ---- Stereo
  *
- * Both images of a pair have the same size and come from cameras side by side, without distortion
- * and rectified: a point in a row of the left image is in the same row of the right image, shifted
- * to the left by its disparity. Nearer points have larger disparities. */
+ * Both images of a pair have the same size, come from cameras that are side by side, and are
+ * undistorted and rectified: a point in a row of the left image is in the same row of the right
+ * image, shifted to the left by its disparity. Nearer points have larger disparities. */
 
 /* Parameters of stereo matching: the region of the left image; the number of disparities to try,
  * from 0 up (16 … 256, a multiple of 16); and the side of the compared windows (5 … 21, odd). Other
@@ -242,19 +242,19 @@ struct frob_stereo {
 size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
 
 /* Computes the disparity of each pixel of the region, in 1/16 pixels. It is -1 if unknown: the
- * texture is too weak, two disparities match equally well, or matching from the right image, if
- * that pixel is within the region, results in a different disparity. `stride` is the number of
- * elements from one row of the result to the next. Returns false and writes nothing if the images
- * are not a pair or `room` is too small. */
+ * texture is too weak, two disparities match equally well, or the corresponding pixel in the right
+ * image, if it is within the region, matches best at a different disparity. `stride` is the number
+ * of elements from one row of the result to the next. Returns false and writes nothing if the
+ * images are not a pair or `room` is too small. */
 bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);
 
 /* Depths in a region, in metres along the optical axis. For each of 16 columns: the smallest depth
- * such that at least 5 %, and at least eight, of its pixels have this depth or a smaller one;
- * infinite for disparity 0. For the whole region: the nearest depth, by the same rule, and the
- * median. NaN if fewer pixels than that are known, or if the cameras are at the same position.
- * `known` is the fraction of pixels whose disparity is known. */
+ * such that at least 5 % of its pixels, and at least eight, are at this depth or nearer; infinite
+ * for disparity 0. For the whole region: the nearest depth, by the same rule, and the median. NaN
+ * if fewer pixels than that are known, or if the cameras are at the same position. `known` is the
+ * fraction of pixels whose disparity is known. */
 #ifndef FROB_DEPTHS_DEFINED
 #define FROB_DEPTHS_DEFINED
 struct frob_depths {

@@ -1,4 +1,4 @@
-"""Runs programs written in Frob from Python: compile, step, run, simulate and sweep them, and read
+"""Runs Frob programs from Python: compiles, steps, runs, simulates and sweeps them, and reads
 recordings."""
 
 from .data import Data

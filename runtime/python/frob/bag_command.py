@@ -1,7 +1,7 @@
 """`python3 -m frob.bag_command BAG PROGRAM OUT.csv`: extracts the recording of a program from a ROS 2
 bag, for `frobc trace` and `frobc view`.
 
-A bag is a folder of rosbag2, or one of its files (.db3 or .mcap). A program that runs as a ROS 2
+A bag is a rosbag2 folder, or one of the files in it (.db3 or .mcap). A program that runs as a ROS 2
 node publishes its instants: the topic `NODE/columns` contains the beginning of its recording, and
 the topic `NODE/instants` contains a number and a row for each instant. Files in MCAP format require
 the package mcap."""
@@ -119,7 +119,7 @@ def recordings_in(bag: str) -> Dict[str, Tuple[str, Dict[int, str]]]:
         if kind == "columns" and text.startswith("# program "):
             if heads.get(node, text) != text:
                 raise Unreadable(
-                    f"it has several runs of {node}: record each run into a separate bag"
+                    f"it has several runs of {node}: record each run in a separate bag"
                 )
             heads[node] = text
         elif kind == "instants":
@@ -128,7 +128,7 @@ def recordings_in(bag: str) -> Dict[str, Tuple[str, Dict[int, str]]]:
                 known = rows.setdefault(node, {})
                 if known.setdefault(int(number), row) != row:
                     raise Unreadable(
-                        f"it has several runs of {node}: record each run into a separate bag"
+                        f"it has several runs of {node}: record each run in a separate bag"
                     )
     return {node: (head, rows.get(node, {})) for node, head in heads.items()}
 
@@ -142,7 +142,8 @@ def recording_of(bag: str, program: str) -> str:
         raise Unreadable(
             f"it has no instants of the program {program}, only of {', '.join(others)}"
             if others
-            else "it has no instants of a program: record the topics NODE/columns and NODE/instants"
+            else "it contains no recording of a program: record the topics NODE/columns and"
+            " NODE/instants"
         )
     if len(nodes) > 1:
         raise Unreadable(f"{program} ran as several nodes: {', '.join(nodes)}")

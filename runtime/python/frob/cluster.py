@@ -122,7 +122,7 @@ def _text(error: BaseException) -> str:
 
 
 def _make(client: "Client", work: Work, left: int) -> str:
-    """Performs the missing runs. Returns the first failure, or an empty text."""
+    """Performs the missing runs. Returns the first failure, or an empty string."""
     from distributed import as_completed
 
     all_see = _ask_all(client, work)
@@ -157,7 +157,7 @@ def _keep(work: Work, rows: bytes) -> None:
 def _result(future: Any) -> Made:
     try:
         made: Made = future.result()
-    except Exception as error:  # the cluster may fail in any way
+    except Exception as error:  # a cluster can fail in many ways
         return Made(b"", f"a worker could not perform its runs: {_text(error)}")
     return made
 

@@ -268,7 +268,9 @@ def step(dt: Any, place: str) -> float:
     except (TypeError, ValueError, ArithmeticError):
         raise InputError(f"{place}: expected seconds, found {shapes.shown(dt)}") from None
     if math.isnan(seconds) or seconds < 0:
-        raise InputError(f"{place}: {seconds} is not a duration: give seconds, 0 or more")
+        raise InputError(
+            f"{place}: {seconds} is not a duration: give a non-negative number of seconds"
+        )
     return seconds
 
 
@@ -278,8 +280,8 @@ def numbers(leaves: Leaves, program: str) -> List[Tuple[str, shapes.Scalar]]:
     for name, leaf in leaves:
         if not isinstance(leaf, shapes.Scalar):
             raise InputError(
-                f"`{name}` of {program} is not a number ({leaf.meaning}), but an array can only have "
-                "numbers: give a mapping of columns, or a DataFrame"
+                f"`{name}` of {program} is not a number ({leaf.meaning}), but an array can only "
+                "contain numbers: give a mapping of columns, or a DataFrame"
             )
         found.append((name, leaf))
     return found

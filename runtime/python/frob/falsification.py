@@ -98,10 +98,10 @@ def falsify(
     progress: Optional[Callable[[str, int, int], None]] = None,
     ended: Optional[Callable[[Search], None]] = None,
 ) -> List[Search]:
-    """Searches for runs that violate the program's assertions, one assertion after the other.
+    """Searches for runs that violate the program's assertions, one assertion after another.
 
     `params` and `inputs` map names to ranges, either `(low, high)` or a string such as `"2[1/m] to
-    8[1/m]"`. Inputs are named like the columns of a trace, and may also have a fixed value. Each
+    8[1/m]"`. Inputs have the same names as in a trace, and may also have a fixed value. Each
     input has `points` values during the run; it keeps each value until the next
     (`shape="constant"`) or changes linearly between them (`shape="linear"`). The margin of the
     assertion guides the search. `only` selects assertions by label, and `runs` is the maximum
@@ -141,7 +141,7 @@ def falsify(
         if inputs or check_rate is not None:
             raise InputError(
                 f"{code.name} drives a robot, so its inputs come from the simulator: vary "
-                "parameters, disturbances and seeds instead of inputs, and remove check_rate"
+                "parameters, disturbances or seeds instead of inputs, and remove check_rate"
             )
         shaken = simulated.disturbances(beside)
         place = simulated.world_of(path, world, [one.name for one in shaken])
@@ -151,7 +151,7 @@ def falsify(
     else:
         if world is not None or beside or seeds is not None:
             raise InputError(
-                f"{code.name} is not a robot program, so it has no world: vary parameters and "
+                f"{code.name} is not a robot program, so it has no world: vary only parameters and "
                 "inputs, or use `reactimateRobot` to make a robot program"
             )
         subject, shaken = Subject(code, duration, rate), []

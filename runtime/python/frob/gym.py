@@ -102,7 +102,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         self._observation = list(inputs if observation is None else observation)
         for name in limits or {}:
             if name not in self._action + self._observation:
-                raise InputError(f"limits: `{name}` is neither acted on nor observed")
+                raise InputError(f"limits: `{name}` is in neither `action` nor `observation`")
         self._picture = picture
         ranges = {**_ranges(code), **(limits or {})}
         self.action_space: Any = self._space(self._action, ranges)
@@ -112,7 +112,7 @@ class RobotEnv(gymnasium.Env[Floats, Floats]):
         leaves = self._drive.numbers(names)
         if not names or len(set(names)) != len(names):
             raise InputError(
-                "an action and an observation need at least one column, without duplicates"
+                "`action` and `observation` must each name at least one column, without duplicates"
             )
         bounds = [ranges.get(n, _natural(leaf)) for n, leaf in zip(names, leaves)]
         low, high = (np.array([b[k] for b in bounds], dtype=np.float64) for k in (0, 1))
@@ -211,8 +211,8 @@ def _natural(leaf: shapes.Scalar) -> Tuple[float, float]:
 
 
 def _as(leaf: shapes.Scalar, value: float) -> Any:
-    """Converts a float to the column's type: rounds it to the nearest integer for an Int; for a
-    Bool, returns whether it is at least 0.5.
+    """Converts a float to the column's type: for an Int, the nearest integer; for a Bool, whether
+    it is at least 0.5.
     """
     if isinstance(leaf, shapes.Bool):
         return value >= 0.5

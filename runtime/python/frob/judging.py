@@ -155,7 +155,7 @@ def _seen(
     leaf: shapes.Leaf, memory: "NDArray[Any]", count: int, size: int
 ) -> "Tuple[Optional[NDArray[Any]], NDArray[Any]]":
     """Reads a column. Returns a mask of the instants at which its signal function runs (None if it
-    always runs), and the values, which are the constructors' tags for a sum type."""
+    always runs), and the values; for a sum type, these are the constructors' tags."""
     np = columns.numpy()
 
     def view(kind: str, offset: int) -> "NDArray[Any]":
@@ -174,8 +174,8 @@ def _seen(
 
 
 def _stretches(running: Any, count: int) -> Iterator[Tuple[int, int]]:
-    """Yields each uninterrupted stretch in which a signal function runs, as its first instant and
-    the instant after its last."""
+    """Yields the uninterrupted stretches in which a signal function runs: for each, the first
+    instant, and the instant after the last one."""
     np = columns.numpy()
     if running is None:
         yield 0, count

@@ -84,7 +84,8 @@ def _column(values: "NDArray[Any]") -> "Series":
 
 
 def _nanoseconds(seconds: float) -> Optional[int]:
-    """Rounds a time to nanoseconds, as programs do. Returns None for a time that never passes."""
+    """Rounds a time to nanoseconds, as programs do. Returns None for a time that is NaN or so large
+    that it never passes."""
     if seconds != seconds or seconds * 1e9 >= 2**63:
         return None
     return max(0, round(seconds * 1e9))
@@ -108,7 +109,7 @@ def _within(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _held_for(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The minimum since the last instant at least q earlier; minus infinity if there is none."""
+    """The minimum since the latest instant at least q earlier; minus infinity if there is none."""
     np = columns.numpy()
     if q is None:
         return np.full(len(ns), -np.inf)  # type: ignore[no-any-return]

@@ -51,7 +51,7 @@ def decoded(schema: Any, channel: Any, message: Any, ros: Any, skipped: Dict[str
 
 
 def rows(reader: Any) -> Tuple[List[str], List[Tuple[int, Dict[str, str]]], Dict[str, str]]:
-    """Returns the columns, in the order in which they first occur; for each time of a message, the
+    """Returns the columns, in the order in which they first occur; for each message timestamp, the
     cells that change; and the skipped topics, with their encodings."""
     ros = None
     if find_spec("mcap_ros2") is not None:

@@ -63,7 +63,7 @@ def _inputs(code: library.Library, inputs: Mapping[str, Any]) -> Inputs:
 
 
 def ends(place: str, given: Any) -> List[Any]:
-    """Splits a range into its two ends; for a single value, returns a list with that value."""
+    """Splits a range into its two ends; for a single value, returns a list of just that value."""
     if isinstance(given, str):
         return [part.strip() for part in given.split(" to ")] if " to " in given else [given]
     if isinstance(given, (tuple, list)):

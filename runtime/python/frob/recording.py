@@ -161,7 +161,7 @@ def parsed(path: str, text: str, dialect: Dialect = OURS) -> Any:
         raise InputError(f"{path}:{lines + 1}: {error}") from None
     if names[0] != "time":
         raise Error(
-            f"{path}:{lines + 1}: not a recording: the first column must be `time`, found "
+            f"{path}:{lines + 1}: not a recording: the first column must be `time`, not "
             f"`{names[0]}`{dialect.time_hint(names)}"
         )
     body = rows[1:]
@@ -290,8 +290,8 @@ VERDICTS = {"NotAsked", "Holds", "Open", "Fails", None}
 
 
 def _assertions(columns: Dict[str, List[Any]]) -> Dict[str, Assertion]:
-    """Computes the results of the assertions as a host prints them: instants from the first failed
-    assumption on do not count.
+    """Computes the results of the assertions as a host prints them. Once an assumption fails, that
+    instant and all later ones do not count.
     """
     told = {
         name: column

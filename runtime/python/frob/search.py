@@ -122,7 +122,7 @@ class Space:
 
 @dataclass(frozen=True)
 class Sketch:
-    """A point of a space, described by fewer numbers, each from 0 to 1."""
+    """A point of a space, described by fewer numbers than the point has, each from 0 to 1."""
 
     space: Space
     parts: List[int]
@@ -132,7 +132,7 @@ class Sketch:
     values between them."""
 
     def at(self, numbers: Sequence[float]) -> List[float]:
-        """Returns the point that these numbers describe. Clips them to 0 and 1."""
+        """Returns the point that these numbers describe. Clips each number to the range 0 to 1."""
         within = [min(max(number, 0.0), 1.0) for number in numbers]
         first = len(self.space.params)
         point = within[:first]
@@ -190,7 +190,7 @@ class Search:
 
     The search first tries the corners. Then it tries random sketches, in which most inputs change
     only a few times and are often at an end of their range. Such runs are more likely to reveal
-    faults of programs with modes than restless runs are, but the search also tries a few restless
+    faults in programs with modes than restless runs are, but the search also tries a few restless
     ones. After each round of sketches, CMA-ES (Hansen) improves the best sketch that it has not
     worked on yet: its parameters, and the times and values of its inputs. In each round, sketches
     may have more parts than in the previous one, up to the number of control points.
@@ -244,8 +244,8 @@ class Search:
 
 
 def need_packages(method: str) -> None:
-    """Checks that all packages are installed, before anything is compiled. If not, raises an error
-    that says how to install the missing ones.
+    """Checks, before anything is compiled, that the packages for this search method are installed.
+    Otherwise, raises an error that says how to install the missing ones.
     """
     needed = ["numpy", "cma"] if method == "cma" else ["numpy"]
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
@@ -254,7 +254,7 @@ def need_packages(method: str) -> None:
     which = " and ".join(missing) + (", which is" if len(missing) == 1 else ", which are")
     blind = (
         "; or search at random (`--method random`), which takes more runs"
-        + ("" if missing == ["cma"] else " and needs numpy only")
+        + ("" if missing == ["cma"] else " and needs only numpy")
         if "cma" in missing
         else ""
     )
@@ -269,6 +269,6 @@ def cma() -> Any:
     except ImportError:
         raise Error(
             "the search by CMA-ES needs the package cma, which is not installed: "
-            "run `frobc extras install search`, or use the method random, which takes more runs"
+            "run `frobc extras install search`, or use the random method, which takes more runs"
         ) from None
     return cma

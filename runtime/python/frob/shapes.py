@@ -242,9 +242,10 @@ class Sum(Shape):
         if constructor.labels:
             constructor.write(memory, base, value, place)
         elif len(value.args) != len(constructor.parts):
+            count = len(constructor.parts)
             raise InputError(
-                f"{place}: `{constructor.name}` has arity {len(constructor.parts)}, found "
-                f"{shown(value)}"
+                f"{place}: expected `{constructor.name}` with {count} "
+                f"argument{'' if count == 1 else 's'}, found {shown(value)}"
             )
         for part, one in zip(constructor.parts, () if constructor.labels else value.args):
             part.write(memory, base, one, place)
@@ -290,7 +291,7 @@ def from_text(shape: Shape, text: str, place: str) -> Any:
 
 
 Defaults = Mapping[int, Any]
-"""Defaults of values that may be omitted, by the addresses of their tables."""
+"""Maps the addresses of tables to the defaults of their values, for values that may be omitted."""
 
 
 def of_value(value: table.Value, defaults: Defaults) -> Shape:

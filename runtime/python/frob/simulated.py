@@ -20,11 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SEED = "--seed"
-"""The name under which a search varies the seed of the noise, along with parameters and
-disturbances."""
+"""The name of the noise seed among the parameters and disturbances that a search varies."""
 
 TOUCHES = Claim("touches nothing", False, shapes.Bool(0), None, "")
-"""The additional assertion of simulated runs. The simulator evaluates it, not the program."""
+"""The additional assertion for simulated runs. The simulator, not the program, evaluates it."""
 
 
 class World:
@@ -37,8 +36,8 @@ class World:
         self.varied = list(varied)
         if varied and re.search(r"^\s*picture\s*=", self._text, re.MULTILINE):
             raise InputError(
-                f"{path} refers to pictures, which a modified copy of the file cannot find: "
-                "remove the disturbances"
+                f"{path} refers to pictures, which cannot be found from a modified copy of "
+                "the file: remove the disturbances"
             )
 
     def text(self, values: Mapping[str, float]) -> str:
@@ -104,8 +103,8 @@ class Simulated(Subject):
 
     def __init__(self, code: library.Library, world: World, duration: float, rate: float) -> None:
         super().__init__(code, duration, rate)
-        # `time` and `nanoseconds` contain only the instants of the last run, without those that
-        # fall into an outage.
+        # `time` and `nanoseconds` contain only the instants of the last run, without those during
+        # an outage.
         self._all = self.time, self.nanoseconds
         self.world = world
         self._input = ctypes.create_string_buffer(code.table.input_size + 1)

@@ -113,8 +113,8 @@ def world_path(program: str, world: Optional[tools.PathLike]) -> str:
             except OSError as error:
                 raise Error(f"cannot read the world {path}: {error.strerror}") from None
     raise Error(
-        f"there is no world {name} here or beside {program}, nor among those that come with "
-        f"frobc: {', '.join(sorted(os.listdir(own)))}"
+        f"there is no world {name} here or next to {program} or among the worlds that come "
+        f"with frobc: {', '.join(sorted(os.listdir(own)))}"
     )
 
 
@@ -159,7 +159,7 @@ class Simulator:
         """Runs the physics up to this time, which must not decrease between calls, and reads the
         sensors.
 
-        During an outage of the world, it commands a stop instead and returns False, because the
+        During an outage of the world, commands a stop instead and returns False, because the
         program has no instant."""
         with self._lock:
             sim = self._open()

@@ -12,7 +12,7 @@ MOST_NS = 4 * 10**18
 """Maximum time. Times since 1970 will reach it in the year 2096."""
 
 IN_A_FLOAT = 2**53
-"""Maximum time at which a float of seconds still resolves nanoseconds."""
+"""Maximum time that a float in seconds can represent to the nanosecond."""
 
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _EXACT = decimal.Context(prec=60, rounding=decimal.ROUND_HALF_UP)
@@ -29,7 +29,7 @@ def of_text(text: str) -> Optional[int]:
 
 
 def of_value(value: Any) -> Optional[int]:
-    """Converts a time in seconds, a number or a string, to nanoseconds. None if it is invalid or
+    """Converts a time in seconds (a number or a string) to nanoseconds. None if it is invalid or
     too large."""
     if isinstance(value, str):
         return of_text(value.strip())
@@ -58,8 +58,8 @@ def of_dt(seconds: float) -> int:
 
 
 def hint(seconds: Any) -> str:
-    """Returns a hint, in the words of `frobc`, for a time that is too large. If it looks like a
-    time since 1970 in a smaller unit, the hint says so; otherwise, it is an empty string.
+    """For a time that is too large: if it looks like a time since 1970 in a smaller unit, returns a
+    hint, in the words of `frobc`; otherwise, returns an empty string.
     """
     try:
         size = abs(float(seconds))

@@ -18,7 +18,7 @@ REJECTED = 1
 """The exit status of frobc for an invalid program."""
 
 INSTALLED = Path(__file__).parent / "tools"
-"""The folder in which a wheel contains frobc and its hosts, with the layout of `make install`."""
+"""In a wheel, the folder of frobc and its hosts; it has the layout of `make install`."""
 
 
 BESIDE = Path(__file__).resolve().parents[4]
@@ -108,7 +108,7 @@ def word(value: str, what: str) -> str:
 
 
 def words(given: Sequence[str], what: str) -> List[str]:
-    """Checks a list of strings. A single string is treated as a list with that string."""
+    """Checks a list of strings. A single string counts as a list that contains only this string."""
     return [word(one, what) for one in ([given] if isinstance(given, str) else paths(given, what))]
 
 

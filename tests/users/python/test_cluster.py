@@ -149,7 +149,7 @@ class OnCluster(unittest.TestCase):
             frob.sweep("gaps.toml", self.client)
         self.assertEqual(
             str(raised.exception),
-            f"the worker {address} cannot perform these runs: its plan, program, worlds or frobc are "
+            f"the worker {address} cannot perform these runs: its plan, program, worlds or frobc "
             "differ from those of the client",
         )
         os.remove(os.path.join(other, "share/frobc/worlds/room.toml"))

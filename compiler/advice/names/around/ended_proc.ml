@@ -126,8 +126,8 @@ let switch_around program (name : name) =
       let same (_, (head : expr), _) = Span.compare head.span first.span = 0 in
       Some (List.nth all (List.length (List.filter same all) - 1))
 
-(* The value that depends on the name: the application whose last argument is the name. Also returns
-   the place of this application, including the parentheses around it. *)
+(* Returns the application whose last argument is the name, or the name itself if there is none, and
+   the place of this expression, including any parentheses around an application. *)
 let value_of program (name : name) =
   let rec go (value : expr) = function
     | ({ desc = Apply (_, x); _ } as whole : expr) :: outer when x.span = value.span ->

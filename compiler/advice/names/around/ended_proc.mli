@@ -1,5 +1,5 @@
-(** Hints about a name that seems to be the input of a [proc], but is used where that [proc] has
-    ended. *)
+(** Hints about a name that seems to be the input of a [proc], but is used after the end of that
+    [proc]. *)
 
 open Basis
 
@@ -15,10 +15,10 @@ val is_in_second_where : Syntax.Ir.program -> Syntax.Ir.name -> bool
 (** Is the name in the [where] of a definition whose body is a [proc] that also has a [where]? *)
 
 val lambda_before_where : Syntax.Ir.program -> Syntax.Ir.name -> (Syntax.Ir.name * Span.t) option
-(** For the parameter [i] of a definition [f = \\i -> …] that is used in the [where] of that
-    definition: the name [f], and the place of `\\i`. *)
+(** If the name is the parameter [i] of a definition [f = \\i -> …] but is used in the [where] of
+    that definition: the name [f], and the place of `\\i`. *)
 
 val of_switch : text:string -> Syntax.Ir.program -> Syntax.Ir.name -> hint option
-(** If the name is an input of the first argument of a [switch] but is used in another argument: a
-    hint to move the event into the first argument, or to carry the value in the event to the next
+(** If the first argument of a [switch] binds the name as its input, but another argument uses it: a
+    hint to move the event into the first argument, or to let the event carry the value to the next
     mode. [text]: the source text of the module. *)

@@ -30,13 +30,13 @@ val follows : text:string -> string -> Span.t -> bool
 (** Does the name directly follow this text? *)
 
 val is_index : text:string -> Span.t -> bool
-(** Is the name an index such as [k] in [x(k - 1)], an earlier sample of a signal? *)
+(** Is the name an index, such as [k] in [x(k - 1)] for an earlier sample of a signal? *)
 
 val starts_an_equation : text:string -> string -> bool
 (** Does a line of the text begin with this name and [=]? *)
 
 val call : text:string -> Span.t -> (Span.t * string) option
-(** The call with parentheses that begins with the name, as in [pow(x, 2)], and the same call in
+(** The call that begins with the name and has parentheses, as in [pow(x, 2)], and the same call in
     Frob. [None] if the call in Frob begins with the same name. *)
 
 val lower_case : string -> string
@@ -50,11 +50,10 @@ val member : text:string -> Span.t -> Span.t option
 (** The place of the name together with all names joined to it by dots, as in [np.linalg.norm]. *)
 
 val written : text:string -> Span.t -> string
-(** The text at a place on one line. *)
+(** The text at this place, which must be on one line. *)
 
 val without_modules : string -> string -> string
-(** The expression with the functions of the module replaced by those of Frob: [abs a] for
-    [math.fabs a]. *)
+(** The expression with the module's functions replaced by Frob's: [abs a] for [math.fabs a]. *)
 
 val is_an_argument : text:string -> Span.t -> bool
 (** Does the name follow a function or another argument? *)
@@ -78,7 +77,7 @@ val unit_of_literal : text:string -> Span.t -> (string * string * string) option
     inside these brackets. For [h] in [20[km/h]], these are [20], [km/] and the empty string. *)
 
 val assigned : text:string -> Span.t -> (string * string * Span.t) option
-(** The equation on the line of the name, if it is on one line: the name that it defines, its
+(** The equation that contains the name, if it is on one line: the name that it defines, its
     right-hand side, and the place of the right-hand side. *)
 
 val divided_difference : text:string -> Span.t -> (Span.t * string) option
@@ -94,11 +93,11 @@ val record : text:string -> Span.t -> (Span.t * (string * string) list) option
     values of its fields. *)
 
 val in_parentheses : text:string -> Span.t -> (Span.t * string) option
-(** The call [f(x, y)] of the name, without a space before the parenthesis: its place, and the text
-    in parentheses. *)
+(** The call that begins with the name, as in [f(x, y)], without a space before the parenthesis: its
+    place, and the text in parentheses. *)
 
 val application : text:string -> Span.t -> (Span.t * string list) option
-(** The application of the name to arguments on its line: its place, and the texts of the arguments.
+(** The application of the name to arguments on its line: its place, and the text of each argument.
     Each argument is a name, a number or an expression in parentheses. *)
 
 val arguments : text:string -> Span.t -> (Span.t * string list) option

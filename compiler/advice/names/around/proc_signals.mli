@@ -1,6 +1,6 @@
-(** The signals of [proc]s, for messages about names that are used outside the scope of the signal:
-    after the bracket or comma that ends the [proc], or in a [where] after [proc … -> do], which
-    belongs to the enclosing definition. *)
+(** The signals of [proc]s, for messages about signals that are used outside their scope: after the
+    bracket or comma that ends the [proc], or in a [where] after [proc … -> do], which belongs to
+    the enclosing definition. *)
 
 type t = {
   name : Syntax.Ir.name;
@@ -8,9 +8,8 @@ type t = {
 }
 
 val of_surroundings : Syntax.Ir.right list -> t list
-(** The names bound by the [proc]s in these right-hand sides, each of which contains the one before
-    it: the names of all [proc]s in the outermost right-hand side, and of each right-hand side that
-    is a [proc] with a [do]. *)
+(** The right-hand sides are nested, innermost first. Returns the names bound by every [proc] in the
+    outermost one, and by each right-hand side that is itself a [proc] with a [do]. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** The names bound by all [proc]s in the module's definitions. *)
@@ -20,8 +19,8 @@ val in_capitals : Syntax.Ir.program -> string list
     patterns, and have already been reported. *)
 
 val without_definition : Syntax.Ir.program -> string list
-(** Names with a signature but no definition at the top level, or with a type before the name, as in
-    [Velocity v = 0]. These have already been reported. *)
+(** Top-level names that have a signature but no definition, or that are defined with a type before
+    the name, as in [Velocity v = 0]. These have already been reported. *)
 
 type c_declaration = {
   head : Syntax.Ir.name;  (** the first word, which parses as the name of a function *)

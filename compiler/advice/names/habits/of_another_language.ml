@@ -53,8 +53,8 @@ let before_a_text (t : Unknown.t) =
     Some
       (explained t
          (Printf.sprintf
-            "remove `%s`: a string is only a label, so it cannot contain values; make the value an \
-             output"
+            "remove `%s`: a string is only a label, so it cannot contain values; to see the value, \
+             make it an output"
             t.name.text))
   else None
 
@@ -72,7 +72,8 @@ let call (t : Unknown.t) =
 
 (* {1 Words} *)
 
-let last_element = "indices start at 0: to get the last element of an array of 3, write `xs ! 2`"
+let last_element =
+  "indices start at 0: to get the last element of a 3-element array, write `xs ! 2`"
 
 (* `xs(end)`; elsewhere, `end` has a row in the phrasebook *)
 let of_last_element (t : Unknown.t) =
@@ -124,7 +125,7 @@ let word (t : Unknown.t) =
 
 (* {1 C declarations} *)
 
-(* The hint that rewrites a C declaration in Frob. *)
+(* The hint that shows how to write a C declaration in Frob. *)
 let of_c_declaration (d : Proc_signals.c_declaration) =
   let text = d.declared.text in
   let name =
@@ -243,5 +244,5 @@ let controller (t : Unknown.t) =
       |> Imports.without_imported t.module_.visible
       |> explained t
       |> Diagnostic.note
-           "each gain has its own unit, such as `0.5[1/s]`; `largest` is the maximum output")
+           "each gain has its own unit, as in `0.5[1/s]`; `largest` is the maximum output")
     (Rewritten.controller t)

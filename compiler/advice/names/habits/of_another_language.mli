@@ -6,5 +6,5 @@ val rules : (Unknown.t -> Diagnostic.t option) list
 (** The rules in order of priority. *)
 
 val controller : Unknown.t -> Diagnostic.t option
-(** Suggests [pid] for the application of another library's controller to three gains and an error.
-*)
+(** Suggests [pid] in place of another library's controller that is applied to three gains and an
+    error. *)

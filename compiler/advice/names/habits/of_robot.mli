@@ -1,4 +1,4 @@
-(** Hints for an unknown value that no other rule explains: a similar name, or Frob's equivalent for
+(** Hints for an unknown value that no other rule explains: a similar name, or Frob's equivalent of
     a word that other robot libraries use for a sensor or an action. *)
 
 open Basis

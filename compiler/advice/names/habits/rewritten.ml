@@ -43,7 +43,7 @@ let length_in_text (t : Unknown.t) =
       Some (whole, if is_factor then Printf.sprintf "toFloat (%s)" text else text)
   | _ -> None
 
-(* The name after the dot, as in `math.sin`, and the place of both. *)
+(* The place of the whole expression, such as `math.sin`, and the name after the dot. *)
 let field (t : Unknown.t) =
   Option.map
     (fun (whole : Span.t) ->
@@ -97,8 +97,8 @@ let container word =
   | "forward" | "turnBy" | "driveTo" | "ask" | "mkTask" | "timeOut" | "abortWhen" -> Some "Task"
   | _ -> if word <> "" && word.[0] = '[' then Some "Array" else None
 
-(* The kind of container that this argument is, if the argument or the right-hand side of its
-   equation begins with a library function that returns one. *)
+(* The kind of container that this argument evaluates to, if the argument, or the right-hand side of
+   the equation that defines it, begins with a library function that returns a container. *)
 let kind_of (t : Unknown.t) argument =
   let first text =
     let text = String.map (fun c -> if c = '(' then ' ' else c) text in
@@ -231,7 +231,8 @@ let import_of (t : Unknown.t) text =
   | None when String.starts_with ~prefix:"countWhere " text -> ", with `import Arrays`"
   | None when String.starts_with ~prefix:"delay 0 " text ->
       ", where 0 is the value at the first instant"
-  | None when String.starts_with ~prefix:"sleepT " text -> ": the robot rests meanwhile"
+  | None when String.starts_with ~prefix:"sleepT " text ->
+      ", which keeps the robot at rest for that time"
   | None when String.contains text '`' -> ", which includes both numbers"
   | None when String.starts_with ~prefix:"[" text -> ": an array literal lists its elements"
   | None when String.starts_with ~prefix:"generate " text ->

@@ -1,6 +1,6 @@
-(** Rewrites in Frob an unknown name from another language, together with the words around it in the
-    source text. A result with a {!Basis.Span.t} is a place in the text with the replacement for it.
-*)
+(** Rewrites an unknown name from another language, and the words around it in the source text, as
+    Frob code. A result with a {!Basis.Span.t} consists of a place in the text and the text that
+    replaces it. *)
 
 open Basis
 
@@ -15,7 +15,7 @@ val member : Unknown.t -> (Span.t * string) option
 (** [k] for [self.k]. *)
 
 val controller : Unknown.t -> string option
-(** The use of [pid] that replaces an application such as [PID 0.5 0.1 0 e]. *)
+(** The application of [pid] that replaces one of another controller, such as [PID 0.5 0.1 0 e]. *)
 
 val of_a_module : text:string -> Syntax.Ir.name -> (Span.t * string) option
 (** [cos a] for [math.cos a], if the name is a module of another language whose functions are built

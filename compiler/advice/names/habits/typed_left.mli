@@ -14,4 +14,5 @@ val of_declaration :
   (string -> Typed_equation.t option) ->
   Proc_signals.c_declaration ->
   Typed_equation.t option
-(** The equation on the line of the declaration, as parsed by the given function. *)
+(** Parses the line of the declaration with the given function. Returns the equation if it defines
+    the declared name. *)

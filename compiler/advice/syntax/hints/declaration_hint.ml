@@ -81,7 +81,7 @@ let without_value found =
   | (END | SEMICOLON), Some _ -> lacks_a_value found
   | _ -> None
 
-(* `type alias` of Elm *)
+(* `type alias`, as in Elm *)
 let alias found =
   match (found.token.token, found.before) with
   | LOWER "alias", Some { token = TYPE; _ } ->

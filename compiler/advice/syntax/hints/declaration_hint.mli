@@ -4,7 +4,7 @@ val choices : Found.rule
 (** A `data` whose constructors begin with lower-case letters. *)
 
 val defined_word : Found.rule
-(** The definition of a reserved word. *)
+(** A definition whose name is a reserved word. *)
 
 val without_where : Found.rule
 (** A class or an instance without `where`. *)

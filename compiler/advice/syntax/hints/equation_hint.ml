@@ -64,7 +64,7 @@ let is_a_default_value found =
   let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
   not (List.exists (fun c -> String.contains line c) [ '='; '>'; '<' ])
 
-(* `f 1 2` for `f(x=1, y=2)`, where the token is one of the `=` *)
+(* `f 1 2` for `f(x=1, y=2)`, where the token is one of the `=` signs *)
 let call_without_keywords found =
   match found.context with
   | (Layout.Paren, { by; _ }) :: _ -> Other_arguments.without_keywords found.text by.start.pos_cnum
@@ -139,7 +139,7 @@ let applies_a_function text =
       && (outside 0 0 || List.hd (List.rev words) = "do" || not (List.exists is_formula words))
   | _ -> false
 
-(* The number of repetitions of the loop `while n < 4 …` below `n = 0`. *)
+(* The number of iterations of a loop such as `while n < 4 …` below `n = 0`. *)
 let counted_below found name =
   let at = end_of_line found found.token.start.pos_cnum in
   let rest = String.sub found.text at (String.length found.text - at) in

@@ -95,7 +95,7 @@ let list_comprehension found =
   match (found.token.token, found.before) with BAR, _ -> comprehension found | _ -> None
 
 (* The parameters before the arrow, as in `x ->` or `(x, y) ->`. They start after the innermost open
-   `(`, or after a `=` or `,`. *)
+   `(`, or after an `=` or `,`. *)
 let parameters_before found =
   let stop = found.token.start.pos_cnum in
   let bol = found.token.start.pos_bol in

@@ -84,14 +84,16 @@ let misplaced_line found =
               | Some line
                 when found.token.token = EQUAL
                      && (block = Top || List.mem "proc" (String.split_on_char ' ' line)) ->
-                  Printf.sprintf "%s; if it is an equation, add `where` there: `%s`" continues line
+                  Printf.sprintf "%s; if it is an equation, add `where` to that line: `%s`"
+                    continues line
               | _ ->
                   Printf.sprintf "%s; if you meant a separate line, start it at column %d" continues
                     column)
       | _ -> None)
   | Some _ | None -> None
 
-(* A hint that the lines of a block in braces need not be reported separately. *)
+(* A hint about a block in braces. Because of its topic, the lines of the block are not reported
+   separately. *)
 let of_block format = Diagnostic.suggestion ~topic:Syntax_topic.Block_in_braces format
 let written value = Option.value (Other_notation.expression value) ~default:value
 

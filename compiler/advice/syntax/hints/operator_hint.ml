@@ -166,8 +166,8 @@ let foreign_operator found (before : Layout.token) =
     | "===" -> Some "use `==` to compare"
     | "!!" ->
         Some
-          "use `xs ! 0` for a constant index, or `at i x xs` for any index, which returns `x` if \
-           there is no such element"
+          "for a constant index, use `xs ! 0`; for any index, use `at i x xs`, which returns `x` \
+           if there is no such element"
     | "/*" -> Some "write a comment as `{- … -}`, or as `-- …` to the end of the line"
     | "//" -> Some "use `--` to start a comment; to divide whole numbers, use `div`"
     | ".." when names_before found "seeds" -> Some (seeds found before)

@@ -94,7 +94,7 @@ let beginning found =
 
    - Constructs that certainly belong to another language come first, whatever Frob expects at that
      token.
-   - A rule for a token in one context, such as a `=` in the braces of a record, comes before the
+   - A rule for a token in one context, such as an `=` in the braces of a record, comes before the
      rule for that token in any context.
    - The indentation rules come last: they apply only if nothing else explains the token. *)
 

@@ -19,7 +19,7 @@ val rounds : string -> string option
 (** The number of iterations of the loop that begins on this line, if it is a counted loop. *)
 
 val repeated : string -> string
-(** The hint for a loop with this number of iterations in a task. *)
+(** The hint for a loop in a task, with this number of iterations. *)
 
 val no_ranges : string -> string
 (** The hint for a range such as [1..10], given as text without spaces. *)

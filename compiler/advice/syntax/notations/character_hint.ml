@@ -50,7 +50,7 @@ let of_include text at =
         && String.for_all Basis.Character.is_name stem
       in
       Printf.sprintf
-        "to import a Frob module, write its name%s; for your own C code write `foreign include \
+        "to import a Frob module, write its name%s; for your own C code, write `foreign include \
          \"%s\"`"
         (if is_module then Printf.sprintf ": `import %s`" stem else ", as in `import Robot`")
         file
@@ -79,7 +79,7 @@ let defined text at =
       Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
   | _ -> "vMax = 0.4[m/s]"
 
-(* The Frob expression for `x > 0 ? 1 : 2`. It starts after the last `=`, `->`, `,` or open
+(* The Frob expression for `x > 0 ? 1 : 2`, which starts after the last `=`, `->`, `,` or open
    parenthesis before the `?`. *)
 let ternary text at =
   let bol = line_start text at in
@@ -131,7 +131,7 @@ let ends_in_a_new_word text at =
   in
   n > 1 && n < 40 && String.for_all is_letter word && String.length text < 100_000 && count 0 = 1
 
-(* Do only spaces precede this offset on its line? *)
+(* Are there only spaces before this offset on its line? *)
 let begins_line text at =
   let rec go i = i < 0 || text.[i] = '\n' || (text.[i] = ' ' && go (i - 1)) in
   go (at - 1)
@@ -150,7 +150,7 @@ let of_character ~text ~at character =
       only (Printf.sprintf "put text in double quotes: `\"%s\"`" (Option.get (in_quotes text at)))
   | "'", None when char_at text (at + 2) = '\'' -> only "put text in double quotes"
   | "'", None when Basis.Character.is_lower next || Basis.Character.is_upper next ->
-      only "put text in double quotes, and an infix name in backticks, as in ``x `mod` 2``"
+      only "put text in double quotes; put an infix name in backticks, as in ``x `mod` 2``"
   | "'", None -> only "put an infix name in backticks, as in ``x `mod` 2``"
   | ":", None when next = '=' -> only "write an equation with `=`"
   | ":", None -> Colon_hint.of_colon text at

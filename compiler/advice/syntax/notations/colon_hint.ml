@@ -54,7 +54,7 @@ let declares_a_record line =
    definition. *)
 let farthest = 2000
 
-(* The start of the top-level definition around this offset. *)
+(* The start of the top-level definition that contains this offset. *)
 let definition_start text at =
   let rec back from =
     let start = line_start text from in
@@ -86,7 +86,7 @@ let line_of_brace text at =
       String.sub text start (brace - start))
     (open_brace text at)
 
-(* The changed copy of a record around this offset: `{ ...p, x: 1 }`. *)
+(* The hint for a record update that contains this offset, such as `{ ...p, x: 1 }`. *)
 let changed_copy text at = Option.bind (open_brace text at) (Other_record.changed_copy text)
 
 (* `case 1:` and `default:` of a C `switch`. *)
@@ -173,8 +173,8 @@ let of_switch text at =
     match Option.bind switch (branches_of_switch text) with
     | Some branches ->
         let quoted = List.map (Printf.sprintf "`%s`") branches in
-        Printf.sprintf "`case %s of`, and below it, without braces and each on its own line, %s"
-          value (Enumeration.all quoted)
+        Printf.sprintf "`case %s of`, and on separate lines below it, without braces, %s" value
+          (Enumeration.all quoted)
     | None ->
         Printf.sprintf
           "`case %s of`, and below it one branch on each line, such as `1 -> x`, ending with `_ -> \
@@ -424,7 +424,7 @@ let of_colon text at =
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
       hint
-        "for a part of an array, write `take xs` or `drop xs`; the type of the result determines \
+        "for part of an array, write `take xs` or `drop xs`; the type of the result determines \
          its size"
   | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->

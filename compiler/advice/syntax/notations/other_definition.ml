@@ -269,8 +269,8 @@ let keyword text at words =
       | _ -> None)
     words
 
-(* The branches of the choice whose condition begins at this offset, and the value after its `else`,
-   which is `…` if there is no `else`. *)
+(* The branches of the choice whose condition begins at this offset, and the value after `else`, or
+   `…` if there is no `else`. *)
 let rec branches assignment text at =
   let open Basis.Let_syntax.Option in
   let* given, after = condition text at in
@@ -297,7 +297,8 @@ let choice text at =
       Some (Printf.sprintf "%s = %s%s" name (String.concat "" (List.map part branches)) last)
   | _ -> None
 
-(* The value on the line at this offset, which may follow `return`, and the offset after it. *)
+(* The value on the line at this offset, with or without a `return` before it, and the offset of the
+   end of the line. *)
 let value_of_branch text at =
   let at = skip_blanks text at in
   let stop = end_of_line text at in

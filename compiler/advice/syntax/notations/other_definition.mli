@@ -25,7 +25,7 @@ val advice : t -> string
 (** The hint that suggests the signature, if there is one, and the equation. *)
 
 val choice : string -> int -> string option
-(** The equation [y = if c then a else b] for the choice at this offset, whose branches each assign
+(** The equation [y = if c then a else b] for the choice at this offset, if all its branches assign
     to the same name: [if c:] with lines below it, or [if (c) { y = a; }]. *)
 
 val choice_of_values : string -> int -> string option

@@ -1,14 +1,15 @@
 (** Mathematical functions of Python, numpy, C++ and MATLAB, and their equivalents in Frob. *)
 
 val without_module : string -> string option
-(** [cos] for [math.cos], [norm] for [np.linalg.norm] and [max] for [std::max]: the name without its
-    module, if that is a module of another language whose functions are built into Frob. *)
+(** The name without its module: [cos] for [math.cos], [norm] for [np.linalg.norm] and [max] for
+    [std::max]. [None] if the module is not one whose functions are built into Frob, as those
+    of [math] are. *)
 
 val constant : string -> string option
 (** The Frob equivalent of a constant of such a module: [pi] for [math.pi]. *)
 
 val applied : string -> string list -> string option
-(** The Frob equivalent of a call of such a module's function with these arguments, which are
+(** The Frob equivalent of a call to a function of such a module, with these arguments, which are
     already in Frob: [cos a] for [math.cos(a)], [a / 1[deg]] for [math.degrees(a)]. [None] if Frob
     has no equivalent with this number of arguments. *)
 
@@ -19,7 +20,7 @@ val range : string list -> (int * int) option
 (** The first and the last number of [range(1, 20)], given its arguments. *)
 
 val alone : string -> string option
-(** The Frob equivalent of such a function without arguments: [abs] for [math.fabs]. *)
+(** The Frob name of such a function: [abs] for [math.fabs]. *)
 
 val import : string -> string option
-(** The library module that the application returned by {!applied} needs. *)
+(** The library module that the result of {!applied} needs for this function. *)

@@ -27,7 +27,8 @@ let is_type word =
   List.mem word
     [ "int"; "auto"; "const"; "let"; "var"; "size_t"; "unsigned"; "long"; "double"; "float" ]
 
-(* The end of the lines below this offset that are indented further than its own line. *)
+(* The end of the block that begins on the line at this offset: the lines below it that are indented
+   further. *)
 let block_stop text first =
   let indentation i = blanks text (line_start text i) - line_start text i in
   let own = indentation first in
@@ -88,7 +89,7 @@ let hint text word first =
        element"
       xs xs
 
-(* Is this a loop header rather than a call of a function with this name? *)
+(* Is this a loop header rather than a call to a function with this name? *)
 let is_head text word first =
   let head = tokens (String.sub text first (line_stop text first - first)) in
   word = "while" || List.exists (fun sign -> List.mem sign head) [ "in"; "of"; "="; ";"; ":" ]

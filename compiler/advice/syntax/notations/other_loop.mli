@@ -11,5 +11,5 @@ type t = {
 }
 
 val as_value : string -> int -> t option
-(** The loop that is the value of an equation, as in [total row = for x in row], and contains this
-    offset. *)
+(** The loop that contains this offset, if the loop is the value of an equation, as in
+    [total row = for x in row]. *)

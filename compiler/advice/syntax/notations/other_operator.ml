@@ -84,7 +84,8 @@ let start_of text at =
   in
   go at 0
 
-(* The offset after that expression; a line that begins with `|>` continues it. *)
+(* The end of the expression that contains this offset; a line that begins with `|>` continues
+   it. *)
 let end_of text at =
   let rec blanks i = match char_at text i with ' ' | '\n' -> blanks (i + 1) | _ -> i in
   let rec go i depth =

@@ -1,4 +1,4 @@
-(** Parameters that are read by a call, as in ROS: [get_param("speed", 0.3)]. *)
+(** Calls that read a parameter, as in ROS: [get_param("speed", 0.3)]. *)
 
 val type_of : string -> string
 (** The type of a value, guessed from its source text. *)
@@ -14,5 +14,5 @@ val is_its_definition : string -> int -> string -> bool
 (** Does the code at this offset define this name at the top level? *)
 
 val hint : string -> int -> string * string -> string
-(** The hint that suggests this declaration of the parameter, and its name instead of the call at
-    this offset. *)
+(** The hint to declare the parameter in this way, and to write its name instead of the call at this
+    offset. *)

@@ -30,8 +30,8 @@ let unquoted text =
 
 let written value = Option.value (Other_notation.expression value) ~default:value
 
-(* `x = 1` for `x: 1`, `"x": 1` or `.x = 1`, and `x = x` for a name alone, which is the name of both
-   the field and a variable. *)
+(* `x = 1` for `x: 1`, `"x": 1` or `.x = 1`, and `x = x` for a bare `x` that names both a field and
+   a variable. *)
 let field text =
   let named name value =
     let name = unquoted (String.trim name) and value = String.trim value in

@@ -86,7 +86,7 @@ let rec blanks text i = if char_at text i = ' ' then blanks text (i + 1) else i
 let stop_of_brackets text at =
   match String.index_from_opt text at ']' with Some last -> last + 1 | None -> raise Unknown
 
-(* Are the brackets after this name for types, rather than for a unit? *)
+(* Do the brackets after this name contain types, rather than a unit? *)
 let takes_types name =
   is_of_elements name
   || List.mem
@@ -191,7 +191,7 @@ let of_text text =
 let without_comment line =
   Option.fold (Text_place.find " --" line) ~none:line ~some:(String.sub line 0) |> String.trim
 
-(* The name and the type in the signature on the line around this offset. *)
+(* The name and the type in the signature on the line that contains this offset. *)
 let declared text at =
   let start = Text_place.line_start text at in
   let stop = Text_place.end_of_line text at in

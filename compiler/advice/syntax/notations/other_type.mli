@@ -16,14 +16,15 @@ val of_text : string -> string option
     that is already in Frob does not change. [None] if the text contains anything unknown. *)
 
 val signature : string -> int -> string option
-(** The signature on the line around this offset, in Frob: [f :: Array n Float -> Bool] for
+(** The signature on the line that contains this offset, in Frob: [f :: Array n Float -> Bool] for
     [f : List[float] -> bool]. [None] if the line is not a whole signature. *)
 
 val of_signature : string -> int -> string option
-(** {!signature} for a hint: in backticks, and with advice on the size of an array. *)
+(** The result of {!signature}, written for a hint: in backticks, with advice on the size of an
+    array. *)
 
 val changed : string -> int -> string option
-(** {!of_signature}, unless the signature is already in Frob. *)
+(** The result of {!of_signature}, or [None] if the signature is already in Frob. *)
 
 val mentions : string -> string -> bool
 (** Does the second text contain the first? *)

@@ -1,4 +1,5 @@
-(** The topics of messages about syntax that other messages ask for. *)
+(** Topics of syntax messages. A message is omitted if the topics of earlier messages show that it
+    adds nothing. *)
 
 open Basis
 
@@ -14,13 +15,13 @@ type shared =
 
 type Diagnostic.topic +=
   | Shared of shared
-  | Function_keyword  (** Frob has no `function` *)
+  | Function_keyword  (** the message that Frob has no `function` *)
   | Block_in_braces
-  | Changed_copy  (** a record with other fields, written in braces *)
-  | Choice of string  (** a choice between values, and its notation in Frob *)
+  | Changed_copy  (** a record update, written in braces *)
+  | Choice of string  (** a choice, as written in Frob *)
   | Colon_of_a_block
   | Class_of_objects
-  | Switch of string  (** the value of a C `switch`, and its notation in Frob *)
+  | Switch of string  (** a C `switch`, as written in Frob *)
 
 val suggestion : shared -> string -> Diagnostic.hint
 

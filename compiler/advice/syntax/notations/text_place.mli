@@ -19,7 +19,7 @@ val end_of_line : string -> int -> int
 (** The offset of the end of the line that contains this offset. *)
 
 val without_closing : string -> string
-(** The text up to the first unmatched closing parenthesis, without spaces at the ends. *)
+(** The text up to the first unmatched closing parenthesis, without leading or trailing spaces. *)
 
 val find : ?from:int -> string -> string -> int option
 (** [find part text] is the offset of the first occurrence of [part], at [from] or later. *)

@@ -47,7 +47,7 @@ let split line sign =
 
 let typed is_a_type line =
   let open Basis.Let_syntax.Option in
-  (* the sign may be at the end of the line *)
+  (* the [=] or [<-] may be at the end of the line *)
   let line = line ^ " " in
   let* sign, left, rest =
     match split line " = " with Some it -> Some it | None -> split line " <- "
@@ -135,7 +135,7 @@ let rec pairs = function
   | _ -> None
 
 let definition ~name ?(result = "…") ~value parameters =
-  Printf.sprintf "write `%s = %s`, and the types in a signature above it: `%s :: %s`"
+  Printf.sprintf "write `%s = %s`, and put the types in a signature above it: `%s :: %s`"
     (String.concat " " (name :: List.map snd parameters))
     value name
     (String.concat " -> " (List.map fst parameters @ [ result ]))
@@ -183,7 +183,7 @@ let of_parameters line =
     let value = if is_whole value then value else "…" in
     let words = name :: List.map snd parameters in
     Some
-      (Printf.sprintf "write `%s = %s`, and the types in a signature above it: `%s :: %s -> …`"
+      (Printf.sprintf "write `%s = %s`, and put the types in a signature above it: `%s :: %s -> …`"
          (String.concat " " words) value name
          (String.concat " -> " (List.map fst parameters)))
   else None

@@ -30,7 +30,7 @@ val alone : string -> string option
 (** [v :: Velocity] for a line [Velocity v;]. *)
 
 val pairs : string list -> (string * string) list option
-(** The types and names in words such as [Float x Float y]; [None] if these are other words. *)
+(** The types and names in a list of words such as [Float x Float y]; [None] for any other list. *)
 
 val of_words : string -> string option
 (** The hint for parameters that follow their types, without parentheses or with a result type:

@@ -51,7 +51,7 @@ let diagnostic (first : clause) (second : clause) more =
   |> (if besides = [] then Fun.id
       else Diagnostic.note "there are %d more clauses" (List.length besides))
   |> Diagnostic.hint
-       "write one clause, `%s`, and on the lines below it a branch `pattern -> value` for each \
+       "write one clause, `%s`; on the lines below it, write a branch `pattern -> value` for each \
         clause"
        (case_of first)
   |>

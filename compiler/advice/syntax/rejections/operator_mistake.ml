@@ -11,7 +11,7 @@ let quote ~text (span : Span.t) =
 
 (* {1 Exponents} *)
 
-(* The exponent 0.5, also as `(1 / 2)`. *)
+(* The exponent 0.5, which may be written `(1 / 2)`. *)
 let rec is_half (t : term) =
   match t.desc with
   | Parenthesized t -> is_half t
@@ -61,7 +61,8 @@ let written_in_words (operand : term) =
 let compared_twice first (operand : term) second =
   match operand.desc with
   | Variable { qualifier = None; name; _ } ->
-      Printf.sprintf "compare two values at a time, joined by `&&`: `… %s %s && %s %s …`"
+      Printf.sprintf
+        "compare two values at a time, and join the comparisons with `&&`: `… %s %s && %s %s …`"
         (shown first) name.text name.text (shown second)
   | _ -> "compare two values at a time: `a < b && b < c`"
 
@@ -149,7 +150,7 @@ let two_minuses ~first ~second (operand : term) =
 let section (operator : Ir.qualified) ~inner =
   let inside = match inner with Some inner -> shown inner | None -> "-" in
   Diagnostic.error ~code:"E0113" ~at:operator.span
-    "this section needs parentheses: without them, `%s` would apply to only a part of the operand \
-     that contains `%s`"
+    "this section needs parentheses: without them, `%s` would not apply to the whole operand, \
+     which contains `%s`"
     (shown operator) inside
   |> Diagnostic.hint "put parentheses around the operand of the section"

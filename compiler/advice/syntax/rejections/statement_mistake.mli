@@ -3,7 +3,7 @@
 open Basis
 
 val in_proc : is_last:bool -> Syntax.Ir.expr -> Diagnostic.t
-(** An expression among the statements of a [proc]. *)
+(** An expression used as a statement of a [proc]. *)
 
 val output_binds : Span.t -> Diagnostic.t
 val output_is_let : Span.t -> Diagnostic.t

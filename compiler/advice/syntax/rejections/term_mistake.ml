@@ -76,10 +76,11 @@ let field at (record : Ir.expr) (field : Ir.name) =
            Printf.sprintf "Frob has no objects: write only the name, `%s`" field.text
        | Variable { name; _ } ->
            Printf.sprintf
-             "Frob has no assignments: give a changed copy a new name, as in `changed = %s { %s = \
-              … }`"
+             "Frob has no assignments: make a changed copy with a new name, as in `changed = %s { \
+              %s = … }`"
              name.text field.text
-       | _ -> "Frob has no assignments: give a changed copy a new name, as in `q = p { x = 1 }`")
+       | _ ->
+           "Frob has no assignments: make a changed copy with a new name, as in `q = p { x = 1 }`")
 
 let expression at (desc : Ir.expr_desc) =
   match desc with

@@ -1,5 +1,5 @@
-(** Messages about terms that are not patterns, expressions or the left-hand side of a definition.
-*)
+(** Messages about terms that cannot be used as a pattern, an expression or the left-hand side of a
+    definition. *)
 
 open Basis
 open Syntax

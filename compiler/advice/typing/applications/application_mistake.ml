@@ -5,7 +5,7 @@ type fact = {
   words : Wording.t;
   call : Application_fact.call;
   mistake : Diagnostic.t;  (** the message about the failing argument *)
-  expects_number : bool;  (** whether the argument may have any representation of a number *)
+  expects_number : bool;  (** whether the argument may be an [Int] or a [Float] *)
 }
 
 let failing { call; _ } = List.nth call.arguments (call.failed - 1)
@@ -279,7 +279,7 @@ let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve
     (b : Resolve.Ir.pattern) =
   let at = Span.merge a.span b.span in
   Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
-  |> Diagnostic.label ~at:head.span "`%s` passes the result so far first, then an element" name
+  |> Diagnostic.label ~at:head.span "`%s` passes the accumulated result first, then an element" name
   |>
   match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->

@@ -110,7 +110,7 @@ let diagnostic (fact : Entry_fact.t) =
       |> Diagnostic.hint "%s"
            (match (Resolve.Test_file.program file, Suggest.closest name others) with
            | Some program, _ when String.equal name "main" ->
-               Printf.sprintf "this is a test file: name the program that it tests instead, %s"
+               Printf.sprintf "this is a test file: instead, name the program that it tests, %s"
                  (Printable.name program)
            | _, Some name -> Printf.sprintf "did you mean `--entry %s`?" (Printable.word name)
            | _, None ->

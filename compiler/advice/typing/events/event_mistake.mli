@@ -16,7 +16,7 @@ val event_wanted : Shape_fact.t -> bool
 (** Was an event expected? *)
 
 val with_default : Shape_fact.t -> string -> string
-(** The source text of the event with this value in place of missing ones. *)
+(** The code for an event in which this value replaces missing values. *)
 
 (** {1 Rules} *)
 
@@ -27,7 +27,7 @@ val in_place_of_a_number : Shape_fact.rule
 (** An event where a number is expected. *)
 
 val mapped_to_a_value : Shape_fact.rule
-(** A value in place of the function of [mapE]. *)
+(** A value in place of the function argument of [mapE]. *)
 
 val of_a_truth : Shape_fact.rule
 (** A [Bool] where an event is expected. *)

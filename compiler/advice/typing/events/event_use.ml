@@ -17,7 +17,7 @@ let value words t =
         (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
   | _ -> "x"
 
-(* Does the type match only the second component of the wanted pair, rather than the pair? *)
+(* Does the type match the second component of the wanted pair, rather than the whole pair? *)
 let is_beside wanted found =
   match Type.expand wanted with
   | Tuple [ _; second ] -> (
@@ -72,8 +72,8 @@ let is_thing t =
   | Data _ | Tuple (_ :: _) -> not (Environment.is_event t || Environment.is_task t || is_maybe t)
   | _ -> false
 
-(* An expression that gets a value of the wanted type from `x`, which has this type: the field named
-   after the wanted type, if there is one, otherwise `x` itself. *)
+(* The code for a value of the wanted type, if `x` has the type `t`: the field of `x` that is named
+   after the wanted type, or `x` itself if there is no such field. *)
 let within words t wanted =
   match (Wording.fields words t, Type.expand wanted) with
   | Some (_, fields), Data { tycon; _ } when List.mem (String.uncapitalize_ascii tycon.name) fields
@@ -209,8 +209,8 @@ let wrapped_twice fact =
     | _ -> None
   in
   let otherwise =
-    "the value of this event is an event itself: use a value, not an event, as the last argument \
-     of `tag` and as the result of the function of `mapE`"
+    "the value of this event is itself an event: use a value, not an event, as the last argument \
+     of `tag` or as the result of the function that you pass to `mapE`"
   in
   match content fact.found with
   | Some found
@@ -243,8 +243,8 @@ let of_a_maybe fact =
               start m start
         | _ ->
             Printf.sprintf
-              "for an event that occurs when a value appears, write `edgeJust %s`; `fromMaybe %s \
-               %s` is its value at every instant"
+              "for an event that occurs when a value appears, write `edgeJust %s`; for a value at \
+               every instant, write `fromMaybe %s %s`"
               m start m)
   | _ -> None
 

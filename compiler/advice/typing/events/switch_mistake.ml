@@ -169,7 +169,7 @@ let needs_an_event callee output =
   Printf.sprintf "the first argument of `%s` must return a pair of an output and an event: %s"
     callee (ends_it output)
 
-(* `switch (proc x -> x) …`: inference treated the output as the pair. *)
+(* `switch (proc x -> x) …`: type inference took `x` for the pair of an output and an event. *)
 let input_as_pair fact =
   match (fact.wanted, fact.given, fact.subject) with
   | ( Signal_function (wanted, _),

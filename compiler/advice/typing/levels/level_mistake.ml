@@ -18,7 +18,7 @@ let complaint (region : Level_fact.region) what =
       Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
   | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
-(* The hint for an argument of a signal function that is not static. *)
+(* The hint for a signal function with an argument that is not static. *)
 let for_arguments sources ~value head input =
   match Settings.hint sources ~value ~head ~input with
   | Some hint -> hint
@@ -78,8 +78,8 @@ let likely sources (region : Level_fact.region) =
   | Head { head; input; value } -> Diagnostic.hint "%s" (for_arguments sources ~value head input)
   | Binding_of x ->
       Diagnostic.hint
-        "pass signals in its input: `%s` can take a pair, `proc (x, y) -> …`; to pass a value from \
-         one mode to the next, use the event of the switch"
+        "pass signals in its input: `%s` can take a pair, as in `proc (x, y) -> …`; to pass a \
+         value from one mode to the next, use the event of the switch"
         x.name
 
 let code : Level_fact.region -> string = function

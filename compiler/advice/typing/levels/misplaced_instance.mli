@@ -18,5 +18,5 @@ val diagnostic :
   head:Ir.expr ->
   input:Ir.expr ->
   Diagnostic.t
-(** The expression runs the head on the input, in a definition with the value [within]. The position
-    must not be [Every_instant]. *)
+(** The message about an expression that runs [head] on [input]. [within]: the right-hand side of
+    [definition], which contains the expression. The position must not be [Every_instant]. *)

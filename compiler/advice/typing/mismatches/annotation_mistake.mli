@@ -8,7 +8,7 @@ open Typing
 val scaled_power : at:Span.t -> Ir.Global.t -> Rational.t -> Diagnostic.t
 
 val scaled_unit : Environment.t -> Span.t list -> Units.t -> Diagnostic.t
-(** The scaled unit is written at all of these places. *)
+(** The list contains every place where the scaled unit occurs. *)
 
 val array_size : at:Span.t -> int -> largest:int -> Diagnostic.t
 val wrong_kind : Source.t -> Environment.t -> at:Span.t -> Type.kind -> Type.t -> Diagnostic.t

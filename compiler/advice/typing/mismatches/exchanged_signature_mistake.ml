@@ -68,7 +68,7 @@ let in_wrong_order sources
        (Option.fold others ~none:"" ~some:(Printf.sprintf ", or begin the definition with `%s =`"))
   |> Diagnostic.fix (Printf.sprintf "write `%s`" signature) edits
 
-(* Keeps the message about the definition, because the definition may be wrong instead of the
+(* Keeps the message about the definition, because the mistake may be there rather than in the
    signature. *)
 let with_hint ({ name; kind; edits; text; _ } : Signature_fact.t) (d : Diagnostic.t) =
   let is_of_a_signature (hint : Diagnostic.hint) =

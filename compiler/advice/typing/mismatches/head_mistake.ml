@@ -63,12 +63,12 @@ let after_a_number fact =
            | Some text ->
                Printf.sprintf
                  "for a product, write `%s * %s`; for an array, put commas between the elements, \
-                  `[%s, %s]`"
+                  as in `[%s, %s]`"
                  digits (Source.grouped text) digits text
            | None ->
                Printf.sprintf
-                 "for an array, put commas between the elements, `[%s, …]`; for a product, put `*` \
-                  between the factors"
+                 "for an array, put commas between the elements, as in `[%s, …]`; for a product, \
+                  put `*` between the factors"
                  digits))
   | _ -> None
 
@@ -225,7 +225,8 @@ let of_three fact =
       Some (hint "for three values, write `%s`" written)
   | _ -> None
 
-(* An event as an additional argument of a signal function of the prelude. *)
+(* An extra argument of a prelude signal function: a time step, or an event that should restart
+   it. *)
 let started_afresh fact =
   match fact.head.desc with
   | Global { name = ("integral" | "derivative") as name; _ }
@@ -243,7 +244,7 @@ let started_afresh fact =
            (if name = "delay" then "(delay x0)" else name))
   | _ -> None
 
-(* Two tasks, one below the other, without a `do`, or with the second one indented further. *)
+(* Two tasks on separate lines, either without a `do`, or with the second task indented further. *)
 let without_do fact =
   let column (span : Span.t) = Span.column span.start in
   if Environment.is_task fact.left && Span.line fact.at.start > Span.line fact.head.span.stop then
@@ -284,7 +285,7 @@ let task fact =
     Some (hint "use `runTask t` to turn a task into a signal function")
   else None
 
-(* `near implies (v == 0)`, a function of two arguments without its backquotes *)
+(* `near implies (v == 0)`, a function between its arguments, without the backticks *)
 let infix fact =
   let takes_two g =
     match Option.map Type.expand (Wording.declared_type fact.words g) with
@@ -297,7 +298,8 @@ let infix fact =
       let fixed = Printf.sprintf "`%s`" g.name in
       Some
         (fun d ->
-          hint "between its arguments, a function needs backquotes: ``%s %s …``" left fixed d
+          hint "to write a function between its arguments, put it in backticks: ``%s %s …``" left
+            fixed d
           |> write fact.argument.span fixed)
   | _ -> None
 
@@ -325,8 +327,8 @@ let event_when fact =
     when List.mem (Wording.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
       Some
         (hint
-           "for an event with the value `x` that occurs under a condition, write `tag (when \
-            condition) x`")
+           "for an event that has the value `x` and occurs whenever a condition is True, write `tag \
+            (when condition) x`")
   | _ -> None
 
 (* The first rule that applies is used. The rules for a kind of head come first, then those for

@@ -165,14 +165,14 @@ let output_of_numbers fact =
            | Name ("roMake" | "setVelTR") ->
                Printf.sprintf
                  "%s returns commands for a robot: the signature or the other outputs here must \
-                  also be `RobotOutput`, not %s"
+                  also have the type `RobotOutput`, not %s"
                  (user fact) fact.culprit
            | _ ->
                "a robot takes commands, not numbers: turn the speed and the turn rate into an \
                 output with `roMake (setVelTR v omega)`"))
   | _ -> None
 
-(* `Twist { linear = v, angular = 0 }`, the command of a robot in ROS *)
+(* `Twist { linear = v, angular = 0 }`, a robot command in ROS *)
 let twist fact =
   match fact.lack.lacking with
   | Declared { name = "RobotOutput" | "DiffDrive"; _ } ->
@@ -286,15 +286,16 @@ let task fact =
         (fun d ->
           Diagnostic.hint
             "a robot command is not a task: to give it for a fixed time, write `%s`; to give it \
-             until an event `e`, write `mkTask (proc i -> (%s, e))`"
+             until an event `e` occurs, write `mkTask (proc i -> (%s, e))`"
             text command d
           |> Diagnostic.write at text)
   | Declared _, _ when Environment.is_task fact.lack.culprit ->
       Some
         (Diagnostic.hint "%s"
            (if fact.required.by = Name "roMake" then
-              "a robot command is not a task: in a `do`, give it for a fixed time with `sleepT \
-               1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`"
+              "a robot command is not a task: in a `do`, write `sleepT 1[s] (roMake …)` to give it \
+               for a fixed time, or `mkTask (proc i -> (roMake …, e))` to give it until an event \
+               `e` occurs"
             else
               "an equation cannot run a task: run it with `reactimateTask`, or write the tasks one \
                after the other in a `do`"))
@@ -340,7 +341,8 @@ let composed_without_parentheses fact =
             (setVelTR v omega)`")
   | _ -> None
 
-(* The number of parameters of a method or function of a capability class, including the robot. *)
+(* The number of parameters of a method or function in the module [Capability], including the
+   robot. *)
 let parameters fact =
   let rec count t =
     match Type.expand t with
@@ -366,11 +368,12 @@ let takes_a_robot fact =
         fact.culprit name
   | false, Some _ ->
       Printf.sprintf
-        "the last argument of %s is the robot's input, the `i` of `proc i -> …`, not %s" by
+        "the last argument of %s must be the robot's input (the `i` in `proc i -> …`), not %s" by
         fact.culprit
   | true, Some _ ->
-      Printf.sprintf "the last argument of %s is the robot's output, not %s: `roMake` supplies it"
-        by fact.culprit
+      Printf.sprintf
+        "the last argument of %s must be the robot's output, not %s: `roMake` supplies it" by
+        fact.culprit
   | _, None ->
       Printf.sprintf
         "%s needs a robot's input or output, not %s: check that the robot is the last argument" by

@@ -148,7 +148,7 @@ let has_field words t (name : Syntax.Ir.name) =
   Option.fold (Wording.fields words t) ~none:false ~some:(fun (_, fields) ->
       List.mem name.text fields)
 
-(* Names that other languages use for a test whether a value is present. *)
+(* Names used in other languages to test whether a value is present. *)
 let is_a_test = function
   | "occurred" | "occurs" | "happened" | "fired" | "triggered" | "isSet" | "is_set" | "isPresent"
   | "is_present" | "hasValue" | "has_value" | "isSome" | "is_some" | "isJust" | "isEvent" ->
@@ -254,7 +254,7 @@ let of_a_tuple words (name : Syntax.Ir.name) (record : Resolve.Ir.expr) d =
         "a pair has no fields: write a point as `Vec2 { x = %s, y = %s }`, with `import Geometry`" x
         y d
   | _ ->
-      Diagnostic.hint "a pair has no fields: take it apart with an equation, `(a, b) = %s`"
+      Diagnostic.hint "a pair has no fields: take it apart with an equation such as `(a, b) = %s`"
         (Option.value (Wording.quote words record.span) ~default:"p")
         d
 

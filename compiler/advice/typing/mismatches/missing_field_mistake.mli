@@ -16,11 +16,12 @@ val of_several_types : Syntax.Ir.name -> record:Resolve.Ir.expr -> Ir.Global.t l
 
 val of_argument :
   Wording.t -> at:Span.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> string -> Diagnostic.t
-(** The field was meant as a field of the result of the function with this name. *)
+(** The message for a field that was meant for the result of the named function, as in [robotPose
+    i.heading]. *)
 
 val called_as_method : Wording.t -> Application_fact.method_call -> Diagnostic.t -> Diagnostic.t
 (** Completes the message about the missing field. *)
 
 val path : Wording.t -> Type.t -> string -> string option
-(** The path to the field of this name in a value of the type: the name alone, or [field.name] if
-    the field is in a record that is itself a field. *)
+(** The path to the field with this name in a value of the type: the name alone, or [field.name] if
+    the field belongs to a nested record. *)

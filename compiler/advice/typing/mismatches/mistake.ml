@@ -47,7 +47,8 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
         Option.fold (Wording.quote words e.span) ~none:default
           ~some:(if is_field then Fun.id else Source.grouped)
       in
-      hint "`atan` takes one argument: for two sides, write `atan2 %s %s`" (text y "y") (text x "x")
+      hint "`atan` takes one argument: to compute an angle from two sides, write `atan2 %s %s`"
+        (text y "y") (text x "x")
         { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))

@@ -48,7 +48,7 @@ let with_unit words ~(expected : Expected.t) ~at digits unit_ =
       [ "ms"; "s" ]
   else with_fix (Printf.sprintf "write `%s[%s]` if that is the right unit" digits text) [ text ]
 
-(* The number literals that an expression chooses from. Omits zero, because zero can have every
+(* The number literals that an expression chooses from. Omits zero, because zero can have any
    unit. *)
 let rec chosen (e : Resolve.Ir.expr) =
   match e.desc with
@@ -122,7 +122,8 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   match with_fix with
   | None -> diagnostic
   | Some (with_fix, _, None) -> with_fix diagnostic
-  | Some (with_fix, at, Some name) -> label ~at "`%s` is this number" name diagnostic |> with_fix
+  | Some (with_fix, at, Some name) ->
+      label ~at "`%s` is defined as this number" name diagnostic |> with_fix
 
 (* `Float` without brackets in a signature, where a quantity was meant. *)
 let without_brackets words (wanted, given) diagnostic =
@@ -178,7 +179,7 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
         digits (Wording.measure words given) diagnostic
   | _ -> diagnostic
 
-(* The name of the signal function that is applied, if the expression is such an application. *)
+(* The name of the signal function that the expression applies, if it applies one. *)
 let rec runs words (e : Resolve.Ir.expr option) =
   match e with
   | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> runs words (Some head)
@@ -219,7 +220,8 @@ let signature_of_this words ~subject ~(expected : Expected.t) ~found (wanted, gi
   match expected.because with
   | Signature { name; _ } when runs words subject <> None && Wording.inputs words = [] ->
       hint
-        "`%s` is a signal function: run it in a `proc`, `%s = proc x -> …`, with the type `SF … …`"
+        "`%s` is a signal function: run it in a `proc`, as in `%s = proc x -> …`, with the type \
+         `SF … …`"
         (Option.get (runs words subject))
         name diagnostic
   | (Signature _ | Output (Signature _))
@@ -264,7 +266,7 @@ let root words ~(subject : Resolve.Ir.expr option) (wanted, given) d =
            (Wording.measure words (Units.multiply wanted wanted))
   | _ -> d
 
-(* Suggests a different signature first, if the definition is consistent in itself. *)
+(* Suggests a different signature first, if the definition is consistent on its own. *)
 let against_signature words ~subject ~(expected : Expected.t) ~found (wanted, given) d =
   match (expected.because, subject) with
   | (Signature _ | Output (Signature _)), Some e

@@ -1,8 +1,8 @@
 open Basis
 open Typing
 
-(* The corrected left-hand side `mix (x, y) = …`, if the program has `mix x y = …` although the
-   signature takes a tuple. *)
+(* The corrected left-hand side `mix (x, y) = …`, if the program has `mix x y = …` but the signature
+   has one tuple parameter. *)
 let as_one_tuple words ~name parameters (expected : Expected.t) =
   match (name, Type.expand expected.ty) with
   | Some name, Function (first, _) -> (
@@ -94,7 +94,7 @@ let with_types signature types =
   in
   find 0
 
-(* `f d = proc i -> …` with the signature `f :: SF a b`: the signature lacks types. *)
+(* `f d = proc i -> …` with the signature `f :: SF a b`, which lacks the type of `d`. *)
 let lacking_types words ~name ~at (expected : Expected.t) lacking =
   let names, types = List.split lacking in
   let types = List.map (fun t -> Source.grouped (Wording.type_ words t)) types in

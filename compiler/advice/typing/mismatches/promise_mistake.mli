@@ -6,4 +6,4 @@ open Basis
 open Typing
 
 val unpromised : Wording.t -> Instance_fact.promise -> Instance_fact.promise list -> Diagnostic.t
-(** All missing promises belong to the same signature. *)
+(** All these constraints are missing from the same signature. *)

@@ -2,8 +2,8 @@
 
    - A rule for one construct or one function comes before the rule for all values of that type.
    - A rule whose hint is certainly right comes before one that guesses what was meant.
-   - The rules for a pair of shapes come before those that depend on why the type is expected, such
-     as in a condition, because the latter accept any type. *)
+   - The rules for a pair of shapes come before those that depend on why the type is expected (for
+     example, in a condition), because the latter accept any type. *)
 
 (* Rules for tasks and signal functions come first: if one of the types is a task or a signal
    function, the structure of the program is usually wrong, whichever other rules also apply. *)

@@ -62,7 +62,7 @@ let less_general words ({ by; place } : Surroundings.owned) (variable : Ir.varia
 
 let too_general words ~at ~kind ~instead (variable : Ir.variable) needed =
   let diagnostic =
-    error ~code:"E0306" ~at "the signature allows every %s `%s`, but the definition needs %s" kind
+    error ~code:"E0306" ~at "the signature allows any %s `%s`, but the definition needs %s" kind
       variable.name needed
   in
   (match Wording.owner words variable with

@@ -30,7 +30,7 @@ let has_number text =
 
 (* {1 Fixes for missing cases} *)
 
-(* The end of the line after the code, or after a comment on that line. *)
+(* The end of the code or, if only a comment follows on that line, the end of the comment. *)
 let end_of_line sources (at : Span.t) =
   let line = Span.line at.stop and column = Span.column at.stop in
   match Source.line sources at.file line with
@@ -49,7 +49,8 @@ let written sources ~below:(at : Span.t) ~column lines d =
   let at = { at with start = stop; stop } in
   Diagnostic.fix "add the missing cases" [ (at, String.concat "" (List.map line lines)) ] d
 
-(* If not all missing patterns can be listed, adds a `_` branch. *)
+(* Adds the fix with the missing branches. If not all of them can be listed, a `_` branch covers the
+   rest. *)
 let with_branches sources (case : Pattern_fact.case) (all : Pattern_fact.missing option) d =
   match (all, case.branches) with
   | Some { named; more }, first :: _ ->
@@ -76,7 +77,7 @@ let rec guards_of (e : expr) =
 let too_complex (case : Pattern_fact.case) =
   Diagnostic.(
     error ~code:"E0413" ~at:case.scrutinee.span
-      "this `case` is too complex to check that it covers every value"
+      "this `case` is too complex to check for missing branches"
     |> note "its patterns have too many combinations"
     |> hint "add a last branch `_ -> …`, or split it into nested `case` expressions")
 

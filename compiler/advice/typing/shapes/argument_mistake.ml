@@ -69,7 +69,7 @@ let missing_unit fact ~missing d =
       Some (applied fact (name ^ " ()") d)
   | _ -> None
 
-(* A function that takes a value of an input's type. *)
+(* A function whose only missing argument could be an input of the enclosing proc. *)
 let missing_signal fact ~missing d =
   match (name fact, signal_of fact.words fact.found) with
   | Some name, Some signal when missing = 1 ->
@@ -137,8 +137,8 @@ let rec parameters_of words (e : Resolve.Ir.expr option) =
       Option.fold (Wording.declared_type words g) ~none:[] ~some:Wording.parameters
   | _ -> []
 
-(* Says which parameters lack an argument, by their names in the definition. If the last argument is
-   a signal of the enclosing proc, it is probably meant for the last parameter. *)
+(* Lists the parameters that lack an argument, by their names in the definition. If the last
+   argument is a signal of the enclosing proc, it is probably meant for the last parameter. *)
 let missing_by_name fact ~missing d =
   let given = Option.fold fact.subject ~none:[] ~some:arguments_of in
   let quote = Wording.argument fact.words in
@@ -162,7 +162,7 @@ let missing_by_name fact ~missing d =
         | Local x -> Wording.is_input fact.words x.name && fits_the_last x
         | _ -> false
       in
-      (* `smaller a` for `smaller a b`: the input has the name of the first parameter *)
+      (* `smaller a` for `smaller a b`, where the input has the same name as the first parameter *)
       let is_at_its_place =
         match (last.desc, List.nth_opt names (n - 1)) with
         | Local x, Some name -> String.equal x.name name
@@ -170,7 +170,7 @@ let missing_by_name fact ~missing d =
       in
       let kept = if is_signal && not is_at_its_place then n - 1 else n in
       let lacking = List.filteri (fun i _ -> i >= kept && i < kept + missing) names in
-      (* a string is a label, which must be written in quotes *)
+      (* show the name of a missing string in quotes, as a label *)
       let written i name =
         match Option.map Type.expand (List.nth_opt types (kept + i)) with
         | Some Type.String -> Printf.sprintf "%S" name
@@ -182,7 +182,7 @@ let missing_by_name fact ~missing d =
         @ List.filteri (fun i _ -> i >= kept) texts
       in
       Some
-        (hint "`%s` takes %s, `%s`: %s missing here, as in `%s`" f
+        (hint "`%s` takes %s, `%s`, but %s missing here: write, for example, `%s`" f
            (count (List.length names))
            (String.concat " " (f :: names))
            (Enumeration.all (List.map (Printf.sprintf "`%s`") lacking)

@@ -16,13 +16,13 @@ val lambda_with_too_few_parameters : Shape_fact.rule
 (** The body of a lambda that is called with one argument more than it has parameters. *)
 
 val missing_in_an_operand : Shape_fact.rule
-(** An operand of an operator whose other operand is a function that lacks its last argument. *)
+(** A number and a function that lacks its last argument, as operands of the same operator. *)
 
 val composed : Shape_fact.rule
 (** A tuple of functions where a function is expected. *)
 
 val one_too_many : Shape_fact.rule
-(** A value where a function is expected, for example the result of that function. *)
+(** A value where a function is expected, such as [f x] in place of [f]. *)
 
 val missing_before : Shape_fact.rule
 (** An event or a condition that fits the next parameter of the function: the argument before it is

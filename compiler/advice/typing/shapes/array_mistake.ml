@@ -125,8 +125,8 @@ let computed fact =
             single sonar, write, for example, `sonars i ! 3`")
   | _ -> None
 
-(* The function to write in place of `map` or `mapE`, what it applies a function to, and the place
-   to change. *)
+(* The function to write in place of `map` or `mapE`, the words that complete the hint `to apply a
+   function …`, and the place to change. *)
 let counterpart fact =
   match (fact.expected.because, fact.given) with
   | Parameter { callee = Some ("map" | "fmap"); position = 2; at; _ }, t when Environment.is_event t

@@ -4,7 +4,8 @@ val of_seeds : Shape_fact.rule
 (** An array in place of the seeds of a trial. *)
 
 val of_a_number : Shape_fact.rule
-(** A number in place of a library type whose values are created from numbers by functions. *)
+(** A number where a value of a library type is expected, if library functions create such values
+    from numbers. *)
 
 val of_a_text : Shape_fact.rule
 (** A string where a number is expected: strings are only labels. *)

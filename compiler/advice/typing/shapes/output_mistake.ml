@@ -172,7 +172,7 @@ let statement (fact : Shape_fact.t) =
   | Function _ when Shape_fact.is_statement fact && changed fact.found <> None ->
       let output = Printf.sprintf "(roMake %s)" (Shape_fact.grouped fact "(…)") in
       Diagnostic.error ~code:"E0370" ~at:fact.at
-        "the statements of a `do` are tasks, but this is %s" (Shape_fact.found_text fact)
+        "each statement in a `do` must be a task, but this is %s" (Shape_fact.found_text fact)
       |> Diagnostic.hint
            "use `sleepT 1[s] %s` for a task of one second, or `constT %s` for one that never ends"
            output output

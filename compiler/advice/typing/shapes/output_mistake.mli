@@ -7,7 +7,7 @@ val not_made : Shape_fact.rule
 (** Applies if an output or a whole program is expected. *)
 
 val speeds : Shape_fact.rule
-(** A pair of a speed and a turn rate in place of a robot's output. *)
+(** A speed and a turn rate, as a pair, in place of a robot's output. *)
 
 val task_of_a_program : Shape_fact.rule
 (** A task as the output of the signal function that a robot runs. *)
@@ -17,7 +17,7 @@ val of_sleeping : Wording.t -> subject:Resolve.Ir.expr option -> Type.t -> Basis
     a task whose signature allows any output. The type is the one found in place of that output. *)
 
 val statement : Shape_fact.rule
-(** Applies if the function is a statement of a [do]. *)
+(** Applies if the function is a statement in a [do]. *)
 
 val hint_without_instance : Type.t -> string option
 (** The hint for a type without an instance of [RobotOutput], where an output is required. *)

@@ -44,7 +44,7 @@ let how_to_build fact constructor fields =
          && from_numbers fact ~callee constructor fields given <> None ->
       Some
         (Diagnostic.suggestion ~topic:(Call callee)
-           "`%s` takes one record in place of these numbers: write `%s`" callee
+           "`%s` takes a single record, not separate numbers: write `%s`" callee
            (Option.get (from_numbers fact ~callee constructor fields given)))
   | Parameter { callee = Some callee; position = 1; takes = 2; given = [ next ]; _ } ->
       Some (before fact ~callee ~next whole)

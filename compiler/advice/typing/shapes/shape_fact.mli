@@ -16,7 +16,7 @@ type t = {
 type Diagnostic.topic += Call of string  (** The hint shows how to call this function. *)
 
 type rule = t -> Diagnostic.t option
-(** A rule returns the message if it applies to the mismatch. *)
+(** Returns the message if the rule applies to the mismatch. *)
 
 val make :
   Wording.t ->
@@ -32,10 +32,10 @@ val first : (t -> 'a option) list -> t -> 'a option
 (** {1 Properties of the mismatch} *)
 
 val other_operand : t -> Resolve.Ir.expr option
-(** The operator's other operand, if its type is the type that is expected of the subject. *)
+(** The operator's other operand, if it has the type that is expected of the subject. *)
 
 val is_statement : t -> bool
-(** Is the subject a statement of a [do]? *)
+(** Is the subject a statement in a [do]? *)
 
 val is_a_parameter : t -> bool
 (** Is the subject an argument of a function, rather than an operand of an arithmetic operator? *)
@@ -49,10 +49,10 @@ val name : t -> string option
 (** {1 Texts} *)
 
 val expected_text : t -> string
-(** The expected type as part of a sentence. *)
+(** The text of the expected type, for use in a sentence. *)
 
 val found_text : t -> string
-(** The type found as part of a sentence. *)
+(** The text of the type found, for use in a sentence. *)
 
 val source : t -> string option
 (** The source text of the subject, if it is short. *)

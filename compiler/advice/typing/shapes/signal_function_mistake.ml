@@ -39,14 +39,14 @@ let condition_of_an_event fact =
         | Some text ->
             let text = Printf.sprintf "(%s >>> edge)" (Source.grouped text) in
             hint
-              "its output is a condition: write `%s` for an event that occurs when the condition \
-               becomes True"
+              "its output is a condition: to get an event that occurs when the condition becomes \
+               True, write `%s`"
               text d
             |> write fact.at text
         | None ->
             hint
-              "its output is a condition: write `edge` before the condition for an event that \
-               occurs when it becomes True"
+              "its output is a condition: to get an event that occurs when the condition becomes \
+               True, write `edge` before the condition"
               d)
   | Signal_function (_, wanted), Function (_, given)
     when Environment.is_event wanted && Type.expand given = Bool ->
@@ -188,8 +188,8 @@ let function_not_lifted fact =
       |> Option.some
   | _ -> None
 
-(* The hint for a signal function in a place that requires a function. If it is an argument, the
-   hint depends on the callee. *)
+(* The hint for a signal function where a function is required. If it is an argument, the hint
+   depends on the callee. *)
 let by_its_use fact =
   match (fact.expected.because, fact.wanted) with
   | Parameter { callee = Some "arr"; _ }, _ -> Some "remove `arr`"
@@ -278,8 +278,9 @@ let choice fact =
       Some
         (match List.map text given with
         | [ Some c; Some a; Some b ] ->
-            hinted fact "to choose a value by a condition, write `if %s then %s else %s`" c a b
-        | _ -> hinted fact "to choose a value by a condition, write `if c then a else b`")
+            hinted fact "to choose a value based on a condition, write `if %s then %s else %s`" c a
+              b
+        | _ -> hinted fact "to choose a value based on a condition, write `if c then a else b`")
   | _ -> None
 
 let constant fact =

@@ -18,7 +18,7 @@ val conditions : Shape_fact.rule
 (** A condition as an operand of an operator on signal functions, as in [x > 0 &&& y > 0]. *)
 
 val choice : Shape_fact.rule
-(** A condition as the first argument of [switch]: [if] chooses between values. *)
+(** A condition as the first argument of [switch]; the hint suggests [if]. *)
 
 val constant : Shape_fact.rule
 (** A value where a signal function is expected. *)

@@ -88,9 +88,9 @@ let of_a_switch fact given ~position =
         first second
   | 2, _ ->
       Printf.sprintf
-        "`switch` continues with a signal function: to continue with a task, write a `do` with two \
-         lines: first `mkTask (…)` around the first argument of `switch`, then `%s`; \
-         `reactimateTask` turns the `do` into a program"
+        "`switch` continues with a signal function: to continue with a task, use a `do` instead, \
+         with `mkTask (…)` around the first argument of `switch` on its first line and `%s` on its \
+         second; `reactimateTask` turns the `do` into a program"
         (raw fact "the task")
   | _ ->
       "`switch` changes between signal functions: to run one task after the other, write each task \
@@ -125,7 +125,8 @@ let function_of_the_input fact =
   match (fact.given, name fact) with
   | Function (_, result), Some name
     when is_statement fact && match Type.expand result with Function _ -> false | _ -> true ->
-      error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is a function"
+      error ~code:"E0370" ~at:fact.at
+        "each statement in a `do` must be a task, but this is a function"
       |> here "this is %s" (found_text fact)
       |> hint "%s"
            (match name with
@@ -142,7 +143,7 @@ let statement_without_task fact =
     when Environment.is_task fact.wanted
          && (not (Environment.is_task fact.given))
          && is_statement fact ->
-      error ~code:"E0370" ~at:fact.at "the statements of a `do` are tasks, but this is %s"
+      error ~code:"E0370" ~at:fact.at "each statement in a `do` must be a task, but this is %s"
         (found_text fact)
       |> hint "%s"
            (match name fact with
@@ -193,7 +194,7 @@ let beside_each_other fact =
       Some
         (hinted fact
            "use `both s t` to run two tasks in parallel, `abortWhen` to end a task at an event, or \
-            a `do` to run one after the other")
+            a `do` to run them one after the other")
   | _ -> None
 
 (* Is this the type of a bare `return`, which fits any task? *)
@@ -329,7 +330,7 @@ let in_a_proc fact (e : Resolve.Ir.expr) =
   | Apply _ | Global _ -> task (Wording.quote fact.words e.span)
   | _ -> None
 
-(* a task where its result is meant, written out or named as in `let d = ask frontSonar` *)
+(* a task where its result is expected, written out or named, as in `let d = ask frontSonar` *)
 let in_place_of_its_result fact =
   match (fact.wanted, fact.subject) with
   | (Number _ | Bool | Tuple (_ :: _) | Data _), Some e

@@ -1,5 +1,5 @@
 (** Rules for tasks: a task where a signal function is expected, or the reverse ([E0371]); a
-    statement of a [do] that is not a task ([E0370]); a task where a value is expected, and tasks
+    statement in a [do] that is not a task ([E0370]); a task where a value is expected, and tasks
     whose types differ in one part ([E0301]). *)
 
 val task_or_signal_function : Shape_fact.rule
@@ -9,16 +9,16 @@ val function_of_the_input : Shape_fact.rule
 (** A function as a statement, probably meant to be applied to the robot's input. *)
 
 val statement_without_task : Shape_fact.rule
-(** A statement of a [do] whose expression is a value, not a task. *)
+(** A statement in a [do] whose expression is a value, not a task. *)
 
 val of_an_array : Shape_fact.rule
 (** An array of tasks in place of a task. *)
 
 val beside_each_other : Shape_fact.rule
-(** Tasks combined by a Boolean operator. *)
+(** Tasks combined with a Boolean operator. *)
 
 val in_place_of_a_program : Shape_fact.rule
-(** A task as the program [main]. *)
+(** A task used as the program [main]. *)
 
 val in_place_of_its_result : Shape_fact.rule
 (** A task where its result is expected. *)

@@ -98,7 +98,7 @@ let hint_to_group ~left name operator =
 
 let grouped_with_an_argument fact =
   match (fact.wanted, fact.expected.because) with
-  (* a function in backquotes, as in "near `implies` v == 0" *)
+  (* a function in backticks, as in "near `implies` v == 0" *)
   | ( Bool,
       Parameter
         { before = Some operator; callee = Some name; head = Some head; given = [ left; _ ]; _ } )

@@ -1,7 +1,7 @@
 (** Rules for values of other types where a truth value is expected, and the reverse. *)
 
 val condition : Shape_fact.rule
-(** A condition of an [if] that is not a truth value. *)
+(** An [if] condition that is not a truth value. *)
 
 val of_events : Shape_fact.rule
 (** A Boolean operator that is applied to an event. *)

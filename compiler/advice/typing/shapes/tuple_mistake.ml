@@ -29,8 +29,8 @@ let of_an_input fact =
         |> label ~at:x.span "this is one name for the whole tuple")
   | _ -> None
 
-(* The call with the mismatched argument and all later ones combined into one tuple of this length.
-   If there are more or fewer arguments, generated names replace the later ones. *)
+(* The call with one tuple of this length in place of the mismatched argument and all later ones. If
+   the number of these arguments differs from the length, generated names replace the later ones. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with

@@ -213,7 +213,7 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
   | None ->
       Diagnostic.hint "write `%s` if that is the right unit" text d |> Diagnostic.write at literal
   | Some name when of_record ->
-      Diagnostic.label ~at "`%s` is this number, which has no unit" name d
+      Diagnostic.label ~at "`%s` is defined as this number, which has no unit" name d
       |> Diagnostic.hint
            "give the field `%s` its unit: `%s = %s`, and `%s :: %s` in the declaration of the \
             record"
@@ -229,6 +229,6 @@ let give words ({ at; name; signature; of_record; _ } as number) unit_ d =
               [ (place, float) ] )
         | Some _ | None -> (Printf.sprintf "`%s = %s`" name text, [])
       in
-      Diagnostic.label ~at "`%s` is this number, which has no unit" name d
+      Diagnostic.label ~at "`%s` is defined as this number, which has no unit" name d
       |> Diagnostic.hint "give `%s` its unit: %s" name fixed
       |> Diagnostic.fix (Printf.sprintf "write `%s`" text) (edits @ [ (at, literal) ])

@@ -13,7 +13,8 @@ let rec applied (e : Resolve.Ir.expr) =
 let all_of results =
   if List.mem None results then None else Some (List.concat (List.filter_map Fun.id results))
 
-(* The nonzero numbers that this choice can select; [None] if it can select anything but numbers. *)
+(* The nonzero numbers that this choice can select; [None] if it can select anything other than a
+   number. *)
 let rec numbers words depth (e : Resolve.Ir.expr) : Bare_number.t list option =
   let right (r : Resolve.Ir.right) =
     all_of (List.map (fun (g : Resolve.Ir.guarded) -> numbers words depth g.value) r.guards)
@@ -81,7 +82,7 @@ let give words ~given ~wanted ~where numbers d =
   let label d (n : Bare_number.t) =
     label ~at:n.at "%s"
       (match n.name with
-      | Some name -> Printf.sprintf "`%s` is this number, which %s" name what
+      | Some name -> Printf.sprintf "`%s` is defined as this number, which %s" name what
       | None -> "this number " ^ what)
       d
   in

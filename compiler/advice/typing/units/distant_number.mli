@@ -1,7 +1,7 @@
 (** Numbers that cause a unit mismatch elsewhere: in the definition of a function without a
     signature, or in the branches of a choice.
 
-    The function returned labels the numbers in a message and suggests their units. *)
+    Each rule returns a function that labels the numbers in a message and suggests their units. *)
 
 open Typing
 

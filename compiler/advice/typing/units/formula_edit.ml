@@ -128,7 +128,8 @@ let suggest ~elsewhere words ~subject ~(expected : Expected.t) units =
             | Some (e, _) -> Formula.with_part words e ~part:edit.at edit.text
             | None -> None
           in
-          hint "`%s` in place of `%s` gives the expected unit%s" edit.text (shown words edit.part)
+          hint "use `%s` in place of `%s` to get the expected unit%s" edit.text
+            (shown words edit.part)
             (Option.fold formula ~none:"" ~some:(Printf.sprintf ": write `%s`"))
             d)
       |> write edit.at edit.text

@@ -2,10 +2,10 @@
     A change is suggested only if it is the only one that does so. *)
 
 val suggest : elsewhere:bool -> Unit_rule.t
-(** Suggests [integral x] for [derivative x] or the reverse, or the base in place of its power, also
-    in the definitions of the names in the formula. If [elsewhere], considers only an integral or a
-    derivative that is part of a larger formula or of a definition, because it is then very likely
-    the mistake. Otherwise, considers only the other changes. *)
+(** Suggests [integral x] for [derivative x] or the reverse, or the base in place of its power. Also
+    looks through the definitions of the names in the formula. If [elsewhere], considers only
+    integrals and derivatives that are part of a larger formula or of a definition, because these
+    are very likely the mistake. Otherwise, considers only the other changes. *)
 
 val exchanged_angle : Unit_rule.t
 (** [angle * sin distance], meant as [distance * sin angle]. *)

@@ -42,7 +42,7 @@ let compared words ~operator ~(higher : Resolve.Ir.expr) ~(lower : Resolve.Ir.ex
           |> replace lower fixed
     | None -> Fun.id
   in
-  (* in a sum of squares, the root is usually taken of the whole sum *)
+  (* in a sum of squares, the missing root is usually that of the whole sum *)
   let is_sum = List.mem operator [ "+"; "-" ] in
   (if k = 2 && not is_sum then sqrt_of words higher d else d) |> raised
 
@@ -178,7 +178,7 @@ let within_root words ~subject (wanted, given) =
     when closed (wanted, given) ->
       let missing = Units.power (Units.divide wanted given) (Rational.of_int 2) in
       let is_whole (_, power) = Rational.is_integer power in
-      (* [sqrt d] for a distance: probably the sum of squares is meant *)
+      (* [sqrt d] for a distance, where a sum of squares was probably meant *)
       let is_same = Units.equal missing wanted in
       let is_decimal ((e : Resolve.Ir.expr), _) =
         match e.desc with
@@ -280,8 +280,8 @@ let gain_of_rate words ~subject ~(expected : Expected.t) (wanted, given) =
       Option.map
         (fun (name, u) ->
           hint
-            "the gain of a rate of change needs a different unit: write `Float[%s]` for `%s` in \
-             the signature"
+            "the gain of a rate of change needs a different unit: in the signature, write \
+             `Float[%s]` as the type of `%s`"
             (Wording.measure words u) name)
         (List.find_map gain factors)
   in

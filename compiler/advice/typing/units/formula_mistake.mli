@@ -32,4 +32,4 @@ val gain_of_rate : Unit_rule.t
 (** A sum with [kd * derivative e], where the unit of the parameter [kd] is wrong. *)
 
 val rate_for_angle : Unit_rule.in_any_context
-(** A literal in radians or degrees per second where an angle is expected. *)
+(** A literal in radians per second or degrees per second where an angle is expected. *)

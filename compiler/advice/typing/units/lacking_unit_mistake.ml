@@ -25,9 +25,8 @@ let unit_of_the_sum words =
   | Some (Number (_, u)) when not (Units.is_open u) -> Some (Units.resolve u)
   | Some _ | None -> None
 
-(* The operands in which a unit for a constant could correct the mismatch, each with its expected
-   and its actual unit.
-   *)
+(* The operands in which adding a unit to a constant could correct the mismatch, each with its
+   expected and its actual unit. *)
 let sides words ~subject ~(expected : Expected.t) (wanted, given) =
   let this = Option.to_list (Option.map (fun e -> (e, (wanted, given))) subject) in
   match expected.because with
@@ -78,7 +77,8 @@ let is_unit_of_a_gain u =
    formulas that contain `pi`, `time` or `sqrt`, because their numbers usually have no unit. *)
 let of_a_literal ~likely words ~subject ~expected (wanted, given) =
   let all = sides words ~subject ~expected (wanted, given) in
-  (* in a sum, the literal is a gain if the other operand is right or has a gain with a unit *)
+  (* in a sum, the literal is a gain if the other operand has the right unit or contains a gain with
+     a unit *)
   let is_gain e unit_ =
     is_unit_of_a_gain unit_
     &&
@@ -222,8 +222,9 @@ let gain_without_unit words ~(subject : Resolve.Ir.expr option) ~(expected : Exp
         let text = Printf.sprintf "%s[%s]" number.digits unit_ in
         Some
           (fun d ->
-            hint "if the gain `%s` has a unit, as in the other operand, write `%s`" number.digits
-              text d
+            hint
+              "if the gain `%s` should have a unit, like the gain in the other operand, write `%s`"
+              number.digits text d
             |> write number.at text)
     | _ -> None
   in
@@ -254,19 +255,24 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
           let text = Printf.sprintf "%s * %s" (Source.grouped a) (Source.grouped b) in
           Some
             (fun d ->
-              hint "`%s` needs equal units: for a rate in `%s`, write `%s`" operator
-                (Wording.measure words product) text d
+              hint "the operands of `%s` must have the same unit: for a rate in `%s`, write `%s`"
+                operator
+                (Wording.measure words product)
+                text d
               |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
       | Some a, Some b when simple gain ->
           let factor = Printf.sprintf "1[%s]" (Wording.measure words gain) in
           Some
             (hint
-               "`%s` needs equal units: multiply `%s` by a quantity in `%s`, as in `%s %s %s * %s`"
+               "the operands of `%s` must have the same unit: multiply `%s` by a quantity in `%s`, \
+                as in `%s %s %s * %s`"
                operator b (Wording.measure words gain) a operator b factor)
       | Some a, Some b when simple product ->
           Some
-            (hint "`%s` needs equal units; the product `%s * %s` is in `%s`" operator
-               (Source.grouped a) (Source.grouped b) (Wording.measure words product))
+            (hint
+               "the operands of `%s` must have the same unit: if you meant the product, write `%s \
+                * %s`, which is in `%s`"
+               operator (Source.grouped a) (Source.grouped b) (Wording.measure words product))
       | _ -> None)
   | _ -> None
 

@@ -48,7 +48,7 @@ val scaled : Wording.t -> Resolve.Ir.expr -> (Bare_number.t * int) list
     [tag e (kp * err)]. *)
 
 val of_an_argument : Unit_rule.in_any_context
-(** An event or another container of a number without a unit, as in [tag e 0.5]. *)
+(** An event or other container that holds a number without a unit, as in [tag e 0.5]. *)
 
 val of_the_inverse : Unit_rule.in_any_context
 (** A product that should be a quotient, or the reverse. *)

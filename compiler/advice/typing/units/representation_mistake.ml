@@ -68,7 +68,7 @@ let to_quantity words ~(expected : Expected.t) ~found (e : Resolve.Ir.expr optio
           let text = Printf.sprintf "%s[%s]" number.digits unit_ in
           Some
             (fun d ->
-              label ~at "`%s` is this number, which has no unit" name d
+              label ~at "`%s` is defined as this number, which has no unit" name d
               |> hint "give `%s` its unit: `%s :: Float[%s]` and `%s = %s`" name name measure name
                    text
               |> fix

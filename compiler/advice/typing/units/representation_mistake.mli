@@ -21,5 +21,5 @@ val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units with 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
-(** A sentence that explains how to build a value of the type with this name from a number, for a
-    few types. The second string is the number's source text. *)
+(** For a few types, a sentence that explains how to build a value of the type with this name from a
+    number. The second string is the source text of the number. *)

@@ -22,7 +22,7 @@ let is_number (e : Resolve.Ir.expr) =
   | Number { unit_ = None; _ } | Negate { desc = Number { unit_ = None; _ }; _ } -> true
   | _ -> false
 
-(* The unit of the signal, which the program passes first. *)
+(* The unit of the signal, which the call wrongly passes first. *)
 let unit_of words (signal : Resolve.Ir.expr) ~position ~(decided_by : Expected.decider list) found =
   let is_it (d : Expected.decider) = Span.compare d.place signal.span = 0 in
   match List.find_opt is_it decided_by with

@@ -152,7 +152,7 @@ let give words { number; unit_; _ } d =
             d
           |> write number.at text
       | Some name ->
-          label ~at:number.at "`%s` is this number" name d
+          label ~at:number.at "`%s` is defined as this number" name d
           |>
           if number.signature = None then fun d ->
             hint "if `%s` has the wrong unit, write `%s = %s%s`" name name sign text d
@@ -256,7 +256,7 @@ let of_an_earlier_constant words ~head ~callee ~given ~decided ~position ~subjec
   in
   List.mapi constants given |> List.find_map Fun.id
 
-(* Is the argument itself wrong, although the mismatch is with the unit of earlier numbers? *)
+(* Is this argument wrong, rather than the earlier numbers whose unit it does not match? *)
 let is_to_blame words ~(subject : Resolve.Ir.expr) (wanted, given) =
   Formula_mistake.is_of_square words ~subject:(Some subject) (wanted, given)
   || (not (String.equal (Wording.measure words (Units.divide wanted given)) "s"))

@@ -1,4 +1,4 @@
-(** Suggestions for converting one quantity to another, such as a gain, a root or a unit. *)
+(** Suggestions that convert one quantity to another, for example with a gain, a root or a unit. *)
 
 open Basis
 open Typing

@@ -17,4 +17,4 @@ type t =
 
 type in_any_context =
   Wording.t -> subject:Resolve.Ir.expr option -> Units.t * Units.t -> complete option
-(** A rule that only depends on the expression and the units. *)
+(** A rule that depends only on the expression and the units. *)

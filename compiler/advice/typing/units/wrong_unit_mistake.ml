@@ -113,7 +113,9 @@ let with_unit words (number : Bare_number.t) u =
   (shown, of_signature @ [ (number.at, literal) ])
 
 let label_number (number : Bare_number.t) d =
-  match number.name with Some name -> label ~at:number.at "`%s` is this number" name d | None -> d
+  match number.name with
+  | Some name -> label ~at:number.at "`%s` is defined as this number" name d
+  | None -> d
 
 let rec mentions names (e : Resolve.Ir.expr) =
   match e.desc with

@@ -8,7 +8,7 @@ val superfluous_function : Unit_rule.t
 (** [integral v] or [derivative x] where [v] or [x] is needed. *)
 
 val gain : Unit_rule.t
-(** A term with a gain of the wrong unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
+(** A term whose gain has the wrong unit: [4[rad/(m s)] * e + 2[rad/(m s)] * derivative e]. *)
 
 val constant : Unit_rule.t
 (** A name that is defined as a number with the wrong unit. *)

@@ -30,7 +30,7 @@ let unmet ~of_ (e : expr) (unmet : Warning_fact.unmet) =
   | Below x -> out_of_range "small" "of at least" x
   | Not_above x -> out_of_range "small" "above" x
   | Above x -> out_of_range "large" "of at most" x
-  | Zero_sum -> refused "these numbers add up to 0: `%s` needs a different sum" of_
+  | Zero_sum -> refused "these numbers add up to 0: `%s` needs a nonzero sum" of_
 
 let swapped_limits ~of_ ~(low : expr) ~(high : expr) =
   Diagnostic.(
@@ -48,7 +48,7 @@ let limits_cross ~(limit : expr) ~(other : expr) =
 let limited_constant ~(low : expr) ~(high : expr) ~(limited : expr) =
   Diagnostic.(
     warning ~code:"W0316" ~at:low.span
-      "this is the lower limit of `clamp`, and the value that it limits is a constant"
+      "this is the lower limit of `clamp`, and the value being limited is a constant"
     |> label ~at:limited.span "the limited value"
     |> label ~at:high.span "the upper limit"
     |> hint "write the limits first: `clamp low high x`")

@@ -1,6 +1,7 @@
 open Basis
 
-(* Removes the line if the next statement is on the next line. Then nothing between them is lost. *)
+(* Adds a fix that removes the statement if the next one starts on the next line. Otherwise, the fix
+   would also remove the lines between them. *)
 let without (e : Resolve.Ir.expr) next d =
   match (next : Span.t option) with
   | Some next when Span.line next.start = Span.line e.span.stop + 1 ->
@@ -24,5 +25,5 @@ let unreachable ~at (endless : Resolve.Ir.expr) =
   Diagnostic.warning ~code:"W0318" ~at "this statement is never reached"
   |> Diagnostic.label ~at:endless.span "this task never ends"
   |> Diagnostic.hint
-       "remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or \
-        `abortWhen` with an event"
+       "remove the statements after the task, or end the task with ``t `timeOut` 30[s]`` or with \
+        `abortWhen` and an event"

@@ -23,7 +23,8 @@ let difference resolved (e : expr) (a : expr) (b : expr) =
   let opening e = if is_atom e then "" else "(" and closing e = if is_atom e then "" else ")" in
   let between = Span.make ~file:e.span.file ~start:a.span.stop ~stop:b.span.start in
   Diagnostic.(
-    warning ~code:"W0315" ~at:e.span "this difference of angles can be more than half a turn"
+    warning ~code:"W0315" ~at:e.span
+      "this difference between two angles can be more than half a turn"
     |> note
          "from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation \
           is -2 degrees"

@@ -28,8 +28,8 @@ void answer_refusal(struct buffer *answer, const char *why);
 
 void answer_program(struct view *view, struct buffer *answer);
 
-/* answer_progress appends the members of an object that change while the program is run over the
- * recording; answer_extent appends those that grow in a live run. */
+/* answer_progress appends the members of an object that change while the program runs on the
+ * recording; answer_extent appends those that grow during a live run. */
 void answer_progress(const struct view *view, struct buffer *message);
 void answer_extent(const struct view *view, struct buffer *message);
 
@@ -57,8 +57,7 @@ const double *view_other_numbers(struct view *view, const struct signal *signal)
 
 /* ---- In path.c */
 
-/* Appends the corners of the path from instant `first` on, at most approximately `count` of
- * them. */
+/* Appends the corners of the path from instant `first` on, up to about `count` of them. */
 void answer_path(struct view *view, size_t x, size_t y, size_t count, size_t first,
                  struct buffer *answer);
 void answer_way(struct view *view, size_t robot, size_t count, size_t first, struct buffer *answer);
@@ -71,8 +70,8 @@ void answer_contacts(const struct view *view, struct buffer *answer);
 
 /* ---- In align.c */
 
-/* Shifts the recording to compare with so that, in both recordings, a condition is true for the
- * first time at the same time. An empty condition aligns the starts. */
+/* Shifts the recording to compare with so that a condition first becomes true at the same time in
+ * both recordings. An empty condition aligns the starts. */
 void answer_align(struct view *view, const char *condition, struct buffer *answer);
 
 /* Appends the member `other`, which describes the recording to compare with; nothing if there is

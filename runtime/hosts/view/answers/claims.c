@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Maximum number of reported times at which an assertion is violated. A timeline is not more than
- * this many pixels wide. */
+/* Maximum number of reported times at which an assertion is violated. A timeline is at most this
+ * many pixels wide. */
 #define TIMES 2000
 
 static void add_fate(const struct claims *claims, size_t i, struct buffer *answer)
@@ -42,8 +42,8 @@ static void add_times(const struct view *view, const struct watched *watched, st
     buffer_text(answer, "]");
 }
 
-/* Appends the result of the edited program's assertion with the same column; null if there is
- * none. */
+/* Appends the result of the same assertion (the one with the same column) in the edited program;
+ * null if there is none. */
 static void add_other(const struct view *view, const struct frob_claim *claim,
                       struct buffer *answer)
 {

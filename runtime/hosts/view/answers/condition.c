@@ -78,7 +78,7 @@ static void match(struct reader *r, enum operator operator, const struct dimensi
     r->wrong = true;
 }
 
-/* Replaces the dimensions of the operands of an operation with the dimension of its result. */
+/* Replaces the operands' dimensions with the dimension of the operation's result. */
 static void measure(struct reader *r, enum operator operator)
 {
     static const struct dimension none;
@@ -393,7 +393,8 @@ static const char *name_at(const struct names *names, size_t i)
     return names->machine != NULL ? names->machine->modes[i] : names->constructors[i].name;
 }
 
-/* Reports a name that is neither a mode or constructor of the signal nor a signal's name. */
+/* Reports a name that is not in `names`, the modes or constructors of a signal, and is not a
+ * signal's name either. */
 static void not_one_of(struct reader *r, const struct names *names, const char *name)
 {
     complain(r, "there is no mode or value", name);

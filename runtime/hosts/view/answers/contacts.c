@@ -1,4 +1,4 @@
-/* The contacts of a simulated robot with objects. */
+/* A simulated robot's contacts with objects. */
 #include "answers.h"
 
 #include "../../common/truth.h"

@@ -2,7 +2,7 @@
 
 #include "condition.h"
 
-/* Maximum number of reported spans. A timeline is not more than this many pixels wide. */
+/* Maximum number of reported spans. A timeline is at most this many pixels wide. */
 #define SPANS 2000
 
 struct findings {

@@ -20,8 +20,9 @@ static uint64_t number_of(const char *path)
     return number;
 }
 
-/* Writes the path of a file. If `creates`, also creates its folders. Returns false if the
- * program's file does not exist or the environment does not name a folder. */
+/* Stores the path of the file for a program in `path`. If `creates` is true, also creates the
+ * file's folders. Returns false if the program's file does not exist or the environment does not
+ * name a folder. */
 static bool find(const char *source, bool creates, char *path, size_t size)
 {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");

@@ -28,8 +28,8 @@ static size_t since(struct view *view, const struct signal *signal, size_t k)
     return k;
 }
 
-/* Goes back from a value that is NaN, or was computed from NaN, to a source that is NaN, at the
- * instant when that NaN began. Returns false if no source is NaN. */
+/* Goes back from a value that is NaN, or was computed from NaN, to a source that is NaN, and to the
+ * instant at which that source became NaN. Returns false if no source is NaN. */
 static bool step_back(struct view *view, struct why_source *at)
 {
     struct why_source found[MOST];
@@ -76,8 +76,8 @@ static void print_origin(struct view *view, const struct signal *named, struct w
     printf("\n");
 }
 
-/* Returns the first instant with the worst verdict of an assertion, or the number of instants if
- * there is none. */
+/* Returns the first instant at which an assertion fails, or the number of instants if there is
+ * none. */
 static size_t first_failure(struct view *view, const struct frob_claim *claim)
 {
     size_t k = 0;

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-/* Appends the pixels, in grey or colour, row by row. Each is the mean of `by` by `by` pixels of the
- * image. */
+/* Appends the pixels, in grey or colour, row by row. Each pixel is the mean of a square of `by` by
+ * `by` image pixels. */
 static void add_pixels(const struct frob_image *image, size_t columns, size_t rows, size_t by,
                        struct buffer *answer)
 {

@@ -140,8 +140,7 @@ bool view_advance(struct view *view, double seconds)
     return !replay_is_whole(&view->replay);
 }
 
-/* Minimum interval between two pieces of news: approximately that between two frames of a
- * screen. */
+/* Minimum interval between two pieces of news: about the duration of one display frame. */
 #define NEWS_S 0.016
 
 bool view_is_reading(const struct view *view)

@@ -9,7 +9,7 @@
  *   time SECONDS               all signals at the last instant not after that time
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
- *                              to TO, on WIDTH columns
+ *                              to TO, in WIDTH columns
  *   path SIGNAL SIGNAL COUNT K a robot's path, with the positions in two signals: the first
  *                              instant, the corners and the last instant, from instant K on (0 if
  *                              K is missing); at most about COUNT of them. `next` is the last
@@ -17,7 +17,7 @@
  *   why K SIGNAL               where the value of a signal at instant K came from (see why.h)
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) becomes true:
  *                              the first, the last before instant BEFORE, the first after it,
- *                              their number, and the times for which it is true
+ *                              their number, and the times during which it is true
  *   claims                     the program's assertions: the result of each, as far as the program
  *                              has been run, and the times at which it was violated
  *   drive TEXT                 runs the program with the text TEXT in the simulator, under the
@@ -43,7 +43,7 @@
  *
  *   keep TEXT                  keeps TEXT for the next page of this program (see kept.h)
  *
- *   more                       the page has drawn the last news and can take more
+ *   more                       the page has drawn the last news and is ready for more
  *
  * While there is an edited program or another recording, instants and series contain its values as
  * `others`, and each assertion has the edited program's result as `other`. Any other request is
@@ -69,8 +69,7 @@ struct view_files {
     const char **sources;  /* the user's source files, then those of the library */
     size_t source_count;
     size_t own_count;           /* number of the user's source files */
-    const char *world;          /* the world in which the robot may have driven; NULL if there is
-                                 * none */
+    const char *world;          /* the world in which the robot drove; NULL if it is unknown */
     struct csv_dialect dialect; /* dialect of the recording */
     const char **params;        /* NAME=VALUE for each parameter that is set */
     size_t param_count;
@@ -135,7 +134,7 @@ bool view_is_reading(const struct view *view);
  * whether the program's outputs equal the recorded ones. */
 void view_summary(const struct view *view, struct buffer *text);
 
-/* Prints the lines that are new in the summary on standard error. */
+/* Prints the summary's new lines on standard error. */
 void view_say(struct view *view);
 
 /* Appends the answer to a request. Appends nothing while the recording is still being read. */

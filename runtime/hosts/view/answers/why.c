@@ -98,9 +98,9 @@ static bool same(const struct buffer *a, const struct buffer *b)
     return strcmp(a->data == NULL ? "" : a->data, b->data == NULL ? "" : b->data) == 0;
 }
 
-/* Returns the last instant in a block at which a signal differs from the instant before; the
- * block's first instant if the signal is constant. Stores its cells at the block's first and last
- * instants in `first` and `last`. */
+/* Returns the last instant in a block at which a signal's value differs from that at the instant
+ * before; the block's first instant if the signal is constant. Stores its cells at the
+ * block's first and last instants in `first` and `last`. */
 static size_t last_change(struct why *why, const struct signal *signal, size_t from, size_t to,
                           struct buffer *first, struct buffer *last)
 {
@@ -233,7 +233,7 @@ static size_t way(const struct frob_transition *transitions, int from, int to,
             queue[count++] = t->target;
         }
     }
-    /* Follows the path backwards. It may return to the mode in which it started. */
+    /* Follows the path backwards. The path may end in the mode in which it started. */
     for (int at = to; by[at] != NULL && length < LONGEST; at = by[at]->from) {
         result[length++] = by[at];
         if (by[at]->from == from || by[at]->from == FROB_ANY)
@@ -271,7 +271,7 @@ static struct entry entry_of(struct why *why, const struct signal *machine, size
     return entry;
 }
 
-/* Returns whether a source that was read when a mode began applies: whether it belongs to a mode
+/* Checks a source that is read when a mode begins: returns whether the source belongs to a mode
  * that was left at that instant. */
 static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
 {

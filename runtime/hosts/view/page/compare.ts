@@ -1,5 +1,5 @@
-// Names what is drawn on top of the run: an edited program or a second recording. Offers
-// controls to find the differences and to align the two runs.
+// Names the edited program or second recording that is drawn on top of the run. Offers controls to
+// find the differences and to align the two runs.
 import type { Align } from "./protocol";
 import type { Store } from "./store";
 import { formatTime } from "./values";

@@ -1,6 +1,6 @@
-// The WebSocket to the viewer. Its address contains the token, and it reconnects whenever it is
-// closed. A question waits for its answer, across several connections if necessary; a command is
-// sent immediately or not at all.
+// The WebSocket connection to the viewer. Its address contains the token. The page reconnects
+// whenever the connection is closed. A question waits for its answer, across several connections if
+// necessary; a command is sent immediately or not at all.
 import { token } from "./address";
 import type { Answer, Picture } from "./protocol";
 
@@ -64,7 +64,7 @@ export class Connection implements Link {
   private readonly questions: Question[] = [];
   private sent = 0;
   private delay = soon;
-  /** The time in the viewer's last beat. */
+  /** The time in the viewer's last heartbeat. */
   private time = "";
 
   constructor(private readonly listener: Listener) {
@@ -127,7 +127,7 @@ export class Connection implements Link {
     this.send();
   }
 
-  /** Tells the viewer that the page has drawn the new data and can take more. */
+  /** Tells the viewer that the page has drawn the new data and is ready for more. */
   more(): void {
     if (this.isOpen) this.socket?.send("more");
   }

@@ -1,9 +1,9 @@
 // Monitors the contact between the page and the run. The page must not present old data as current:
 // after half a second without news it turns grey, and shows the time of the last news.
 //
-// Ten times a second, the viewer sends a beat. It contains the state of the host, the process that
-// runs the program, which the viewer reads from memory that it shares with the host. New instants
-// of a live run are news, too.
+// Ten times a second, the viewer sends a heartbeat with the state of the host, which is the process
+// that runs the program. The viewer reads that state from memory that it shares with the host. New
+// instants of a live run also count as news.
 import type { Beat, Live, Program, RunFate } from "./protocol";
 
 /** Maximum silence, in ms. */
@@ -22,7 +22,7 @@ export type Silent =
   | "connection"
   /** The viewer works, but the process that runs the program does not. */
   | "host"
-  /** Both work, but there are no new instants. */
+  /** Both processes work, but there are no new instants. */
   | "instants";
 
 export class Contact {

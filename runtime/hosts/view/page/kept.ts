@@ -5,7 +5,7 @@ import type { Link } from "./connection";
 
 /** Delay between a change and saving the state, in ms. */
 const soon = 500;
-/** Maximum length of a request to the viewer, less than its limit of 64 kB. */
+/** Maximum length of a request to the viewer; the viewer's limit is 64 kB. */
 const longest = 60_000;
 
 export type Json =

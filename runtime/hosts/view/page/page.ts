@@ -69,7 +69,7 @@ function describeRun(program: Program): void {
 
 let showAlignment: ((answer: Align) => void) | null = null;
 
-/** The latest status message of the viewer. */
+/** The latest status message from the viewer. */
 let progress: Program | Progress | Live | null = null;
 /** The reason why the connection was closed permanently. */
 let refusal = "";
@@ -228,7 +228,7 @@ function extend(extent: Program | Live): void {
 }
 
 /** Returns the pause between frames, in ms. `speed` is the speed of the run relative to real time.
- * A fast run needs pauses because drawing takes processor time from it. */
+ * A fast run needs pauses because drawing competes with it for processor time. */
 function pauseAt(speed: number): number {
   return speed > 100 ? 200 : speed > 20 ? 100 : 0;
 }
@@ -334,7 +334,7 @@ function contactChanged(): void {
 
 /** Reports an error in the page itself, so that a broken page does not appear to work. */
 function failed(what: string): void {
-  // This is harmless: the browser draws the change of size in the next frame instead.
+  // This is harmless: the browser handles the change of size in the next frame instead.
   if (what.startsWith("ResizeObserver loop")) return;
   element("failed").textContent =
     `This page has failed and may show wrong values: ${what}. ` +

@@ -80,7 +80,7 @@ export interface Program {
   readonly runs: boolean;
   /** Whether outputs were recorded, so that those of the replay can be compared. */
   readonly compared: boolean;
-  /** Number of instants that the program has been run over. */
+  /** Number of instants over which the program has been run. */
   readonly replayed: number;
   readonly notes: string;
   /** Whether its inputs include camera frames. */
@@ -89,7 +89,7 @@ export interface Program {
   readonly console: readonly Control[];
   readonly params: readonly Param[];
   readonly sources: readonly Source[];
-  /** The world that the robot may have driven in. */
+  /** The world in which the robot drove, if it is known. */
   readonly world: Source | null;
   /** The recording to compare with, if there is one. */
   readonly other?: Other;
@@ -113,11 +113,11 @@ export interface Live {
   readonly newest?: Instant;
 }
 
-/** Sent without a request: the state of the run, and which controls this page may use besides
+/** Sent without a request: the state of the run, and the controls that this page may use besides
     Stop. */
 export interface Run {
   readonly is: "run";
-  /** If there are several pages, only one operates. */
+  /** If there are several pages, only one of them operates the run. */
   readonly operates: boolean;
   /** Whether pages may pause the run and set its speed, and whether they may send events. */
   readonly paces: boolean;
@@ -155,7 +155,7 @@ export interface Instant {
   readonly dt: number;
   /** The value of each signal, in the form of a trace's cell. */
   readonly cells: readonly string[];
-  /** The edited program's values, if there is one; null for signals that it does not have. */
+  /** The values in the edited program, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
   /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position
    * and heading of the first robot at that time, either true or according to odometry. For records,
@@ -254,7 +254,8 @@ export interface Found {
   readonly first?: number | null;
   readonly before?: number | null;
   readonly after?: number | null;
-  /** Starts and ends alternate. A span that lasts until the end of the run has no end. */
+  /** Starts and ends alternate. If the last span lasts until the end of the run, its end is
+   * missing. */
   readonly spans?: readonly number[];
 }
 
@@ -277,10 +278,10 @@ export interface Claim {
   /** The signal that contains its verdict; -1 if there is none. */
   readonly signal: number;
   readonly fate: Fate;
-  /** Times at which it was violated. Starts and ends alternate, and a violation that continues has
-   * no end. */
+  /** Times at which it was violated. Starts and ends alternate. If the last violation continues,
+   * its end is missing. */
   readonly times: readonly number[];
-  /** The edited program's result, if there is one; null if it does not have this assertion. */
+  /** The result in the edited program, if there is one; null if it does not have this assertion. */
   readonly other?: Fate | null;
 }
 

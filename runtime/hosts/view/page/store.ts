@@ -51,7 +51,7 @@ export type Change =
   /** A command was not executed. */
   | "undone";
 
-/** Seconds that plots show initially during a live run. */
+/** Number of seconds that the plots show initially during a live run. */
 const recently = 20;
 
 function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
@@ -63,7 +63,7 @@ export class Store {
   instant: Instant | null = null;
   /** The marked instant, with which other instants are compared. */
   mark: Instant | null = null;
-  /** The time range of plots, in seconds. */
+  /** The time range of the plots, in seconds. */
   range: readonly [number, number];
   plots: Plot[] = [];
   /** The plot to which the next picked signal is added; null if the signal gets a plot of its
@@ -106,7 +106,7 @@ export class Store {
   newest: Instant | null = null;
   /** The state of a live run; null for a finished one. */
   run: Run | null = null;
-  /** Number of seconds that plots show while the run is followed. */
+  /** Number of seconds that the plots show while the page follows the run. */
   private recent = recently;
 
   private shownIn: { width: number; then: (picture: Picture) => void } = {
@@ -115,7 +115,7 @@ export class Store {
   };
   private pictureIsAsked = false;
   private pictureIsWanted = false;
-  /** The requested width and the instant of the current image. */
+  /** The width requested for the current image, and the instant of that image. */
   private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path | null) => void>();
@@ -218,7 +218,8 @@ export class Store {
     this.changed("undone");
   }
 
-  /** Sends a stop even without contact to the host. Returns false if there is no connection. */
+  /** Sends a stop even if contact with the host is lost. Returns false if there is no connection to
+   * the viewer. */
   stop(): boolean {
     return this.connection.command("stop");
   }
@@ -283,7 +284,7 @@ export class Store {
       this.savings.delete(instant.k);
       return;
     }
-    // Another page may have an edited program although this page has none.
+    // Another page may have an edited program even if this page has none.
     if (!this.following) this.instant = this.hasOthers ? instant : withoutOthers(instant);
     this.outstanding = false;
     if (this.wanted !== null) {
@@ -302,7 +303,7 @@ export class Store {
     return this.other !== null || (this.whatIf?.there ?? false);
   }
 
-  /** The label of the values of the edited program or of the other recording. */
+  /** The label for values from the edited program or the other recording. */
   get otherWord(): string {
     return this.whatIf?.there ? "what if" : "other";
   }
@@ -312,7 +313,8 @@ export class Store {
     return this.whatIf?.there ? "edited" : (this.other?.name ?? "");
   }
 
-  /** Aligns the other recording by a condition, or by its start if the condition is empty. */
+  /** Aligns the other recording by when a condition first holds or, if the condition is empty, by
+   * its start. */
   align(condition: string): void {
     this.connection.ask(condition === "" ? "align" : `align ${condition}`);
   }
@@ -328,7 +330,7 @@ export class Store {
     this.changed("mark");
   }
 
-  // Sets the range of plots.
+  // Sets the range of the plots.
 
   setRange(from: number, to: number): void {
     this.leave();

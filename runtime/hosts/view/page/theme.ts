@@ -5,7 +5,7 @@
 const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
 
-/** Paul Tol's light colours for modes. They differ from the colours of plots. Text on them is
+/** Colours for modes: Paul Tol's light colours, which differ from those of plots. Text on them is
  * dark. */
 const modes = [
   "#77aadd",
@@ -66,7 +66,7 @@ export function toggleTheme(): void {
 let isChosen = false;
 const choices: (() => void)[] = [];
 
-/** The theme that the user has chosen; null for the desktop's. */
+/** The theme that the user has chosen; null to follow the desktop's. */
 export function chosenTheme(): "dark" | "light" | null {
   return !isChosen ? null : isDark() ? "dark" : "light";
 }

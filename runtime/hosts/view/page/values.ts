@@ -24,7 +24,8 @@ export function formatNumber(x: number): string {
   return String(Number(x.toPrecision(6)));
 }
 
-/** The largest value of a signal that has been shown, and its number of decimals. */
+/** The largest absolute value of a signal that has been shown so far, and the number of decimals
+ * for the signal. */
 interface Look {
   largest: number;
   decimals: number;
@@ -42,7 +43,8 @@ function decimalsOf(x: number, most: number): number {
 
 /** Formats a value of a signal. So that the number of decimals does not jump from one instant to
  * the next, a signal keeps the largest number of decimals that any of its values needed, within
- * the limit on the digits of its largest value. Only values far below the largest one have more.
+ * the limit on the digits of its largest value. Only values far below the largest one are shown
+ * with more decimals.
  */
 function steady(signal: Signal, x: number): string {
   if (!Number.isFinite(x)) return special(x);
@@ -109,7 +111,7 @@ export function formatTime(seconds: number): string {
   return `${seconds.toFixed(3)} s`;
 }
 
-/** Returns the difference of two cells of a numeric signal; null if they are not numbers. */
+/** Returns the difference between two cells of a numeric signal; null if they are not numbers. */
 export function difference(signal: Signal, from: string, to: string): string | null {
   if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
   const x = Number(to) - Number(from);

@@ -1,5 +1,6 @@
-/* compare.h -- reads a second recording to compare with, in place of an edited program. If it comes
- * from a different version of the program, only its inputs and outputs are known. */
+/* compare.h -- compares the run with a second recording, in place of an edited program. If that
+ * recording comes from a different version of the program, only its inputs and outputs are
+ * known. */
 #ifndef FROB_VIEW_COMPARE_H
 #define FROB_VIEW_COMPARE_H
 
@@ -10,8 +11,8 @@
 bool compare_start(struct what_if *other, const struct signals *recorded, const char *file,
                    const struct csv_dialect *dialect);
 
-/* Finds the instant of the other recording at the time of instant `k` of this one. Returns false if
- * there is none. */
+/* Finds the instant of the other recording that corresponds in time to instant `k` of this
+ * one. Returns false if there is none. */
 bool compare_instant(const struct what_if *other, const struct recording *recording, size_t k,
                      size_t *there);
 

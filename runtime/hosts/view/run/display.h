@@ -41,7 +41,7 @@ void display_end(struct display *display);
 /* Updates the display with the output of the next instant. */
 void display_see(struct display *display, size_t k, const void *output);
 
-/* Returns whether this element of the drawing, in an output, is a mark on the image. */
+/* Returns whether, in this output, this element of the drawing is a mark on the image. */
 bool display_is_mark(const struct display *display, size_t element, const void *output);
 
 #endif

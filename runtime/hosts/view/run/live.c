@@ -113,9 +113,10 @@ static void make_up(struct live *live, size_t most)
                   "from instant %lu on (as counted here), only inputs and outputs are shown%s\n",
                   (unsigned long long)missed, (unsigned long long)newest - 1,
                   (unsigned long)recording->gap,
-                  live->file == NULL              ? " (a run with --record has no such gaps)"
-                  : packed_by(live->file) != NULL ? " (an uncompressed recording fills such gaps)"
-                                                  : "");
+                  live->file == NULL ? " (to avoid such gaps, run with --record)"
+                  : packed_by(live->file) != NULL
+                      ? " (to avoid such gaps, record to an uncompressed file)"
+                      : "");
 }
 
 static bool take(struct live *live, size_t most)

@@ -8,7 +8,7 @@
 
 struct live {
     struct ring *ring;         /* NULL for the recording of a run that is over */
-    const char *file;          /* file in which the host records; NULL if there is none */
+    const char *file;          /* file in which the host records the run; NULL if there is none */
     struct catching *catching; /* reads missed instants from `file`; NULL until it is needed */
     const struct signals *signals;
     struct recording *recording;
@@ -22,9 +22,9 @@ struct live {
                                             * added */
 };
 
-/* Prepares for a live run without reading any instants. The program of the signals must be the one
- * that the host runs, but may have additional probes. On failure, prints a line on standard error
- * and returns false. */
+/* Prepares for a live run without reading any instants. The program that `signals` describes must
+ * be the one that the host runs, but may have additional probes. On failure, prints a line on
+ * standard error and returns false. */
 bool live_start(struct live *live, struct ring *ring, const char *file,
                 const struct signals *signals, struct recording *recording);
 void live_end(struct live *live);

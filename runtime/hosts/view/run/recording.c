@@ -18,7 +18,7 @@
 
 #define ROWS 2000 /* number of rows read at a time */
 
-/* If the first time exceeds this, the recording's clock began before the run. */
+/* If the first time exceeds this, the recording's clock started long before the run. */
 #define FAR_NS INT64_C(1000000000000000000)
 
 /* Reads the rows of a file into a recording. */
@@ -30,8 +30,8 @@ struct reader {
     const struct signal **columns; /* the signal for each cell of a row; NULL if the cell is not
                                     * read */
     size_t width;
-    /* The previous row. Most cells of a row are the same as in this one and need not be parsed
-     * again. */
+    /* The previous row. Most cells do not change from one row to the next, and unchanged cells need
+     * not be parsed again. */
     struct {
         char *text;
         size_t *starts;    /* offsets of its cells in the text */
@@ -83,7 +83,7 @@ static void add_name(struct names *names, const char *name)
         buffer_text(&names->text, " and more");
 }
 
-/* Notes which columns of the program's input are missing. */
+/* Adds a note that lists any missing columns of the program's input. */
 static void look_for_inputs(struct reader *r, bool has_others)
 {
     struct recording *recording = r->recording;
@@ -311,7 +311,7 @@ static bool read_rows(struct reader *r)
             note(r, "%s%s",
                  status == CSV_UNREADABLE  ? packed_reason(r->recording->name, errno)
                  : status == CSV_NO_MEMORY ? "not enough memory"
-                 : status == CSV_TOO_LONG  ? "a row has more than 16 MB or over a million cells"
+                 : status == CSV_TOO_LONG  ? "a row exceeds 16 MB or a million cells"
                                            : "this is not CSV",
                  and_after);
             return false;

@@ -21,10 +21,10 @@ struct recording {
     unsigned char *outputs;
     size_t output_size;   /* size of that part; inner signals follow it in the struct */
     bool *recorded;       /* for each signal: whether the recording has its column */
-    struct buffer params; /* recorded parameters: NAME=VALUE, each with a NUL */
+    struct buffer params; /* recorded parameters: NAME=VALUE, each ending with a NUL */
     bool has_all_inputs;  /* whether the program can be run on the recording */
-    /* The frames next to the recording. The images that inputs point to stay valid as long as this
-     * reader exists. */
+    /* Reads the frames stored next to the recording. The images that inputs point to stay valid as
+     * long as this reader exists. */
     struct frame_reader frames;
     struct buffer notes; /* lines about problems and parts that were ignored */
     size_t capacity;
@@ -37,7 +37,8 @@ struct recording {
                               * input */
     size_t lost_count;
     size_t checked; /* the frames of the instants before this one have been checked */
-    /* `count` structs of the simulator's ground truth, of `truth_size` bytes each; or NULL. */
+    /* The simulator's ground truth: `count` structs of `truth_size` bytes each; NULL if there is
+     * none. */
     unsigned char *truths;
     size_t truth_size;
     struct reader *reader; /* reads the rest of the file; NULL if there is none */

@@ -22,7 +22,8 @@ struct replay {
     bool runs;            /* whether the recording contains everything that the program needs */
     unsigned char *kept;  /* states before the instants 0, REPLAY_EVERY, … */
     size_t room;          /* number of states that `kept` has room for */
-    /* Before this instant, states have been stored, and outputs compared with the recorded ones. */
+    /* Number of instants that have been run: states have been stored for them, and their outputs
+     * compared with the recorded ones. */
     size_t reached;
     unsigned char *state, *output; /* the state after instant `next - 1` */
     size_t next;
@@ -31,17 +32,18 @@ struct replay {
     const struct signal *diverged_in;
     struct display display; /* display after instant `next - 1` */
     struct shown *shown;    /* displays at the stored states */
-    struct watch watch;     /* assertions before instant `reached` */
+    struct watch watch;     /* assertion results before instant `reached` */
 };
 
-/* Prepares a replay without running any instant. The program of the signals need not be the one for
- * which the recording was read, but must have the same input and output. Sets the parameters in
- * `settings` (see recording.h). Returns false if memory runs out. */
+/* Prepares a replay without running any instant. The program that `signals` belongs to may differ
+ * from the one for which the recording was read, but must have the same input and output. Sets the
+ * parameters in `settings` (see recording.h). Returns false if memory runs out. */
 bool replay_start(struct replay *replay, const struct signals *signals, struct recording *recording,
                   const struct buffer *settings);
 void replay_end(struct replay *replay);
 
-/* Returns whether the program has been run over the whole recording, or up to its gap. */
+/* Returns whether the program has been run as far as possible: over the whole recording, or up to
+ * the first instant that cannot be run. */
 bool replay_is_whole(const struct replay *replay);
 
 /* Runs at most REPLAY_EVERY more instants. The recording may have grown. */
@@ -52,8 +54,8 @@ void replay_advance(struct replay *replay);
  * NULL. */
 struct moment replay_at(struct replay *replay, size_t k);
 
-/* Returns the display at instant `k`. Sets *marks to the output that contains the marks on it, or
- * to NULL if there are none; it is valid until the next call. */
+/* Returns the display at instant `k`. Sets *marks to the output that contains the display's marks,
+ * or to NULL if it has none; the output is valid until the next call. */
 struct shown replay_shown(struct replay *replay, size_t k, const void **marks);
 
 #endif

@@ -39,8 +39,8 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* Returns the part of the frame reader's last message that gives the place and the reason, without
- * the expected text in front of it. */
+/* Returns the place and the reason in the frame reader's last message, which follow the expected
+ * text. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');
@@ -62,7 +62,7 @@ void seen_lose(struct recording *recording, size_t k, unsigned char *input,
     recording->lost[recording->lost_count++] = lost;
     if (recording->lost_count > 1)
         return;
-    buffer_format(&recording->notes, "%s: frame %lu, of instant %lu, is not %s%s", recording->name,
+    buffer_format(&recording->notes, "%s: frame %lu at instant %lu is not %s%s", recording->name,
                   (unsigned long)number, (unsigned long)k,
                   is_there ? "the recorded frame: its file was changed" : "available ",
                   is_there ? "" : reason(recording));

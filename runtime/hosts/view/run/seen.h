@@ -25,7 +25,7 @@ void seen_check(struct recording *recording, size_t end);
 const struct frob_image *seen_image(const struct recording *recording, const int32_t *key,
                                     size_t *k);
 
-/* Returns the missing frame of an instant, or the newest one before it; NULL if there is none. */
+/* Returns the newest missing or changed frame up to instant `k`; NULL if there is none. */
 const struct lost_frame *seen_lost(const struct recording *recording, size_t k);
 
 #endif

@@ -33,8 +33,8 @@ static bool has_room(const struct series *series, struct kept_series *place)
     return true;
 }
 
-/* Returns a place for the values of another signal: a free one or, if there is none, the least
- * recently used one. NULL if memory runs out. */
+/* Returns a cache entry for the values of another signal: a free one or, if there is none, the
+ * least recently used one. Returns NULL if memory runs out. */
 static struct kept_series *place_for(struct series *series, const struct signal *signal)
 {
     struct kept_series *place = &series->kept[0];
@@ -56,7 +56,7 @@ static struct kept_series *find(struct series *series, const struct signal *sign
 }
 
 /* Returns whether a signal is in the recording, so that the program need not be run for it.
- * Recorded outputs qualify only as long as the program's outputs are equal to them. */
+ * Recorded outputs qualify only as long as the program's outputs match them. */
 static bool is_recorded(const struct replay *replay, const struct signal *signal)
 {
     const size_t number = (size_t)(signal - replay->signals->all);
@@ -109,8 +109,8 @@ static size_t add_modes(struct series *series, struct kept_series **wanted, size
     return count;
 }
 
-/* Adds all signals with at least as many known values as this one, because the page of a live run
- * requests all of them again. */
+/* Adds the other signals for which at least as many values are known as for the first one, because
+ * the page of a live run requests all of them again. */
 static size_t add_others(struct series *series, struct kept_series **wanted, size_t count)
 {
     for (size_t i = 0; i < SERIES_KEPT && count < TOGETHER; i++) {
@@ -160,8 +160,8 @@ void series_forget(struct series *series)
     series_start(series, replay);
 }
 
-/* Visits the first, least, greatest and last instant of one column of the plot. The column has at
- * least five instants. */
+/* Visits, in order, the first and last instants of one column of the plot, and those with its least
+ * and greatest values. The column has at least five instants. */
 static void visit_extremes(const double *numbers, size_t from, size_t to,
                            void (*visit)(void *context, size_t k), void *context)
 {

@@ -101,7 +101,8 @@ void signals_end(struct signals *signals)
     free(signals->all);
 }
 
-/* Computes the offsets of the first and the last of a value's numbers, truth values and tags. */
+/* Extends the range *first … *last to include the offsets of a value's numbers, truth values and
+ * tags. */
 static void add_extent(const struct frob_value *value, size_t *first, size_t *last)
 {
     if (value->kind != FROB_PRODUCT && value->kind != FROB_ARRAY) {

@@ -20,9 +20,9 @@ struct signal {
     /* For a probe that may be absent, the value that it has when present; otherwise the same as
      * `value`. */
     const struct frob_value *shown;
-    size_t machine;                   /* index of a mode's machine */
+    size_t machine;                   /* for a mode: index of its machine */
     const struct frob_column *column; /* description of the signal; NULL if there is none */
-    const char *below;                /* the part of the name that is not in the column's name */
+    const char *below;                /* the part of the name after the column's name */
 };
 
 struct signals {

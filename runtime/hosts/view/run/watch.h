@@ -6,8 +6,8 @@
 #include "../../common/claims.h"
 
 struct watched {
-    /* Starts and ends of violations alternate: each violation lasts from an instant up to, but not
-     * including, the next one in the list. A violation that continues has no end yet. */
+    /* The starts and ends of violations, alternately. A violation lasts up to, but not including,
+     * its end. One that still continues has no end yet. */
     size_t *ends;
     size_t count, room;
 };

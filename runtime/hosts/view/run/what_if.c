@@ -57,7 +57,8 @@ static bool link_to(const char *from, const char *folder, const char *name)
     return ok;
 }
 
-/* Creates the edited program in the folder, and links to everything next to the original. */
+/* Writes the edited program to the folder, with symbolic links to everything next to the
+ * original. */
 static bool fill(const char *folder, const char *file, const char *text)
 {
     char *from = folder_of(file), *path = path_in(folder, without_folder(file));
@@ -120,7 +121,7 @@ static void close_both(const int *ends)
 }
 
 /* Runs the command with additional arguments. Appends its standard output and its standard error to
- * separate texts. Returns its exit status, or -1 if it has none. */
+ * separate buffers. Returns its exit status, or -1 if it has none. */
 static int run(what_if_command command, const char *const *more, struct buffer *result,
                struct buffer *said)
 {
@@ -170,7 +171,7 @@ static int run(what_if_command command, const char *const *more, struct buffer *
     return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/* Appends a text, leaving out the path of a folder. */
+/* Appends a text from which each occurrence of the folder's path is removed. */
 static void add_without(struct buffer *out, const char *text, const char *folder)
 {
     const size_t length = strlen(folder);
@@ -184,7 +185,7 @@ static void add_without(struct buffer *out, const char *text, const char *folder
 
 /* ---- An edited program */
 
-/* An attempt to build the program in a temporary folder, which exists until the attempt ends. */
+/* An attempt to build the program in a temporary folder; end_attempt deletes the folder. */
 struct attempt {
     struct buffer folder;
     char *file; /* path of the program */
@@ -422,8 +423,8 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     return false;
 }
 
-/* Returns whether the edited text has a different default for the parameter of a setting. If so,
- * the edited default applies. */
+/* Returns whether the edit changed the default value of the parameter in a setting. If so, the new
+ * default overrides the setting. */
 static bool is_edited(const struct frob_program *edited, const struct frob_program *recorded,
                       const char *setting)
 {

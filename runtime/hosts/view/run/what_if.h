@@ -12,7 +12,8 @@ struct what_if {
                              * ones */
     bool compares;          /* whether this is another recording (compare.h) rather than an edited
                              * program */
-    int64_t shift_ns;       /* time in this run that corresponds to time 0 of the shown recording */
+    int64_t shift_ns;       /* time in this run that corresponds to time 0 of the displayed
+                             * recording */
     struct buffer settings; /* parameters, in the form used in recordings */
     struct signals signals;
     struct recording driven;
@@ -48,8 +49,8 @@ struct what_if_edit {
 
 /* Compiles an edited program and runs it over the whole recording. If `drives` is set, runs it in
  * the simulator instead, for the same duration and with the same world and seed, after checking
- * that the simulator reproduces the recording. On failure, returns false and appends the reason, in
- * the compiler's words. Removes the previous edited program in any case. */
+ * that the simulator reproduces the recording. On failure, returns false and appends the reason,
+ * such as the compiler's messages. Always removes the previous edited program. */
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
                    struct recording *recording, const struct what_if_commands *commands,
                    const char *file, const struct what_if_edit *edit, struct buffer *why);

@@ -20,7 +20,7 @@ struct client {
     struct buffer answer; /* an answer to send */
     char *command;        /* a command for the run, to be executed immediately */
     bool is_to_be_told_news, is_to_be_told_run, is_to_be_told_beat;
-    bool is_behind;      /* whether the page has not drawn the latest news yet */
+    bool is_behind;      /* whether the page has yet to draw the latest news */
     const char *refusal; /* why the last command was refused */
 };
 

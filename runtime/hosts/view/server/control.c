@@ -55,7 +55,7 @@ static const char *send(struct control *control, const struct ring_event *event)
 {
     const double now = now_s();
     if (!ring_permits(control->ring, RING_SENDS))
-        return "this page can only watch the run: start it with `--view=control` to send events";
+        return "this page can only watch: to send events, start the run with `--view=control`";
     control->events += (now - control->since_s) * CONTROL_EVENTS;
     control->since_s = now;
     if (control->events > CONTROL_EVENTS)
@@ -154,7 +154,7 @@ const char *control_do(struct control *control, const char *request, bool operat
     if (!operates)
         return "another page is operating this run";
     if (ring_silence_s(control->ring) * 1000.0 > CONTROL_LATE_MS)
-        return "the run does not answer, so the request was ignored";
+        return "the run is not responding, so the request was ignored";
     if (begins_with(request, "touch") || begins_with(request, "hold"))
         return touch(control, request);
     return begins_with(request, "key") ? key(control, request) : pace(control, request);

@@ -1,9 +1,9 @@
 /* loopback.h -- recognizes the names by which a computer addresses itself: `localhost`,
  * `127.0.0.1` and `[::1]`, with or without a port.
  *
- * A request for any other host name comes from another site's page, whose name was made to resolve
- * to this computer (DNS rebinding). Any port is allowed, because a browser that connects through
- * `ssh -L` uses the port of its own end of the tunnel. */
+ * A request for any other host name comes from a page of another site, whose name was made to
+ * resolve to this computer (DNS rebinding). Any port is allowed, because a browser that connects
+ * through `ssh -L` uses the port of its own end of the tunnel. */
 #ifndef FROB_VIEW_LOOPBACK_H
 #define FROB_VIEW_LOOPBACK_H
 

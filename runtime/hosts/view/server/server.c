@@ -32,7 +32,8 @@ struct server {
     bool host_has_ended, was_visited;
     bool has_terminal; /* whether a user can read the address in a terminal, and end the run with
                         * Ctrl-C */
-    long leaving;      /* number of beats since the request to end */
+    long leaving;      /* number of beats since the server was asked to end, or since the host
+                        * ended */
     lws_sorted_usec_list_t again;
     long idle; /* number of beats since the last page was closed, or since the run ended */
 };
@@ -46,8 +47,8 @@ struct connection {
 static struct lws_context *serving;
 static volatile sig_atomic_t ending, asked_to_end;
 
-/* The alarm ends the process even if the answering thread is running a program that does not
- * end. */
+/* The alarm ends the process even if the thread that answers requests is running a program that
+ * does not end. */
 static void end(int number)
 {
     (void)number;
@@ -56,7 +57,7 @@ static void end(int number)
     lws_cancel_service(serving);
 }
 
-/* Signal handler for a live run: before it ends, the server tells the pages how the run ended. */
+/* Signal handler for a live run: before the server exits, it tells the pages how the run ended. */
 static void end_with_run(int number)
 {
     (void)number;
@@ -459,7 +460,8 @@ static bool is_to_end(struct server *server, bool is_over)
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
     const bool is_visited = pages(server) > 0;
     server->was_visited |= is_visited;
-    /* Waits without limit if a user can see the address in a terminal and open it later. */
+    /* Waits indefinitely for the first page if a user can see the address in a terminal and open it
+     * later. */
     server->idle = is_visited || (!server->was_visited && (!is_over || server->has_terminal))
                        ? 0
                        : server->idle + 1;

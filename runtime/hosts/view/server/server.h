@@ -6,8 +6,8 @@
  * most SERVER_CLIENTS pages are served at a time. Connections that have not presented the token do
  * not count towards this limit (strangers.h).
  *
- * The server sends `beat` to each page ten times a second, whatever else it does. The beat shows
- * that the viewer works, and contains how long the host of a run has been silent. */
+ * The server sends `beat` to each page ten times a second, whatever else it is doing. The beat
+ * shows that the viewer is alive, and states how long the host of a run has been silent. */
 #ifndef FROB_VIEW_SERVER_H
 #define FROB_VIEW_SERVER_H
 
@@ -17,7 +17,7 @@
 #define SERVER_MESSAGE 65536 /* maximum length of a request, in bytes */
 #define SERVER_PENDING 64    /* maximum number of pending requests of a page */
 #define SERVER_PATIENCE 5    /* maximum time, in seconds, to present the token */
-/* After a run is over, the viewer ends when no page has been connected for this many seconds:
+/* Once a run is over, the viewer exits after this many seconds without a connected page:
  * SERVER_LINGERS before the first page connects (no limit if there is a terminal), and
  * SERVER_RELOADS after that, which leaves time to reload a page. */
 #define SERVER_LINGERS 5

@@ -7,8 +7,8 @@
 #define LOOK_NS 4000000 /* interval at which to check a run for new instants */
 #define WORK_S 0.005    /* time to work before checking for requests */
 
-/* Waits until there is a request, or until it is time to check for instants. The caller holds the
- * lock. */
+/* Waits until there is a request, or until it is time to check for new instants. The caller holds
+ * the lock. */
 static void wait_for_something(struct worker *worker, bool looks)
 {
     struct timespec until;

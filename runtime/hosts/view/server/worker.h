@@ -35,7 +35,8 @@ struct worker {
     bool is_ending;
 };
 
-/* Starts the thread, which calls `wake`. Returns false if it cannot be started. */
+/* Starts the thread, which calls `wake` when there is an answer or news. Returns false if it cannot
+ * be started. */
 bool worker_start(struct worker *worker, struct view *view, void (*wake)(void));
 void worker_end(struct worker *worker);
 

@@ -17,7 +17,7 @@ const largePixels = 3;
 /** Describes a frame that the recording mentions but does not contain. */
 function loss({ number, k, changed }: NonNullable<Picture["lost"]>): string {
   return (
-    `frame ${number}, of instant ${k}, ` +
+    `frame ${number} at instant ${k} ` +
     (changed
       ? "is not the recorded frame: its file was changed"
       : "is missing from the folder next to the recording")

@@ -1,7 +1,7 @@
 // Converts colours to the numbers that programs use in the library's ColourRange.
 
-/** Computes the hue in degrees, on the HSV hexagon (0 for grey, which has no hue), and saturation
- * and value from 0 to 1. */
+/** Computes the hue in degrees, on the HSV hexagon (0 for grey, which has no hue), and the
+ * saturation and value, from 0 to 1. */
 export function hueSaturationValue(
   red: number,
   green: number,

@@ -23,7 +23,7 @@ export interface Reading {
   readonly value: string;
 }
 
-// A value in Frob's syntax: a number, a text, or a constructor with its arguments or fields.
+// A value in Frob's syntax: a number, a string, or a constructor with its arguments or fields.
 type Value = number | string | { readonly name: string; readonly parts: readonly Value[] };
 
 const token = /\s*("(?:[^"\\]|\\.)*"|[A-Z][\w']*|[a-z_][\w']*|-?(?:\d[\w.+-]*|inf|nan)|[(){}=,])/y;

@@ -11,7 +11,7 @@ import { corners, type Disc, type Point, type World } from "./world";
 const gridSpace = 60;
 const labelFont = "11px system-ui, sans-serif";
 
-/** Draws paths and discs in the coordinates of the world. */
+/** Draws paths and discs in world coordinates. */
 export class Pen {
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -112,7 +112,7 @@ function drawGrid(pen: Pen): void {
   }
 }
 
-/** Draws a bar with its length in metres. */
+/** Draws a scale bar, labelled with its length. */
 export function drawScale({ context, view }: Pen): void {
   const metres = niceStep(70 / view.scale),
     across = metres * view.scale;
@@ -179,8 +179,8 @@ function drawObjects(pen: Pen, world: World): void {
   for (const lamp of world.lamps) drawLamp(pen, lamp);
 }
 
-/** Draws the boxes and balls at their current positions. If these are unknown, as in a recording,
- * draws them at their initial positions with dashed edges. */
+/** Draws the boxes and balls at their current positions. If the positions are unknown, as in a
+ * recording, draws the objects at their initial positions with dashed edges. */
 export function drawMovable(pen: Pen, world: World, objects: Instant["objects"]): void {
   const dash = objects ? [] : [3, 4];
   const at = (number: number, start: Pose): Pose => {

@@ -46,7 +46,7 @@ export class Ways {
     while (this.true.length < robots) this.true.push(new Track(this.extent));
     this.loadBelieved(this.believed.next);
     if (robots > 0) this.loadTrue(0);
-    // Requests the path of one other robot at a time, because there may be hundreds.
+    // Requests the paths of the other robots one at a time, because there may be hundreds.
     if (robots > 1) this.loadTrue(1 + (this.turn++ % (robots - 1)));
   }
 

@@ -1,5 +1,5 @@
 // The program's controls: buttons, knobs and toggles, shown during a live run that this page
-// operates. The map handles clicks on it; cameras are not controls.
+// operates. The map itself handles clicks; cameras are not controls.
 import type { Control } from "../protocol";
 import type { Store } from "../store";
 import { formatNumber } from "../values";
@@ -166,8 +166,8 @@ export function startConsole(store: Store, host: HTMLElement): void {
   };
   host.append(...seen.map((each) => each.host));
 
-  // Updates a control when the program's input changes, even if another page has changed it. Until
-  // then, a control shows the user's pending change.
+  // Updates a control when the program's input changes, even if another page caused the change.
+  // Until then, a control shows the user's pending change.
   const follow = () => {
     store.program.console.forEach((control, number) => {
       const cell = store.newest?.cells[control.signal];

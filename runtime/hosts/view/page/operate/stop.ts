@@ -65,10 +65,10 @@ export class Stop {
     if (state === "missed")
       return (
         "Stop has not reached the run. The page sends it again as soon as there is contact. " +
-        "If the robot moves, stop it by hand."
+        "If the robot is moving, stop it by hand."
       );
     if (state === "stopping" && contact.isLost)
-      return "The run was stopping when the contact was lost.";
+      return "The run was stopping when contact was lost.";
     if (
       state !== "over" ||
       contact.fate === "goes on" ||

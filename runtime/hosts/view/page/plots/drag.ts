@@ -1,4 +1,4 @@
-// Dragging signals: from the list or the source onto a plot.
+// Lets the user drag signals from the list or the source onto a plot.
 
 const kind = "application/x-frob-signal";
 

@@ -4,8 +4,8 @@ import type { Store } from "../store";
 import { colour } from "../theme";
 import { formatPoint } from "../values";
 
-/** Number of columns to request. With this number, the viewer sends all instants of a range that
- * has fewer than 500,000. */
+/** Number of columns to request: large enough that the viewer sends every instant of a range with
+ * fewer than 500,000 instants. */
 const columns = 100_000;
 
 function save(name: string, content: Blob): void {
@@ -51,12 +51,12 @@ export function savePicture(
   canvas.toBlob((content) => content && save(`${name}.png`, content));
 }
 
-/** Quotes a CSV cell if necessary, because names of constructors and texts may contain commas. */
+/** Quotes a CSV cell if necessary, because names of constructors and strings may contain commas. */
 function quoted(cell: string): string {
   return /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
 }
 
-/** Finds where a signal differs most from the other recording, in the visible range. Calls `then`
+/** Finds where in the visible range a signal differs most from the other recording. Calls `then`
  * with the time, the largest difference and the root mean square difference, or with null if the
  * signal does not differ. */
 export function findLargest(

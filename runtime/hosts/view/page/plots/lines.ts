@@ -1,5 +1,5 @@
-// The lines on a plot at the current instant and at the mark. They are separate elements that move
-// over the plot, so the plot is not redrawn at each instant.
+// The lines that show the current instant and the mark on a plot. They are separate elements that
+// move over the plot, so the plot is not redrawn at each instant.
 import type uPlot from "uplot";
 import type { Store } from "../store";
 

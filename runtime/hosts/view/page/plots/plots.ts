@@ -11,7 +11,7 @@ const leastHigh = 60,
   leastLow = 44;
 /** Maximum height of a plot of truth values or names. */
 const mostLow = 90;
-/** Maximum number of plots at which the panel still shows a hint on how to add one. */
+/** With more plots than this, the panel no longer shows the hint on how to add one. */
 const hinted = 1;
 
 export function startPlots(store: Store, host: HTMLElement): void {

@@ -34,7 +34,7 @@ export class SeriesRequests {
     else this.send(key, { wanted, then });
   }
 
-  /** Whether a request of this user is pending. */
+  /** Whether this requester has a pending request for the signal. */
   awaits(user: string, signal: number): boolean {
     return this.slots.has(`${user} ${signal}`);
   }
@@ -49,7 +49,8 @@ export class SeriesRequests {
     for (const { then } of this.end(series.signal, series.from, series.to)) then(series);
   }
 
-  /** Ends the requests for a series, and sends those that wait for them. */
+  /** Ends the pending requests for a series, and sends the requests that follow them. Returns the
+   * ended requests. */
   end(signal: number, from: number, to: number): Request[] {
     const ended = [...this.slots].filter(
       ([, { wanted }]) => wanted.signal === signal && wanted.from === from && wanted.to === to,

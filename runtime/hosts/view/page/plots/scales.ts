@@ -9,7 +9,7 @@ export function isNamed(signal: Signal): boolean {
   return signal.kind === "bool" || signal.kind === "mode" || signal.kind === "sum";
 }
 
-/** The greatest number that represents a name. */
+/** The largest number that represents a name. */
 export function topOf(signal: Signal): number {
   return Math.max(1, signal.names.length - 1);
 }

@@ -83,7 +83,7 @@ export class Strip {
   private readonly add: HTMLButtonElement;
   private entries: Entry[] = [];
   private body: Body;
-  /** The signals and the kind of the body, to detect changes. */
+  /** The signals and other settings for which the body was built, to detect changes. */
   private shown = "";
 
   constructor(
@@ -215,7 +215,7 @@ export class Strip {
     const [first] = plot.signals;
     const find = button(
       "Largest difference",
-      "Go to the largest difference of the first signal in the visible range",
+      "Go to where the first signal differs most in the visible range",
       () => {
         const signal = first === undefined ? undefined : store.program.signals[first];
         if (first === undefined || !signal) return;

@@ -14,7 +14,7 @@ import { Trace } from "./trace";
 const close = 5;
 const font = "11px system-ui, sans-serif";
 
-/** Returns the space to the right of every plot. It is the same for all, so that their time axes
+/** Returns the space to the right of a plot. It is the same for all plots, so that their time axes
  * are aligned. */
 export function spaceOnRight(store: Store): number {
   const hasSecond = store.plots.some(
@@ -256,7 +256,7 @@ export class TimePlot implements Body {
     this.readOut();
   }
 
-  /** Draws a mark at the edge where a value is outside the visible range. */
+  /** Marks each value outside the visible range with a triangle at the edge of the plot. */
   private drawBeyond(plot: uPlot): void {
     const {
       ctx,

@@ -69,7 +69,7 @@ export class Saved implements Link {
     return word === "find" ? { is: "found", why } : { is: "refused", why };
   }
 
-  /** Returns the last instant that is not after a time. */
+  /** Returns the last instant at or before a time. */
   private at({ times }: SavedRun, seconds: number): number {
     let low = 0,
       high = times.length;

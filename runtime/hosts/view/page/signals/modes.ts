@@ -9,7 +9,7 @@ const any = -1;
 const before = -2;
 
 /**
- * Returns the signals that are running modes: either the inner signals with known transitions or
+ * Returns the signals that contain the running modes: the inner signals with known transitions or
  * the modes that the host reports, whichever are more numerous.
  */
 export function modeSignals({ signals }: Program): number[] {

@@ -56,7 +56,7 @@ class Group {
     this.show();
   }
 
-  /** Shows the rows whose signals match, also in a folded group. */
+  /** Shows the rows whose signals match, even in a folded group. */
   filter(wanted: string): void {
     let count = 0;
     for (const { row, signal } of this.rows) {
@@ -133,8 +133,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
         unfix(shown);
       }
       if (cell !== "" || groupOf[number] !== "Constants") shown.cell = cell;
-      // Changes the existing text node, because creating new nodes many times a second would leave
-      // a lot of garbage.
+      // Changes the existing text node, because creating new nodes many times a second would
+      // produce a lot of garbage.
       (value.firstChild as Text).data = formatCell(signal, cell);
       value.title = cell;
       row.classList.toggle("nothing", isNothing(signal, cell));

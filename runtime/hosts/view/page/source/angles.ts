@@ -4,10 +4,10 @@
 import type { Program, Signal, Source } from "../protocol";
 
 const units: Readonly<Record<string, string>> = { Angle: "rad", AngularVelocity: "rad/s" };
-/** The unit of such a signal as the compiler knows it. */
+/** Maps each of these units to the unit that the compiler reports, which has no radians. */
 const plain: Readonly<Record<string, string>> = { rad: "", "rad/s": "1/s" };
 
-/** A name with its unit, which applies to some lines of a file. */
+/** A name with its unit, valid in lines `first` to `last` of a file. */
 interface Named {
   readonly file: string;
   readonly first: number;
@@ -67,9 +67,9 @@ function ofDefinition(signature: string, definition: string): [string, string][]
   ];
 }
 
-/** Maps each function that has a signature to the type of its result, or, if it returns a signal
- * function, of that function's output. The type is null if functions of the same name have
- * different types. */
+/** Maps each function that has a signature to its result type or, if it returns a signal function,
+ * to the type of that signal function's output. The type is null if functions with the same name
+ * have different types. */
 type Results = ReadonlyMap<string, string | null>;
 
 function resultsOf(sources: readonly Source[]): Results {
@@ -128,7 +128,7 @@ function namesIn({ name: file, text }: Source, results: Results): Named[] {
   return found;
 }
 
-/** Shows radians in the units of signals. */
+/** Adds radians to the units of the signals that are angles or turn rates. */
 export function withRadians(program: Program): Program {
   const results = resultsOf(program.sources);
   const names = program.sources.flatMap((source) => namesIn(source, results));

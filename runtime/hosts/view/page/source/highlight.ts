@@ -38,7 +38,7 @@ function depthAfter(text: string, depth: number): number {
 
 type Add = (from: number, to: number, name: string) => void;
 
-/** Calls `add` for each token of a line. Returns the depth of comments after it. */
+/** Calls `add` for each token of a line. Returns the nesting depth of comments after the line. */
 function tokens(text: string, depth: number, add: Add): number {
   for (let at = 0; at < text.length; ) {
     if (depth > 0 || text.startsWith("{-", at)) {

@@ -3,8 +3,8 @@
 import { findClusterBreak } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 
-/** For each kind of deletion, computes where a deletion from a position in a text ends if nothing
- * is selected. */
+/** For each kind of deletion, returns where the deletion ends if it starts at position `at` and
+ * nothing is selected. */
 const ends: Readonly<Record<string, (text: string, at: number) => number>> = {
   deleteContentBackward: (text, at) => findClusterBreak(text, at, false),
   deleteContentForward: (text, at) => findClusterBreak(text, at, true),

@@ -1,4 +1,4 @@
-// The program's source, read-only, with the values at the current instant at the ends of its lines.
+// The program's source, read-only. The end of each line shows its values at the current instant.
 import {
   Compartment,
   EditorState,
@@ -80,7 +80,7 @@ const look = EditorView.theme({
 interface Act {
   pick(number: number): void;
   next(line: number): void;
-  /** Toggles between all values of a line and as many as fit. */
+  /** Toggles between showing all values of a line and only as many as fit. */
   expand(line: number): void;
 }
 
@@ -164,7 +164,7 @@ const shown = StateField.define<DecorationSet>({
 });
 
 const tinted = EditorView.editorAttributes.of({ class: "editing" });
-/** First line that may not be visible when the file is scrolled to its top. */
+/** First line that may be out of view when the file is scrolled to the top. */
 const farDown = 15;
 const idle = Decoration.line({ class: "idle" });
 const asked = Decoration.line({ class: "asked" });
@@ -212,16 +212,16 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       update();
     },
   };
-  /** The line of which all values are shown; 0 if there is none. */
+  /** The line whose values are all shown; 0 if there is none. */
   let expanded = 0;
   /** Returns the space for values after a text, in characters. If there is little free space, the
-   * values may cover the end of the text, but less than half of the line. */
+   * values may cover the end of the text, but always less than half of the line. */
   const roomAfter = (line: number, text: string) => {
     const across = view.contentDOM.clientWidth / Math.max(1, view.defaultCharacterWidth) - 2;
     const free = text.length < across ? across - text.length : 0;
     return line === expanded ? Infinity : Math.max(free, 0.45 * across);
   };
-  /** Returns the first and the last line that may be visible. */
+  /** Returns the first and last lines that may be visible. */
   const inView = (): [number, number] => {
     const {
       state: { doc },

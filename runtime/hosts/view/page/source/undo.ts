@@ -3,7 +3,7 @@
 import { Transaction, type ChangeSet, type Extension } from "@codemirror/state";
 import { EditorView, type KeyBinding } from "@codemirror/view";
 
-/** Maximum time between changes of one step, in ms. */
+/** Maximum time between two changes in one step, in ms. */
 const soon = 500;
 
 /** A step, given as the changes that undo it, newest first. */

@@ -4,7 +4,7 @@ import type { Origin, Place, Signal, Switch, Why } from "../protocol";
 import type { Store } from "../store";
 import { formatCell, formatTime } from "../values";
 
-/** Maximum number of lines shown of an equation. */
+/** Maximum number of lines to show for an equation. */
 const mostLines = 8;
 
 interface Asked {

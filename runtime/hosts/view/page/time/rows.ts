@@ -11,7 +11,7 @@ export interface Row {
   readonly number: number;
 }
 
-/** If the timeline has at least this number of rows with modes, it does not show events and
+/** If the timeline has at least this many rows with modes, it does not show events and
  * outputs. */
 const enough = 2;
 const mostEvents = 2;

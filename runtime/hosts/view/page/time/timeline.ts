@@ -107,8 +107,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     context.stroke();
   };
 
-  /** Marks the times at which the other program or recording differs: its mode is different, or its
-   * value differs by more than 5 % of its range. */
+  /** Marks the times at which the other program or recording differs: the mode is different, or the
+   * values differ by more than 5 % of their range. */
   const drawDifferences = ({ times, values, others }: Series, kind: string, y: number) => {
     if (!others) return;
     const [low, high] = around([...values, ...others]);
@@ -165,7 +165,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
 
   const drawLine = (seconds: number, stroke: string, dash: number[]) => {
-    // Keeps the whole line visible at both ends.
+    // Keeps the whole line visible at both ends of the timeline.
     const x = Math.min(Math.max(place(seconds), 6), width - 6);
     shown.strokeStyle = stroke;
     shown.lineWidth = 2;
@@ -284,7 +284,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("extent", () => {
     const wait = program.live ? asked + bandsEvery - performance.now() : 0;
     if (wait <= 0) askForBands();
-    // Requests the bands later, so that the last instants before a pause are shown, too.
+    // Requests the bands after the rest of the interval, so that the last instants before a pause
+    // are shown, too.
     else if (timer === 0) timer = window.setTimeout(askForBands, wait);
     if (!store.following) draw();
   });
