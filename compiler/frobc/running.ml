@@ -52,8 +52,8 @@ let trace =
       `P
         "Numbers are in base units (m, s, rad); a Bool is $(b,true) or $(b,false); other data is \
          written as in a program, such as $(b,At 0.5). The cell of an event is empty when the \
-         event does not occur. The output has the columns $(b,time) and $(b,out). If the input also \
-         has $(b,out) columns, as in a recording made by $(b,frobc run), they are ignored.";
+         event does not occur. The output has the columns $(b,time) and $(b,out). If the input \
+         also has $(b,out) columns, as in a recording made by $(b,frobc run), they are ignored.";
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
@@ -122,8 +122,8 @@ let world =
   some_string "world" ~docv:"WORLD.toml"
     ~doc:
       "The world to drive in: a file in the current folder or in the program's folder, or the name \
-       of a world that comes with frobc. The default is $(b,world.toml) in the program's folder, or \
-       the room that comes with frobc if there is no such file."
+       of a world that comes with frobc. The default is $(b,world.toml) in the program's folder, \
+       or the room that comes with frobc if there is no such file."
 
 let record =
   some_string "record" ~docv:"LOG.csv"

@@ -12,9 +12,9 @@ let look =
   let parts = [ ("print", `Print); ("control", `Control) ] in
   let doc =
     "Show the run live on a page with all signals, in real time; without $(b,--for), the run \
-     continues until you stop it. Prints the address of the page. If there is a desktop, also opens \
-     a browser, unless you add $(b,--print). $(b,--view=control) lets viewers send events to a \
-     real robot; otherwise they can only stop it."
+     continues until you stop it. Prints the address of the page. If there is a desktop, also \
+     opens a browser, unless you add $(b,--print). $(b,--view=control) lets viewers send events to \
+     a real robot; otherwise they can only stop it."
   in
   let make view print =
     match view with

@@ -75,7 +75,9 @@ let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
     { fix with edits = fix.edits @ List.concat_map of_other others }
   in
   List.fold_left label { first with fixes = List.map everywhere first.fixes } shown
-  |> if more = 0 then Fun.id else Diagnostic.note "and in %d more place%s" more (if more = 1 then "" else "s")
+  |>
+  if more = 0 then Fun.id
+  else Diagnostic.note "and in %d more place%s" more (if more = 1 then "" else "s")
 
 let is_of code (d : Diagnostic.t) = String.equal d.code code
 

@@ -438,8 +438,7 @@ let bracket_after_name found =
            no_index found
            |> Diagnostic.hint
                 "use `xs ! 0` for an element of an array; to take a tuple apart, write an equation \
-                 such as `(a, b) = p`; to pass an array as an argument, put a space before the \
-                 `[`")
+                 such as `(a, b) = p`; to pass an array as an argument, put a space before the `[`")
   | _ -> None
 
 let is_a_type text =

@@ -214,8 +214,8 @@ let plain found =
     | _ when lacks_else found && block_without_else found <> None ->
         [
           Diagnostic.suggestion
-            "to run these tasks only if the condition holds, replace the `if` line with \
-             `%s`; to choose between two blocks of tasks, add an `else`"
+            "to run these tasks only if the condition holds, replace the `if` line with `%s`; to \
+             choose between two blocks of tasks, add an `else`"
             (Option.get (block_without_else found));
         ]
     | hints when lacks_else found && innermost_block found.context <> Do ->

@@ -136,8 +136,8 @@ let not_found machine program =
       Printf.sprintf "`%s` is a folder, not a C compiler; %s" shown machine.fix
   | _ when is_path && Sys.file_exists program ->
       Printf.sprintf
-        "the C compiler `%s` cannot be started: it is not executable; run `chmod +x %s`"
-        shown (Basis.Printable.path program)
+        "the C compiler `%s` cannot be started: it is not executable; run `chmod +x %s`" shown
+        (Basis.Printable.path program)
   | first :: _ when first <> program && not is_path ->
       Printf.sprintf
         "there is no C compiler `%s`: frobc takes the whole value of CC as the name of one \

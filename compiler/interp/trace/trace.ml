@@ -219,8 +219,8 @@ let read_row name ~dialect ~frames header (row : Csv.row) =
     reject
       [
         complaint name row header.width
-          "wrong number of cells: the header has %d columns, but this row has %d%s"
-          header.width (List.length row.cells)
+          "wrong number of cells: the header has %d columns, but this row has %d%s" header.width
+          (List.length row.cells)
           (Dialect.width_hint dialect ~width:header.width ~cells:(List.length row.cells));
       ];
   let cells = Array.of_list row.cells in

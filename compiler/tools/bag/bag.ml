@@ -32,8 +32,7 @@ let read ~program bag =
   if not (Sys.file_exists bag) then cannot "it does not exist"
   else
     match Extras.python ~modules with
-    | None ->
-        cannot "reading it needs Python: on Debian, run `sudo apt-get install python3-venv`"
+    | None -> cannot "reading it needs Python: on Debian, run `sudo apt-get install python3-venv`"
     | Some python -> (
         match
           Process.result python [ "-m"; "frob.bag_command"; bag; C_file.name program; table ]

@@ -2,8 +2,8 @@
     are in uncompressed chunks, with indexes, a summary, and all CRCs
     ({{:https://mcap.dev/spec} the specification}). The output is deterministic.
 
-    Times are in nanoseconds and must not be negative. Messages must be written in
-    chronological order. Writing raises [Sys_error]. *)
+    Times are in nanoseconds and must not be negative. Messages must be written in chronological
+    order. Writing raises [Sys_error]. *)
 
 type t
 

@@ -102,8 +102,8 @@ let read path ~(dialect : Interp.Dialect.t) ~damaged ~head ~header ~row =
         | Ok cells when Array.length cells <> !width ->
             let text =
               Printf.sprintf
-                "wrong number of cells: the header has %d columns, but this row has %d%s"
-                !width (Array.length cells)
+                "wrong number of cells: the header has %d columns, but this row has %d%s" !width
+                (Array.length cells)
                 (Interp.Dialect.width_hint dialect ~width:!width ~cells:(Array.length cells))
             in
             (* A truncated row has fewer cells than the others. *)

@@ -63,8 +63,8 @@ let versions () =
   | _ ->
       Missing
         (Printf.sprintf
-           "this is frobc %s at %s, but the PATH has another version: %s; remove one of \
-            them, or put the folder of the one that you want first in the PATH"
+           "this is frobc %s at %s, but the PATH has another version: %s; remove one of them, or \
+            put the folder of the one that you want first in the PATH"
            Version.number Sys.executable_name (String.concat ", " different))
 
 let host_fault path = function

@@ -31,7 +31,8 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "time without a packet after which the driver reconnects, s" },
     { "interval", NAN, 0.01, 1,
-      "minimum time between commands, s; default: 0.01, or 0.025 at up to 9600 baud or an unknown rate" },
+      "minimum time between commands, s; default: 0.01, or 0.025 at up to 9600 baud or an unknown "
+      "rate" },
     { "carry-on", 1, 0, 1, "1: between packets, extrapolate odometry from the wheel speeds" },
 };
 

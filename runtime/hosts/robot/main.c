@@ -20,9 +20,10 @@ int main(int argc, char **argv)
             fprintf(stderr, "error: %s is not a program for a robot; there are drivers for %s\n",
                     frob_program.name, driver_names);
         else
-            fprintf(stderr,
-                    "error: %s is a program for %s, which has no driver; there are drivers for %s\n",
-                    frob_program.name, frob_program.robot, driver_names);
+            fprintf(
+                stderr,
+                "error: %s is a program for %s, which has no driver; there are drivers for %s\n",
+                frob_program.name, frob_program.robot, driver_names);
         return WRONG_USE;
     }
     return host_run(argc, argv, &frob_program, driver, NULL);

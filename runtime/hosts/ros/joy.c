@@ -135,8 +135,8 @@ const char *joy_check(const struct ros_joy *m, const struct frob_program *progra
             continue;
         if (uses[i] > count) {
             snprintf(why, room,
-                     "`%s%s=%u` needs %u %s, but the joystick has %u: change this setting",
-                     setting, program->console[i].label, uses[i] - 1, uses[i],
+                     "`%s%s=%u` needs %u %s, but the joystick has %u: change this setting", setting,
+                     program->console[i].label, uses[i] - 1, uses[i],
                      uses[i] > 1 ? (is_axis ? "axes" : "buttons") : (is_axis ? "axis" : "button"),
                      count);
             return why;

@@ -424,8 +424,8 @@ let of_colon text at =
   | _ when is_a_range text at -> hint (Beginnings.no_ranges "")
   | _ when is_a_slice text at ->
       hint
-        "for part of an array, write `take xs` or `drop xs`; the type of the result determines \
-         its size"
+        "for part of an array, write `take xs` or `drop xs`; the type of the result determines its \
+         size"
   | _ when changed_copy text at <> None -> { hint = changed_copy text at; instead = None }
   | _ when char_at text (at - 1) = '"' && line_of_brace text at <> None ->
       hint "to give values names, declare a record: `data Gains = Gains { p :: Float }`"

@@ -327,8 +327,8 @@ let event_when fact =
     when List.mem (Wording.quote fact.words fact.at) [ Some "when"; Some "edge" ] ->
       Some
         (hint
-           "for an event that has the value `x` and occurs whenever a condition is True, write `tag \
-            (when condition) x`")
+           "for an event that has the value `x` and occurs whenever a condition is True, write \
+            `tag (when condition) x`")
   | _ -> None
 
 (* The first rule that applies is used. The rules for a kind of head come first, then those for

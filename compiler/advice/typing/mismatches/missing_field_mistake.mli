@@ -16,8 +16,8 @@ val of_several_types : Syntax.Ir.name -> record:Resolve.Ir.expr -> Ir.Global.t l
 
 val of_argument :
   Wording.t -> at:Span.t -> Syntax.Ir.name -> record:Resolve.Ir.expr -> string -> Diagnostic.t
-(** The message for a field that was meant for the result of the named function, as in [robotPose
-    i.heading]. *)
+(** The message for a field that was meant for the result of the named function, as in
+    [robotPose i.heading]. *)
 
 val called_as_method : Wording.t -> Application_fact.method_call -> Diagnostic.t -> Diagnostic.t
 (** Completes the message about the missing field. *)

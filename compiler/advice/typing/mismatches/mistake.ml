@@ -48,8 +48,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
           ~some:(if is_field then Fun.id else Source.grouped)
       in
       hint "`atan` takes one argument: to compute an angle from two sides, write `atan2 %s %s`"
-        (text y "y") (text x "x")
-        { d with hints = []; fixes = [] }
+        (text y "y") (text x "x") { d with hints = []; fixes = [] }
   | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
          && (takes > 1 || List.length given > takes)

@@ -45,8 +45,7 @@ let of_a_text fact =
       Some (hinted fact "a string is only a label: write a number, such as `%s`, in its place" zero)
   | Number _, String ->
       Some
-        (hinted fact
-           "a string is only a label: you cannot compute with strings or concatenate them")
+        (hinted fact "a string is only a label: you cannot compute with strings or concatenate them")
   | _ -> None
 
 let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)

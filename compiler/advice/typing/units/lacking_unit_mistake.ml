@@ -256,9 +256,7 @@ let of_operands words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.
           Some
             (fun d ->
               hint "the operands of `%s` must have the same unit: for a rate in `%s`, write `%s`"
-                operator
-                (Wording.measure words product)
-                text d
+                operator (Wording.measure words product) text d
               |> write (Span.merge other.span e.span) ("(" ^ text ^ ")"))
       | Some a, Some b when simple gain ->
           let factor = Printf.sprintf "1[%s]" (Wording.measure words gain) in

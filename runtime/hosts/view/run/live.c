@@ -108,15 +108,14 @@ static void make_up(struct live *live, size_t most)
     if (recording->gap != NO_GAP)
         return;
     recording->gap = recording->count;
-    buffer_format(&recording->notes,
-                  "instants %llu to %llu are missing, because this viewer was stopped or too slow; "
-                  "from instant %lu on (as counted here), only inputs and outputs are shown%s\n",
-                  (unsigned long long)missed, (unsigned long long)newest - 1,
-                  (unsigned long)recording->gap,
-                  live->file == NULL ? " (to avoid such gaps, run with --record)"
-                  : packed_by(live->file) != NULL
-                      ? " (to avoid such gaps, record to an uncompressed file)"
-                      : "");
+    buffer_format(
+        &recording->notes,
+        "instants %llu to %llu are missing, because this viewer was stopped or too slow; "
+        "from instant %lu on (as counted here), only inputs and outputs are shown%s\n",
+        (unsigned long long)missed, (unsigned long long)newest - 1, (unsigned long)recording->gap,
+        live->file == NULL              ? " (to avoid such gaps, run with --record)"
+        : packed_by(live->file) != NULL ? " (to avoid such gaps, record to an uncompressed file)"
+                                        : "");
 }
 
 static bool take(struct live *live, size_t most)
