@@ -140,7 +140,7 @@ A signature that is more general than the definition.
   > swap (x, y) = (y, x)
   > FROB
   $ frobc check promises.frob
-  error[E0306]: the signature allows every type `a`, but the definition needs it to be a number
+  error[E0306]: the signature allows any type `a`, but the definition needs it to be a number
    --> promises.frob:2:10
     |
   1 | next :: a -> a
@@ -148,7 +148,7 @@ A signature that is more general than the definition.
   2 | next x = x + 1
     |          ^
   
-  error[E0306]: the signature allows every representation `n`, but the definition needs it to be `Float`
+  error[E0306]: the signature allows any representation `n`, but the definition needs it to be `Float`
    --> promises.frob:5:10
     |
   4 | half :: n[u] -> n[u]

@@ -124,7 +124,7 @@ or for a related one.
   > square x = x * x
   > FROB
   $ frobc check general.frob
-  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `m`
+  error[E0306]: the signature allows any unit `u`, but the definition needs it to be `m`
    --> general.frob:2:16
     |
   1 | raised :: Float[u] -> Float[u]

@@ -95,7 +95,7 @@ A folder that does not exist is created, if possible:
   good.c
   good.h
   $ frobc compile good.frob -o good.frob
-  error: cannot create the folder good.frob: a file has this name
+  error: cannot create the folder good.frob: there is a file with this name
   [2]
   $ frobc compile good.frob -o good.frob/below
   error: cannot create the folder good.frob/below: Not a directory
@@ -116,10 +116,10 @@ The variable CC names one program, with any name, without options:
   error: there is no C compiler `tools`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: `./tools` is a folder, not a C compiler; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: there is no C compiler `/no/such/cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
-  error: the C compiler `./tools/plain` cannot be started: it is not executable (`chmod +x ./tools/plain`)
-  error: there is no C compiler `gcc -O2`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler `ccache gcc`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
-  error: there is no C compiler ` gcc`: frobc interprets the whole text as the name of one program; name a program without options, or a script that adds them
+  error: the C compiler `./tools/plain` cannot be started: it is not executable; run `chmod +x ./tools/plain`
+  error: there is no C compiler `gcc -O2`: frobc takes the whole value of CC as the name of one program; set CC to a program without options, or to a script that adds them
+  error: there is no C compiler `ccache gcc`: frobc takes the whole value of CC as the name of one program; set CC to a program without options, or to a script that adds them
+  error: there is no C compiler ` gcc`: frobc takes the whole value of CC as the name of one program; set CC to a program without options, or to a script that adds them
   error: there is no C compiler `./tools/no cc`; install one (on Debian: apt-get install gcc), or set the environment variable CC
   error: there is no C compiler ` `; install one (on Debian: apt-get install gcc), or set the environment variable CC
   [2]

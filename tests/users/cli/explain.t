@@ -16,9 +16,9 @@
       speed = 0.5 * err
   ```
   
-  Decide for which signal in the loop you can use the value from the previous instant, and read that
-  value with `delay`, which also needs a value for the first instant. `integral` breaks a loop too,
-  because it only adds up past inputs. `derivative` does not.
+  Choose a signal in the loop for which the value from the previous instant is good enough, and read
+  that value with `delay`, which also needs a value for the first instant. `integral` breaks a loop
+  too, because it only adds up past inputs. `derivative` does not.
   
   ```frob
   main :: SF Float Float

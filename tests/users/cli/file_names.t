@@ -57,7 +57,7 @@ A message stays on one line, whatever the name of the file.
   error: there is no file a\010b\009c.frob
   [2]
   $ frobc new "$lines"
-  error: `a\010b\009c` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b_c
+  error: `a\010b\009c` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`, such as a_b_c
   [2]
   $ mkdir folder && frobc new "$(printf 'folder/no\nfolder')/x"
   created folder/no\010folder/x:
@@ -116,7 +116,7 @@ A message stays on one line, whatever the name of the file.
   error: cannot read a\010b\009c: it is a directory; did you mean $'a\012b\011c/add.frob'?
   [2]
   $ frobc new "$lines"
-  error: `a\010b\009c` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b_c
+  error: `a\010b\009c` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`, such as a_b_c
   [2]
 
 A name may be as long as the names of the generated files allow.

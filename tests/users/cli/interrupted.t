@@ -53,10 +53,10 @@ The test presses the key when it sees the first progress, so it does not depend 
   interrupted: no test has finished, so no results were saved; run the same command to start again
   $ press 60 frobc sweep long.toml
   fits False True
-  interrupted: N of N runs are saved in long.rows; run the same command to perform the other N
+  interrupted: N of N runs are saved in long.rows; run the same command to perform the remaining N
   $ press 80 frobc sweep long.toml --jobs 2
   fits False True
-  interrupted: N of N runs are saved in long.rows; run the same command to perform the other N
+  interrupted: N of N runs are saved in long.rows; run the same command to perform the remaining N
   $ press 60 frobc falsify long.frob --robot pioneer --seeds '1 to 1000' --for 60s --method random
   fits False True
   interrupted: no search has finished, so no results were saved; `--only 'a label that is longer than a terminal is wide, so that it has to be cut somewhere'` restarts the search that had performed N of at most N runs

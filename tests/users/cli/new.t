@@ -112,28 +112,28 @@ Existing files are not changed.
   [2]
   $ ln -s nowhere link; frobc new link; frobc new .; frobc new robots/..; frobc new /
   error: there is already a file link: use another name, or move it away
-  error: `.` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
-  error: `..` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
-  error: `/` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `.` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
+  error: `..` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
+  error: `/` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
   [2]
 
 Names must be valid as names of files, in C and in the library.
 
   $ for name in '' 3pi 'my robot' rover.frob müller math Robot _x "$(printf 'a\033b')"; do frobc new "$name"; done
-  error: `` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
-  error: `3pi` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
-  error: `my robot` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as my_robot
-  error: `rover.frob` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as rover
-  error: `müller` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
+  error: `3pi` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
+  error: `my robot` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`, such as my_robot
+  error: `rover.frob` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`, such as rover
+  error: `müller` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
   error: a C program named math would hide the standard header <math.h>: rename math.frob
   error: Robot is the name of a library module: use another name
-  error: `_x` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
-  error: `a\027b` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter, such as a_b
+  error: `_x` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
+  error: `a\027b` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`, such as a_b
   [2]
   $ frobc new $(printf 'a%.0s' $(seq 241)) 2>&1 | sed 's/a\{100,\}/NAME/g'
   error: the name of NAME.frob is too long for C files: use at most 240 characters
   $ frobc new -- -x; frobc new; ls -I '*.t'
-  error: `-x` cannot be the name of a project: use a name of letters, digits, `_` and `-` that begins with a letter
+  error: `-x` cannot be the name of a project: use a name that begins with a letter and contains only letters, digits, `_` and `-`
   frobc: required argument NAME is missing
   Usage: frobc new [OPTION]… NAME
   Try 'frobc new --help' or 'frobc --help' for more information.

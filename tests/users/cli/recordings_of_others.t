@@ -201,9 +201,9 @@ A decimal comma needs another separator, or quotes:
 
   $ printf 'time,in\n0,5,1,5\n' > commas.csv
   $ both commas.csv --decimal-comma
-  error: commas.csv:2:5: this row has the wrong number of cells: the header has 2 columns, found 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
+  error: commas.csv:2:5: wrong number of cells: the header has 2 columns, but this row has 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
   $ frobc convert commas.csv commas.mcap --decimal-comma
-  error: commas.csv:2: this row has the wrong number of cells: the header has 2 columns, found 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
+  error: commas.csv:2: wrong number of cells: the header has 2 columns, but this row has 4; if numbers have a decimal comma, put them in double quotes, or separate the cells by `;` and add `--separator ';'`
   [2]
   $ printf 'time,in\n"0,5","1,5"\n' > commas.csv
   $ both commas.csv --decimal-comma
@@ -246,4 +246,4 @@ Invalid options:
   $ frobc trace speed.frob --input log.csv --separator ab 2>&1 | head -1
   frobc: option '--separator': `ab` is neither `tab` nor a single character
   $ frobc trace speed.frob --input log.csv --column in.speed 2>&1 | head -1
-  frobc: option '--column': `in.speed` does not have the form NAME=COLUMN; for
+  frobc: option '--column': `in.speed` does not have the form NAME=COLUMN:

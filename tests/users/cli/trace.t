@@ -90,12 +90,12 @@ Mistakes in the input are reported with their places:
   time,out.1,out.2
   [2]
   $ printf 'time,in\n0,1\n1\n' | trace
-  error: wrong.csv:3:1: this row has the wrong number of cells: the header has 2 columns, found 1
+  error: wrong.csv:3:1: wrong number of cells: the header has 2 columns, but this row has 1
   time,out.1,out.2
   0.000000000,0,false
   [2]
   $ printf 'time,in\n0,1\n1,2,3\n' | trace
-  error: wrong.csv:3:5: this row has the wrong number of cells: the header has 2 columns, found 3; put a cell that contains a comma in double quotes
+  error: wrong.csv:3:5: wrong number of cells: the header has 2 columns, but this row has 3; put a cell that contains a comma in double quotes
   time,out.1,out.2
   0.000000000,0,false
   [2]

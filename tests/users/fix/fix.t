@@ -42,7 +42,7 @@ messages.
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
   8 |     v     = limit vMax (0.5[1/s] * (- frontSonar i))
   9 |     omega = 0.3)
-    |             --- `omega` is this number
+    |             --- `omega` is defined as this number
     |
     = hint: write `0.3[deg/s]` for degrees per second, or `0.3[rad/s]` for radians per second
   
@@ -239,7 +239,7 @@ permissions and the other names of a file.
   warning[W0306]: `Control` is imported, but nothing from it is used
   import Control -- | what it is for
   $ printf 'main :: SF Float Float\nmain = proc x -> 1\n' > locked.frob && chmod 444 locked.frob && frobc fix locked.frob
-  error: cannot write locked.frob: it is read-only (`chmod u+w` changes that)
+  error: cannot write locked.frob: it is read-only; make it writable with `chmod u+w`
   [2]
   $ mkdir folder.frob
   $ frobc fix folder.frob

@@ -12,6 +12,6 @@
   3 | sign n = 1
     | ^^^^
     |
-    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each clause
+    = hint: write one clause, `sign x = case x of`; on the lines below it, write a branch `pattern -> value` for each clause
   
   1 error

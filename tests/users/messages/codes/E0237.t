@@ -10,7 +10,7 @@
   
   main = reactimateRobot (constant (setVelTR (gentle 0.4[m/s]) 0[rad/s]))
   
-  error[E0237]: a test file cannot have `main`
+  error[E0237]: a test file cannot define `main`
    --> main.test.frob:1:1
     |
   1 | main = reactimateRobot (constant (setVelTR 0[m/s] 0[rad/s]))

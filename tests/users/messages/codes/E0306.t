@@ -3,7 +3,7 @@
   raised :: Float[u] -> Float[u]
   raised x = x + 1[m]
   
-  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `m`
+  error[E0306]: the signature allows any unit `u`, but the definition needs it to be `m`
    --> main.frob:2:16
     |
   1 | raised :: Float[u] -> Float[u]

@@ -12,6 +12,6 @@
   3 |     s = proc y -> k * y
     |                   ^
     |
-    = hint: pass signals in its input: `s` can take a pair, `proc (x, y) -> …`; to pass a value from one mode to the next, use the event of the switch
+    = hint: pass signals in its input: `s` can take a pair, as in `proc (x, y) -> …`; to pass a value from one mode to the next, use the event of the switch
   
   1 error

@@ -6,7 +6,7 @@
       sleepT 1[s] 0
       2 * x
   
-  error[E0370]: the statements of a `do` are tasks, but this is `Float`
+  error[E0370]: each statement in a `do` must be a task, but this is `Float`
    --> main.frob:5:5
     |
   1 | wait :: Task Float Float Float

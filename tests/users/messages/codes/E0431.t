@@ -13,7 +13,7 @@
   3 | foreign sf control :: SF Float Float = "main"
     |            ^^^^^^^
     |
-    = note: both would have `struct main_state`, `main_reset` and `main_step`
+    = note: both would define `struct main_state`, `main_reset` and `main_step`
     = hint: rename the program's file
   
   1 error

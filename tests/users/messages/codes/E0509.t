@@ -14,6 +14,6 @@
   3 | data In = In { goal :: Maybe Pose3 }
     |                        ^^^^^^^^^^^
     |
-    = hint: messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
+    = hint: use Bool, Int, Float, an enumeration with an instance of `RosText`, or a record with an instance of `Message`, such as those in the module Ros; `frobc ros2 import PACKAGE/Type` writes the record for any other message
   
   1 error

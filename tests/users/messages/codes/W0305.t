@@ -9,6 +9,6 @@
   2 | clampTo low x = max 0 x
     |         ^^^
     |
-    = hint: use it in the definition; if it is unused on purpose, replace it by `_` or `_low`
+    = hint: use it in the definition; if it is unused on purpose, replace it with `_` or `_low`
   
   1 warning

@@ -14,7 +14,7 @@
     = note: when the angle jumps from pi to -pi, `derivative` sees a rotation of 360 degrees
     = hint: write `angularRate` (module Angles)
   
-  warning[W0315]: this difference of angles can be more than half a turn
+  warning[W0315]: this difference between two angles can be more than half a turn
    --> main.frob:4:55
     |
   4 | main = proc (pose, goal) -> (derivative pose.heading, goal - pose.heading)

@@ -15,6 +15,6 @@
   6 |     forward 1[m])
     |     ^^^^^^^^^^^^
     |
-    = hint: remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or `abortWhen` with an event
+    = hint: remove the statements after the task, or end the task with ``t `timeOut` 30[s]`` or with `abortWhen` and an event
   
   1 warning

@@ -31,7 +31,7 @@ A copy of a record with other fields, as in Elm, OCaml, JavaScript, Python and R
   > done
   $ printf 'import Geometry\nmain :: SF Pose Pose\nmain = proc p -> p where\n    p.heading = 0\n' > field.frob
   $ frobc check field.frob 2>&1 | grep hint
-    = hint: Frob has no assignments: give a changed copy a new name, as in `changed = p { heading = … }`
+    = hint: Frob has no assignments: make a changed copy with a new name, as in `changed = p { heading = … }`
 
 The opposite of a condition:
 
@@ -115,7 +115,7 @@ Functions of Arduino, and a comment of MATLAB:
   error[E0205]: unknown name `constrain`
     = hint: write `clamp (-1) 5 x`, with `import Control`
   error[E0205]: unknown name `millis`
-    = hint: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
+    = hint: use `time ()` for the time since the start, which has a unit, as in `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
   error[E0205]: unknown name `analogRead`
     = hint: a program reads pins through its input: add a field for the value to the input's type, and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal functions, such as `frontSonar i`
   error[E0205]: unknown name `digitalWrite`

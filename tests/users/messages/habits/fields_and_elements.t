@@ -70,7 +70,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc b -> if b then Mode.Drive else Mode.Turn
     |                            ^^^^            ---- and here
     |
-    = hint: `Mode` is a type, which does not qualify its constructors: remove `Mode.`
+    = hint: `Mode` is a type, not a module, so it cannot qualify a constructor: remove `Mode.`
   
   1 error
   [1]
@@ -86,7 +86,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc a -> a[2]
     |                   ^
     |
-    = hint: write `(a ! 2)` for an element of an array; to take a tuple apart, write an equation, `(a, b) = a`; to pass an array as an argument, put a space before the `[`
+    = hint: write `(a ! 2)` for an element of an array; to take a tuple apart, write an equation such as `(a, b) = a`; to pass an array as an argument, put a space before the `[`
   
   1 error
   [1]
@@ -188,7 +188,7 @@ Records and arrays in the syntax of other languages.
   2 | main = proc a -> sum a[0:2]
     |                         ^
     |
-    = hint: for a part of an array, write `take xs` or `drop xs`; the type of the result determines its size
+    = hint: for part of an array, write `take xs` or `drop xs`; the type of the result determines its size
   
   1 error
   [1]
@@ -349,7 +349,7 @@ Records and arrays in the syntax of other languages.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . draw (number ("front" + "sonar") (frontSonar i))))
     |                                                                               ^^^^^^^ - argument 1 of `+` is a number
     |
-    = hint: a string is only a label: you cannot compute with it or concatenate strings
+    = hint: a string is only a label: you cannot compute with strings or concatenate them
   
   1 error
   [1]

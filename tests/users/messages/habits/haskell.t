@@ -152,7 +152,7 @@ A type in lower case is a variable. If that does no harm, it is a warning:
   > half x = x / 2
   > FROB
   $ frobc check lower_case.frob
-  error[E0306]: the signature allows every representation `float`, but the definition needs it to be `Float`
+  error[E0306]: the signature allows any representation `float`, but the definition needs it to be `Float`
    --> lower_case.frob:5:10
     |
   4 | half :: float[m] -> float[m]
@@ -218,7 +218,7 @@ Operators that only Haskell has, and its other syntax for a list, a branch and a
   2 | f xs = xs !! 0
     |           ^^
     |
-    = hint: use `xs ! 0` for a constant index, or `at i x xs` for any index, which returns `x` if there is no such element
+    = hint: for a constant index, use `xs ! 0`; for any index, use `at i x xs`, which returns `x` if there is no such element
   
   1 error
   [1]

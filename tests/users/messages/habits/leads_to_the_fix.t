@@ -297,7 +297,7 @@ A function of the robot's input among the statements of a task:
   > main = reactimateTask act
   > FROB
   $ frobc check place.frob
-  error[E0370]: the statements of a `do` are tasks, but this is a function
+  error[E0370]: each statement in a `do` must be a task, but this is a function
    --> place.frob:4:10
     |
   2 | act :: Task RobotInput RobotOutput Bool
@@ -324,7 +324,7 @@ A function of the robot's input among the statements of a task:
   > main = reactimateTask act
   > FROB
   $ frobc check reading.frob
-  error[E0370]: the statements of a `do` are tasks, but this is a function
+  error[E0370]: each statement in a `do` must be a task, but this is a function
    --> reading.frob:6:10
     |
   4 | act :: Task RobotInput RobotOutput Bool
@@ -620,7 +620,7 @@ Equations of a `proc` without `where`:
   3 |     y = x * 2
     |       ^
     |
-    = hint: this line is indented further than column 1, where the definitions of this block start, so it continues the line above; if it is an equation, add `where` there: `main = proc x -> y where`
+    = hint: this line is indented further than column 1, where the definitions of this block start, so it continues the line above; if it is an equation, add `where` to that line: `main = proc x -> y where`
   
   1 error
   [1]
@@ -686,7 +686,7 @@ One name with two equations:
   2 | main = proc x -> v where
     |             ^
     |
-    = hint: replace it by `_` or `_x`
+    = hint: replace it with `_` or `_x`
   
   1 warning
 
@@ -761,7 +761,7 @@ contains the code to paste:
   $ sed -i 's/v, w = x, 2 \* x/(v, w) = (x, 2 * x)/' names.frob && frobc check names.frob
   $ printf 'main :: SF Float Float\nmain = proc x -> switch (x > 0) 1 2\n' > switch.frob
   $ frobc check switch.frob 2>&1 | grep hint
-    = hint: to choose a value by a condition, write `if x > 0 then 1 else 2`
+    = hint: to choose a value based on a condition, write `if x > 0 then 1 else 2`
   $ sed -i 's/switch (x > 0) 1 2/if x > 0 then 1 else 2/' switch.frob && frobc check switch.frob
 
 Two robot commands in one instant:

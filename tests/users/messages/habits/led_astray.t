@@ -65,7 +65,7 @@ source, and checks the line with which the hint replaces it.
   [1]
 
   $ try 'SF Float Float' 'f = proc x -> clamp x 0 1' 'f = proc x -> clamp 0 1 x'
-  warning[W0316]: this is the lower limit of `clamp`, and the value that it limits is a constant
+  warning[W0316]: this is the lower limit of `clamp`, and the value being limited is a constant
     = hint: write the limits first: `clamp low high x`
   [1]
 
@@ -104,7 +104,7 @@ Robots, tasks and trials:
 
   $ try 'Bool -> Bool -> Verdict' 'f near stops = near implies stops' 'f near stops = near `implies` stops'
   error[E0302]: `near` is `Bool`, not a function
-    = hint: between its arguments, a function needs backquotes: ``near `implies` …``
+    = hint: to write a function between its arguments, put it in backticks: ``near `implies` …``
   [1]
 
   $ try 'Program RobotInput RobotOutput' 'f = watching (forward 1[m])' 'f = reactimateTask (watching (forward 1[m]))'
@@ -119,12 +119,12 @@ Robots, tasks and trials:
 
   $ try '(DiffDrive o, HasSonar i) => Task i o Bool' 'f = do\n    forever (forward 1[m])\n    turnBy 90[deg]' 'f = do\n    repeatT 4 (forward 1[m])\n    turnBy 90[deg]'
   warning[W0318]: this statement is never reached
-    = hint: remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or `abortWhen` with an event
+    = hint: remove the statements after the task, or end the task with ``t `timeOut` 30[s]`` or with `abortWhen` and an event
   [1]
 
   $ try '(DiffDrive o, HasSonar i) => Task i o Bool' 'f = do\n    forever $ do\n        forward 1[m]\n    turnBy 90[deg]' 'f = do\n    forever (forward 1[m]) `timeOut` 30[s]\n    turnBy 90[deg]'
   warning[W0318]: this statement is never reached
-    = hint: remove the statements after the task, or end the task: ``t `timeOut` 30[s]``, or `abortWhen` with an event
+    = hint: remove the statements after the task, or end the task with ``t `timeOut` 30[s]`` or with `abortWhen` and an event
   [1]
 
 

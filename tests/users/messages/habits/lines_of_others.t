@@ -272,7 +272,7 @@ The first lines of a program:
   > }
   > FROB
   $ frobc check main_of_c.frob
-  error[E0110]: this function definition is not in Frob's syntax
+  error[E0110]: this function definition is not valid Frob syntax
    --> main_of_c.frob:1:1
     |
   1 | int main() {
@@ -678,7 +678,7 @@ A ramp:
   2 | f = proc x -> ramp 0 x
     |               ^^^^
     |
-    = hint: use `rateLimit 0.5[m/s^2] x`, with `import Control`, to limit how fast `x` changes; it starts with the first value of `x`
+    = hint: to limit how fast `x` changes, use `rateLimit 0.5[m/s^2] x`, with `import Control`; its output starts at the first value of `x`
   
   1 error
   [1]

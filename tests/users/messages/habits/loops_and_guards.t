@@ -153,11 +153,11 @@ A `switch` of C with its branches; a trial without seeds:
   $ D='data Mode = Idle | Driving\nspeed :: Mode -> Velocity'
   $ try "$D" 'speed mode = switch (mode) {\n    case Idle: 0\n    case Driving: 0.3[m/s]\n    }' 'speed mode = case mode of\n    Idle -> 0\n    Driving -> 0.3[m/s]'
   error[E0103]: unexpected character `:`
-    = hint: to choose by value, write `case mode of`, and below it, without braces and each on its own line, `Idle -> 0` and `Driving -> 0.3[m/s]`
+    = hint: to choose by value, write `case mode of`, and on separate lines below it, without braces, `Idle -> 0` and `Driving -> 0.3[m/s]`
   [1]
   $ try "$D" 'speed mode = switch (mode) {\n    case Idle: return 0;\n    default: return max(0, 0.3[m/s]); break;\n    }' 'speed mode = case mode of\n    Idle -> 0\n    _ -> max 0 0.3[m/s]'
   error[E0103]: unexpected character `:`
-    = hint: to choose by value, write `case mode of`, and below it, without braces and each on its own line, `Idle -> 0` and `_ -> max 0 0.3[m/s]`
+    = hint: to choose by value, write `case mode of`, and on separate lines below it, without braces, `Idle -> 0` and `_ -> max 0 0.3[m/s]`
   error[E0110]: expected `=`, `::`, or a parameter after this name, found the end of the definition
   [1]
   $ try "import Robot\nimport Trial\n$R" '    v = 0.3[m/s])\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches }' '    v = 0.3[m/s])\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches, seeds = 1 `to` 10 }'

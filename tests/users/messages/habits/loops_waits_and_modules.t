@@ -95,7 +95,7 @@ An Arduino's `delay`, and `sleep`.
   5 |     sleep 2[s]))
     |     ^^^^^
     |
-    = hint: write `sleepT 2[s] restingOutput`: the robot rests meanwhile
+    = hint: write `sleepT 2[s] restingOutput`, which keeps the robot at rest for that time
   
   1 error
   [1]

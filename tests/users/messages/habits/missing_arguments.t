@@ -155,7 +155,7 @@ A function of two numbers with only one of them, an input:
   5 | main = proc (a, b) -> (smaller a, a > b)
     |                        ^^^^^^^^^
     |
-    = hint: `smaller` takes two arguments, `smaller a b`: `b` is missing here, as in `smaller a b`
+    = hint: `smaller` takes two arguments, `smaller a b`, but `b` is missing here: write, for example, `smaller a b`
   
   1 error
   [1]
@@ -242,6 +242,6 @@ hint is complete:
   $ try 'f :: (HasSonar i, DiffDrive o) => a -> SF i o
   > f x = proc i -> roMake (setVelTR (if frontSonar i < 1[m] then x else 0) 0)' 'f :: (HasSonar i, DiffDrive o) => Float[m/s] -> SF i o
   > f x = proc i -> roMake (setVelTR (if frontSonar i < 1[m] then x else 0) 0)'
-  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Float[m/s]`
+  error[E0306]: the signature allows any type `a`, but the definition needs it to be `Float[m/s]`
     = hint: if the definition is right, write the signature as `(HasSonar i, DiffDrive o) => Float[m/s] -> SF i o`
   [1]

@@ -107,7 +107,7 @@ Python:
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; to see other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task when the task ends; to see other values, make them outputs, and write all outputs to a file with `--record`
   
   1 error
   [1]

@@ -51,7 +51,7 @@ Functions of C, Python and MATLAB:
   $ frobc check function.frob 2>&1 | grep -e ^error -e hint
   error[E0103]: unexpected character `#`
     = hint: remove it: functions such as `sqrt` and `sin` are built in; import other modules by name, as in `import Robot`
-  error[E0110]: this function definition is not in Frob's syntax
+  error[E0110]: this function definition is not valid Frob syntax
     = hint: write a signature, `twice :: Float -> Float`, and below it an equation, `twice x = abs x * 2`
   $ sed '1d; 2s/.*/twice :: Float -> Float\ntwice x = abs x * 2/' function.frob > pasted.frob && frobc check pasted.frob
   $ cat > count.frob <<'FROB'
@@ -61,7 +61,7 @@ Functions of C, Python and MATLAB:
   > }
   > FROB
   $ frobc check count.frob 2>&1 | grep -e ^error -e hint
-  error[E0110]: this function definition is not in Frob's syntax
+  error[E0110]: this function definition is not valid Frob syntax
     = hint: write a signature, `count :: Int -> Int -> Int`, and below it an equation, `count n m = n + m`
   $ printf 'def twice(x, k=2):\n    return k * x\n' > def.frob
   $ frobc check def.frob 2>&1 | grep -e ^error -e hint

@@ -248,7 +248,7 @@ Two equations for one name:
   2 | f = proc x -> n where
     |          ^
     |
-    = hint: replace it by `_` or `_x`
+    = hint: replace it with `_` or `_x`
   
   1 warning
 

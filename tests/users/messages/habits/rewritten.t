@@ -57,7 +57,7 @@ A type before the name that an equation defines:
   [1]
   $ try '' 'f(Distance d, Velocity v) = d / v' 'f :: Distance -> Velocity -> Time\nf d v = d / v'
   error[E0206]: a parameter cannot have a type
-    = hint: write `f d v = d / v`, and the types in a signature above it: `f :: Distance -> Velocity -> …`
+    = hint: write `f d v = d / v`, and put the types in a signature above it: `f :: Distance -> Velocity -> …`
   [1]
 
 Functions of mathematical modules:

@@ -16,17 +16,17 @@ Lower-case names of types, with one colon or two:
     = hint: put `::` before a type: `f :: Distance -> Velocity`
   [1]
   $ try 'f :: distance -> velocity\nf d = 0.5[1/s] * d' 'f :: Distance -> Velocity\nf d = 0.5[1/s] * d'
-  error[E0306]: the signature allows every type `distance`, but the definition needs it to be `Float[u]`
+  error[E0306]: the signature allows any type `distance`, but the definition needs it to be `Float[u]`
     = hint: if you meant the type, write `Distance -> Velocity`; a lower-case name means any type
   [1]
   $ try 'f :: distance -> angularVelocity\nf d = if d > 1[m] then 0 else 1[rad/s]' 'f :: Distance -> AngularVelocity\nf d = if d > 1[m] then 0 else 1[rad/s]'
-  error[E0306]: the signature allows every type `distance`, but the definition needs it to be a number in `m`
+  error[E0306]: the signature allows any type `distance`, but the definition needs it to be a number in `m`
     = hint: if you meant the type, write `Distance -> AngularVelocity`; a lower-case name means any type
-  error[E0306]: the signature allows every type `angularVelocity`, but the definition needs it to be a number
+  error[E0306]: the signature allows any type `angularVelocity`, but the definition needs it to be a number
     = hint: if you meant the type, write `Distance -> AngularVelocity`; a lower-case name means any type
   [1]
   $ try 'f :: float -> float -> bool\nf x y = x < y' 'f :: Float -> Float -> Bool\nf x y = x < y'
-  error[E0306]: the signature allows every type `bool`, but the definition needs it to be `Bool`
+  error[E0306]: the signature allows any type `bool`, but the definition needs it to be `Bool`
     = hint: if you meant the type, write `Float -> Float -> Bool`; a lower-case name means any type
   error[E0309]: `<` needs `Ord float`, which the signature of `f` does not declare
     = hint: `float` is a type variable, because it starts with a lower-case letter: for the type, write `Float`
@@ -194,7 +194,7 @@ An unused turn rate beside a turn rate of 0, and an unused parameter:
   7 | follow d = drive
     |        ^
     |
-    = hint: use it in the definition; if it is unused on purpose, replace it by `_` or `_d`
+    = hint: use it in the definition; if it is unused on purpose, replace it with `_` or `_d`
   
   2 warnings
   $ sed 's/v 0/v omega/' turn.frob > pasted.frob && frobc check pasted.frob 2>&1 | grep omega

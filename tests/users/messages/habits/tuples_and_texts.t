@@ -11,7 +11,7 @@ Tuples, records and texts, used as in other languages.
   2 | main = proc p -> p[0] + p[1]
     |                   ^
     |
-    = hint: write `(p ! 0)` for an element of an array; to take a tuple apart, write an equation, `(a, b) = p`; to pass an array as an argument, put a space before the `[`
+    = hint: write `(p ! 0)` for an element of an array; to take a tuple apart, write an equation such as `(a, b) = p`; to pass an array as an argument, put a space before the `[`
   
   1 error
   [1]

@@ -75,7 +75,7 @@ Types before names, texts in other quotes, fields that are assigned.
   5 | home.x = 1[m]
     | ^^^^^^
     |
-    = hint: Frob has no assignments: give a changed copy a new name, as in `changed = home { x = … }`
+    = hint: Frob has no assignments: make a changed copy with a new name, as in `changed = home { x = … }`
   
   1 error
   [1]

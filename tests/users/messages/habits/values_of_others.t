@@ -42,11 +42,11 @@ Types before the names of parameters:
 
   $ try 'half Float x = x / 2' 'half x = x / 2'
   error[E0206]: a parameter cannot have a type
-    = hint: write `half x = x / 2`, and the types in a signature above it: `half :: Float -> …`
+    = hint: write `half x = x / 2`, and put the types in a signature above it: `half :: Float -> …`
   [1]
   $ try 'Float half(Float x) = x / 2' 'half :: Float -> Float\nhalf x = x / 2'
   error[E0226]: a top-level definition defines one name, not a pattern
-    = hint: write the types in a signature, `half :: Float -> Float`, and below it `half x = …`
+    = hint: write the types in a signature, `half :: Float -> Float`, and the definition below it, `half x = …`
   [1]
   $ try 'f xs = foldl (\\Float a Float b -> a + b) 0 xs' 'f xs = foldl (\\a b -> a + b) 0 xs'
   error[E0206]: a parameter cannot have a type
@@ -163,7 +163,7 @@ Events and conditions:
   [1]
   $ try 'low :: SF Float Bool\nlow = proc x -> x < 1\nf :: Task Float o c -> Task Float o (Either c ())\nf t = t `abortWhen` low' 'low :: SF Float Bool\nlow = proc x -> x < 1\nf :: Task Float o c -> Task Float o (Either c ())\nf t = t `abortWhen` (low >>> edge)'
   error[E0301]: expected `SF Float (Event a)`, found `SF Float Bool`
-    = hint: its output is a condition: write `(low >>> edge)` for an event that occurs when the condition becomes True
+    = hint: its output is a condition: to get an event that occurs when the condition becomes True, write `(low >>> edge)`
   [1]
   $ try 'f :: SF Bool Time\nf = proc b -> resetOn time (edge b)' 'f :: SF Bool Time\nf = proc b -> resetOn time ((), edge b)'
   error[E0301]: expected `(a, Event ())`, found `Event ()`
@@ -178,7 +178,7 @@ Tasks and signal functions:
   [1]
   $ try 'main = reactimateRobot (switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (bumped i))) (\\_ -> turnBy 90[deg]))' 'main = reactimateTask (do\n    mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (bumped i)))\n    turnBy 90[deg])'
   error[E0371]: expected a signal function, found a task
-    = hint: `switch` continues with a signal function: to continue with a task, write a `do` with two lines: first `mkTask (…)` around the first argument of `switch`, then `turnBy 90[deg]`; `reactimateTask` turns the `do` into a program
+    = hint: `switch` continues with a signal function: to continue with a task, use a `do` instead, with `mkTask (…)` around the first argument of `switch` on its first line and `turnBy 90[deg]` on its second; `reactimateTask` turns the `do` into a program
   [1]
   $ try 'main = reactimateTask (do\n    while True: forward 1[m])' 'main = reactimateTask (do\n    forever (forward 1[m]))'
   error[E0103]: unexpected character `:`
@@ -197,7 +197,7 @@ Other values:
   [1]
   $ try 'f :: SF Distance AngularVelocity\nf = proc d -> limit 1[rad/s] (4 * d + 3[1/m] * derivative d)' 'f :: SF Distance AngularVelocity\nf = proc d -> limit 1[rad/s] (4[1/m/s] * d + 3[1/m] * derivative d)'
   error[E0320]: the operands of `+` have different units: `m` and `1/s`
-    = hint: if the gain `4` has a unit, as in the other operand, write `4[1/m/s]`
+    = hint: if the gain `4` should have a unit, like the gain in the other operand, write `4[1/m/s]`
   [1]
   $ try 'f :: Distance -> Point2\nf d = toFrame (Pose { position = p, heading = 0 }) p where\n    p = Vec2 { x = d ^ 2 * 2, y = d }' 'f :: Distance -> Point2\nf d = toFrame (Pose { position = p, heading = 0 }) p where\n    p = Vec2 { x = d * 2, y = d }'
   error[E0320]: expected the unit `m`, found `m^2`

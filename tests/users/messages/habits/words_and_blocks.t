@@ -65,7 +65,7 @@ A block in braces has one message, whatever it contains:
   1 | #include "Robot.h"
     | ^
     |
-    = hint: to import a Frob module, write its name: `import Robot`; for your own C code write `foreign include "Robot.h"`
+    = hint: to import a Frob module, write its name: `import Robot`; for your own C code, write `foreign include "Robot.h"`
   
   1 error
   [1]

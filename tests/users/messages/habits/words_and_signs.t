@@ -155,7 +155,7 @@ Keywords and symbols of other languages around a definition.
   5 | step Turn _ = Drive
     | ---- one more
     |
-    = hint: write one clause, `step x y = case (x, y) of`, and on the lines below it a branch `pattern -> value` for each clause
+    = hint: write one clause, `step x y = case (x, y) of`; on the lines below it, write a branch `pattern -> value` for each clause
   
   1 error
   [1]

@@ -57,7 +57,7 @@ Loops and counters:
 
   $ try 'Int -> Int' 'f n = if n <= 0 then 0 else n + f (n - 1)' 'f n = foldl (\\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)'
   error[E0410]: `f` calls itself
-    = hint: for a loop over 0, 1, … up to `n`, write `foldl (\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, 0 is the first result, and 100 must be greater than `n`
+    = hint: for a loop over 0, 1, … up to `n`, write `foldl (\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, 0 is the initial result, and the array size, here 100, must be greater than `n`
   [1]
   $ try 'SF Bool Int' 'f = proc b -> n where\n    n    = 0\n    n   += if b then 1 else 0' 'f = proc b -> n where\n    n = delay 0 n + (if b then 1 else 0)'
   error[E0110]: Frob has no `+=`

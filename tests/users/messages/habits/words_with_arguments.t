@@ -55,13 +55,13 @@ A controller with its gains as arguments, by a name or as the function of the li
   [1]
   $ try "$M pid 0.5 0.1 0 e" "$M pid (Pid { kp = 0.5, ki = 0.1[1/s], kd = 0, largest = 1 }) e"
   error[E0301]: expected `Pid[u, v]`, found `Float`
-    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 0.5, ki = 0.1, kd = 0, largest = … }) e`
+    = hint: `pid` takes a single record, not separate numbers: write `pid (Pid { kp = 0.5, ki = 0.1, kd = 0, largest = … }) e`
   [1]
 
 The body of a function, a branch, and comparisons:
 
   $ try 'square(x) {\n    return x * x;\n}' 'square x = x * x'
-  error[E0110]: this function definition is not in Frob's syntax
+  error[E0110]: this function definition is not valid Frob syntax
     = hint: define a function by an equation: `square x = x * x`
   [1]
   $ M='data Mode = Idle | Go\nf :: Mode -> Float\nf m = case m of\n    Go -> 1\n'
@@ -84,7 +84,7 @@ Loops, choices and times in the `do` of a task:
   [1]
   $ try "$M    if not ok then\n        turnBy 90[deg]\n        forward 1[m]\n    return ()" "$M    whenT (not ok) \$ do\n        turnBy 90[deg]\n        forward 1[m]\n    return ()"
   error[E0110]: expected `else` after the first branch, found the end of the statement
-    = hint: to run these tasks only if the condition holds, replace the line of the `if` with `whenT (not ok) $ do`; to choose between two blocks of tasks, add an `else`
+    = hint: to run these tasks only if the condition holds, replace the `if` line with `whenT (not ok) $ do`; to choose between two blocks of tasks, add an `else`
   [1]
   $ try "$M    repeatT (turnBy 90[deg])" "$M    repeatT 4 (turnBy 90[deg])"
   error[E0301]: expected `Int`, found `Task a b Bool`
@@ -94,7 +94,7 @@ Loops, choices and times in the `do` of a task:
 Choices between commands have one message:
 
   $ try "$M    if ok then setVelTR 0 0 else setVelTR 1[m/s] 0" "$M    if ok then sleepT 1[s] (roMake (setVelTR 0 0)) else sleepT 1[s] (roMake (setVelTR 1[m/s] 0))"
-  error[E0370]: the statements of a `do` are tasks, but this is `a -> a`
+  error[E0370]: each statement in a `do` must be a task, but this is `a -> a`
     = hint: use `sleepT 1[s] (roMake (setVelTR 0 0))` for a task of one second, or `constT (roMake (setVelTR 0 0))` for one that never ends
   [1]
 

@@ -150,7 +150,7 @@ guards only.
   3 |     y = x + 1
     |       ^
     |
-    = hint: this line is indented further than column 1, where the definitions of this block start, so it continues the line above; if it is an equation, add `where` there: `main = proc x -> y where`
+    = hint: this line is indented further than column 1, where the definitions of this block start, so it continues the line above; if it is an equation, add `where` to that line: `main = proc x -> y where`
   
   1 error
   [1]

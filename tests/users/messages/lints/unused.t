@@ -71,7 +71,7 @@ used, the result of a task:
   7 |     (low, high) = (min 0 x, max 0 x)
     |           ^^^^
     |
-    = hint: replace it by `_` or `_high`
+    = hint: replace it with `_` or `_high`
   
   warning[W0304]: `k` is defined here, but nothing uses it
     --> circles.frob:11:9
@@ -87,7 +87,7 @@ used, the result of a task:
   12 |     r <- sleepT 1[s] 0
      |     ^
      |
-     = hint: replace it by `_` or `_r`
+     = hint: replace it with `_` or `_r`
   
   6 warnings
 
@@ -203,6 +203,6 @@ Many variables of one pattern have one warning.
   2 | main = proc (a, b, c, d, e, f) -> c
     |              ^
     |
-    = hint: replace them by `_` or by names such as `_a`
+    = hint: replace them with `_` or with names such as `_a`
   
   1 warning

@@ -150,7 +150,7 @@ Other numbers that make no sense, and requirements in the program's own doc comm
      |
   21 |     ( (delayBy (-1[s]) x, left 2[m] 1[m], fst (alphaBeta 2 (-0.1) x), heldFor (-1[s]) b)
   --
-  warning[W0316]: these numbers add up to 0: `movingAverage` needs a different sum
+  warning[W0316]: these numbers add up to 0: `movingAverage` needs a nonzero sum
     --> senseless.frob:22:23
      |
   22 |     , ( movingAverage [1, -1] x, ranked (-1) [x, 1], rungeKutta alongLine 0 (\u y -> (u - y) / 1[s]) 0 x
@@ -185,7 +185,7 @@ Other numbers that make no sense, and requirements in the program's own doc comm
      |
   24 |     , settled (-1[s]) (sticky 1[s] (onlyIf b (left 0[m] 0[m]))), Wheel { ticks = 0, weights = [1, -1] } )
   --
-  warning[W0316]: these numbers add up to 0: `weights` needs a different sum
+  warning[W0316]: these numbers add up to 0: `weights` needs a nonzero sum
     --> senseless.frob:24:95
      |
   24 |     , settled (-1[s]) (sticky 1[s] (onlyIf b (left 0[m] 0[m]))), Wheel { ticks = 0, weights = [1, -1] } )

@@ -22,7 +22,7 @@ wrap into account.
   >     fused  = complementary 1[s] (turn, pose.heading)
   > FROB
   $ frobc check turns.frob
-  warning[W0315]: this difference of angles can be more than half a turn
+  warning[W0315]: this difference between two angles can be more than half a turn
     --> turns.frob:13:14
      |
   13 |     wrong  = toGoal - pose.heading
@@ -132,7 +132,7 @@ A heading that a pattern binds, and an equation that is also used elsewhere:
     |
   4 | main = proc (Pose { heading }, goal) -> (sin off, 2 * off, derivative heading) where
   --
-  warning[W0315]: this difference of angles can be more than half a turn
+  warning[W0315]: this difference between two angles can be more than half a turn
    --> both.frob:5:11
     |
   5 |     off = goal - heading

@@ -101,7 +101,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … }) (frontSonar i - 0.5[m])`
+    = hint: `pid` takes a single record, not separate numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … }) (frontSonar i - 0.5[m])`
   
   1 error
   # 010_pid_gains_without_units.frob
@@ -589,7 +589,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                              - this `i` is a signal of a `proc`
     |
-    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function, `proc i -> …`
+    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function with its own input: `proc i -> …`
   
   1 error
   # 051_task_started_in_proc.frob
@@ -599,7 +599,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
     |                                                           ^^^^^^
     |
-    = hint: a robot command is not a task: in a `do`, give it for a fixed time with `sleepT 1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`
+    = hint: a robot command is not a task: in a `do`, write `sleepT 1[s] (roMake …)` to give it for a fixed time, or `mkTask (proc i -> (roMake …, e))` to give it until an event `e` occurs
   
   1 error
   # 052_hold_without_start.frob
@@ -674,7 +674,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | sign x = x / abs x
     | ^^^^
     |
-    = hint: write one clause, `sign x = case x of`, and on the lines below it a branch `pattern -> value` for each clause
+    = hint: write one clause, `sign x = case x of`; on the lines below it, write a branch `pattern -> value` for each clause
   
   1 error
   # 058_list_type.frob
@@ -770,7 +770,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |                                         `factorial` uses `factorial` here
     |
     = note: functions cannot be recursive: use `foldl` or `scanl` to process an array; a signal function may only restart itself in the continuation of a switch
-    = hint: for a loop over 0, 1, … up to `n`, write `foldl (\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, 0 is the first result, and 100 must be greater than `n`
+    = hint: for a loop over 0, 1, … up to `n`, write `foldl (\s k -> if k <= n then s + k else s) 0 (generate id :: Array 100 Int)`: `s + k` combines the result so far with the number `k`, 0 is the initial result, and the array size, here 100, must be greater than `n`
   
   1 error
   # 067_if_between_commands.frob
@@ -909,7 +909,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task at its end; to see other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task when the task ends; to see other values, make them outputs, and write all outputs to a file with `--record`
   
   1 error
   # 080_and_word.frob
@@ -1115,7 +1115,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: for a product, write `0.25 * 0.5`; for an array, put commas between the elements, `[0.25, 0.5]`
+    = hint: for a product, write `0.25 * 0.5`; for an array, put commas between the elements, as in `[0.25, 0.5]`
   
   1 error
   # 099_index_in_parentheses.frob

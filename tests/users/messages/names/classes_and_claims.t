@@ -186,7 +186,7 @@ Classes, assertions and tests that lack a part.
   > main = proc x -> raised x
   > FROB
   $ frobc check too_general.frob
-  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `m`
+  error[E0306]: the signature allows any unit `u`, but the definition needs it to be `m`
    --> too_general.frob:2:16
     |
   1 | raised :: Float[u] -> Float[u]
@@ -196,7 +196,7 @@ Classes, assertions and tests that lack a part.
     |
     = hint: if the definition is right, write the signature as `Float[m] -> Float[m]`
   
-  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Bool`
+  error[E0306]: the signature allows any type `a`, but the definition needs it to be `Bool`
    --> too_general.frob:4:15
     |
   3 | flip' :: a -> Bool

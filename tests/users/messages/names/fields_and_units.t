@@ -89,7 +89,7 @@ Fields of another record, fields as values, units of computed values.
   2 | main = proc v -> integral v dt
     |                             ^^
     |
-    = hint: use `integral x` and `derivative x`, which need no time step; `stepTime ()` from `Control` returns the time since the previous instant
+    = hint: use `integral x` or `derivative x`, which need no time step; `stepTime ()` from `Control` returns the time since the previous instant
   
   1 error
   [1]

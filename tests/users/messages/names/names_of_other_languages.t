@@ -9,8 +9,8 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   > }
 
   $ hint ceil floorf trunc rint int toInt float
-  ceil: use `ceiling` to get an Int, `ceilingFloat` to get a Float
-  floorf: use `floor` to get an Int, `floorFloat` to get a Float
+  ceil: use `ceiling` to get an Int, or `ceilingFloat` to get a Float
+  floorf: use `floor` to get an Int, or `floorFloat` to get a Float
   trunc: use `truncate`, which returns an Int
   rint: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
   int: use `round`, `floor`, `ceiling` or `truncate` to convert a Float to an Int
@@ -31,8 +31,8 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   sign: write `signum`
   copysign: use `if y < 0 then -(abs x) else abs x`
   $ hint fmod remainder rem quot even odd constrain clip lerp
-  fmod: for Floats, write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
-  remainder: for Floats, write `x - y * floorFloat (x / y)`, which has the sign of y; for angles, `wrapAngle`
+  fmod: for Floats, write `x - y * floorFloat (x / y)`, whose result has the sign of `y`; for angles, use `wrapAngle`
+  remainder: for Floats, write `x - y * floorFloat (x / y)`, whose result has the sign of `y`; for angles, use `wrapAngle`
   rem: for Ints, use `div` and `mod`; division rounds towards minus infinity
   quot: for Ints, use `div` and `mod`; division rounds towards minus infinity
   even: use `mod n 2 == 0`
@@ -75,9 +75,9 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   null: write `Nothing` for a missing value; the type of a value that may be missing is `Maybe a`
   TRUE: write `True`
   $ hint millis micros delayMicroseconds digitalWrite analogRead for undefined
-  millis: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
-  micros: use `time ()`, the time since the start with its unit, such as `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
-  delayMicroseconds: to wait in a task while the robot rests, write `sleepT 2[s] restingOutput`
+  millis: use `time ()` for the time since the start, which has a unit, as in `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
+  micros: use `time ()` for the time since the start, which has a unit, as in `1[s]`; the event `after 1[s] ()` occurs once, 1 s after the start, and `every 1[s] ()` occurs every second
+  delayMicroseconds: to wait in a task with the robot at rest, write `sleepT 2[s] restingOutput`
   digitalWrite: a program writes pins through its output: add a field for the value to the output's type, or combine robot commands, as in `roMake (setVelTR v omega . setLight On)`
   analogRead: a program reads pins through its input: add a field for the value to the input's type, and read the field, as in `proc i -> i.light > 0.5`; a robot's sensors are signal functions, such as `frontSonar i`
   for: to compute something for each element, write `map f xs`; to run a task for each, write `forEachT xs f`

@@ -52,7 +52,7 @@ A power too many:
 
   $ try 'Distance -> Angle -> Distance' 'f d a = d ^ 2 * cos a' 'f d a = d * cos a'
   error[E0320]: expected the unit `m`, found `m^2`
-    = hint: `d` in place of `d ^ 2` gives the expected unit: write `d * cos a`
+    = hint: use `d` in place of `d ^ 2` to get the expected unit: write `d * cos a`
     = hint: if this is the right result, write the signature as `f :: Distance -> Angle -> Float[m^2]`
   [1]
 
@@ -69,19 +69,19 @@ The unit of a sum is known from its place, or from the gain of the other operand
   $ try 'SF Distance AngularVelocity' 'f = proc e -> limit 1[rad/s] (4 * e + 3[1/m] * derivative e)' \
   >   'f = proc e -> limit 1[rad/s] (4[1/m/s] * e + 3[1/m] * derivative e)'
   error[E0320]: the operands of `+` have different units: `m` and `1/s`
-    = hint: if the gain `4` has a unit, as in the other operand, write `4[1/m/s]`
+    = hint: if the gain `4` should have a unit, like the gain in the other operand, write `4[1/m/s]`
   [1]
 
   $ try 'SF Distance AngularVelocity' 'f = proc e -> 4[1/(m s)] * e + 3 * derivative e' \
   >   'f = proc e -> 4[1/(m s)] * e + 3[1/m] * derivative e'
   error[E0320]: the operands of `+` have different units: `1/s` and `m/s`
-    = hint: if the gain `3` has a unit, as in the other operand, write `3[1/m]`
+    = hint: if the gain `3` should have a unit, like the gain in the other operand, write `3[1/m]`
   [1]
 
   $ try 'SF Distance AngularVelocity' 'f = proc e -> turn where turn = 4 * e + 3[1/m] * derivative e' \
   >   'f = proc e -> turn where turn = 4[1/m/s] * e + 3[1/m] * derivative e'
   error[E0320]: the operands of `+` have different units: `m` and `1/s`
-    = hint: if the gain `4` has a unit, as in the other operand, write `4[1/m/s]`
+    = hint: if the gain `4` should have a unit, like the gain in the other operand, write `4[1/m/s]`
   [1]
 
 `limit` with two limits, in a long line:

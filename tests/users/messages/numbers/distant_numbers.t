@@ -55,7 +55,7 @@ The result is one of several numbers:
   [1]
   $ try "turn = 0.5[m/s]\n$M turn)" "turn = 0.5[rad/s]\n$M turn)"
   error[E0320]: expected the unit `1/s`, found `m/s`
-    |        -------- `turn` is this number, which is in `m/s`
+    |        -------- `turn` is defined as this number, which is in `m/s`
     = hint: write `0.5[rad/s]` if you meant that unit
   [1]
 
@@ -77,7 +77,7 @@ A gain of a rate that needs no unit, although the other one has the same unit:
   $ M='u :: SF Distance Velocity\nu = proc d -> kp * (d - 0.5[m]) + kd * derivative d'
   $ try "kp = 0.5[1/s]\nkd = 0.2[1/s]\n$M" "kp = 0.5[1/s]\nkd = 0.2\n$M"
   error[E0320]: the operands of `+` have different units: `m/s` and `m/s^2`
-    |      -------- `kd` is this number
+    |      -------- `kd` is defined as this number
     = hint: if the gain `kd` should have no unit, write `kd = 0.2`
   [1]
 
@@ -86,7 +86,7 @@ A whole number where a quantity is expected:
   $ M='main :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR speed 0))'
   $ try "speed :: Int\nspeed = 200\n$M" "speed :: Float[m/s]\nspeed = 200[mm/s]\n$M"
   error[E0312]: expected `Velocity` (m/s), found `Int`
-    |         --- `speed` is this number, which has no unit
+    |         --- `speed` is defined as this number, which has no unit
     = hint: give `speed` its unit: `speed :: Float[m/s]` and `speed = 200[mm/s]`
   [1]
   $ try 'main :: SF Int Bool\nmain = proc n -> near n\nnear :: Distance -> Bool\nnear d = d < 1[m]' 'main :: SF Int Bool\nmain = proc n -> near (toFloat n * 1[m])\nnear :: Distance -> Bool\nnear d = d < 1[m]'
@@ -98,9 +98,9 @@ Two quantities that cannot be added:
 
   $ try 'f :: AngularVelocity -> Distance -> Velocity\nf w r = w + r' 'f :: AngularVelocity -> Distance -> Velocity\nf w r = w * r'
   error[E0320]: the operands of `+` have different units: `1/s` and `m`
-    = hint: `+` needs equal units: for a rate in `m/s`, write `w * r`
+    = hint: the operands of `+` must have the same unit: for a rate in `m/s`, write `w * r`
   [1]
   $ try 'f :: Velocity -> AngularVelocity -> Velocity\nf v w = v + w / 2' 'f :: Velocity -> AngularVelocity -> Velocity\nf v w = v + w / 2 * 1[m]'
   error[E0320]: the operands of `+` have different units: `m/s` and `1/s`
-    = hint: `+` needs equal units: multiply `w / 2` by a quantity in `m`, as in `v + w / 2 * 1[m]`
+    = hint: the operands of `+` must have the same unit: multiply `w / 2` by a quantity in `m`, as in `v + w / 2 * 1[m]`
   [1]

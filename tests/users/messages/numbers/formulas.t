@@ -15,7 +15,7 @@ The gain lacks its unit; the limit is right, as `setVelTR` shows:
    --> gain.frob:5:25
     |
   3 | kP = 0.8
-    |      --- `kP` is this number, which has no unit
+    |      --- `kP` is defined as this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = limit 0.4[m/s] (kP * (frontSonar i - 0.5[m])))
     |         ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -43,7 +43,7 @@ The product before the number:
    --> least.frob:5:14
     |
   3 | kP = 0.8
-    |      --- `kP` is this number, which has no unit
+    |      --- `kP` is defined as this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = min (kP * (frontSonar i - 0.5[m])) 0.4[m/s])
     |              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^  -------- because this is `Float[m/s]`, and `min` needs matching units
@@ -79,7 +79,7 @@ A limit of the rate of change:
    --> rate.frob:5:31
     |
   3 | kP = 0.8
-    |      --- `kP` is this number, which has no unit
+    |      --- `kP` is defined as this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = rateLimit 0.4[m/s^2] (kP * (frontSonar i - 0.5[m])))
     |         --------- ----------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -108,7 +108,7 @@ A gain in an equation, behind another equation:
    --> equation.frob:6:28
     |
   4 |     kP = 0.8
-    |          --- `kP` is this number, which has no unit
+    |          --- `kP` is defined as this number, which has no unit
   5 |     wanted = kP * (frontSonar i - 0.5[m])
   6 |     v = deadband 0.05[m/s] wanted)
     |         -------- --------- ^^^^^^ this is `Float[m]`
@@ -136,7 +136,7 @@ A parameter, behind a function that keeps the unit:
    --> parameter.frob:5:24
     |
   3 | param kP :: Float = 0.8
-    |                     --- `kP` is this number, which has no unit
+    |                     --- `kP` is defined as this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = max 0.05[m/s] (abs (kP * (frontSonar i - 0.5[m]))))
     |         --- ---------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
@@ -173,7 +173,7 @@ The value of an event:
    --> held.frob:5:24
     |
   3 | kP = 0.8
-    |      --- `kP` is this number, which has no unit
+    |      --- `kP` is defined as this number, which has no unit
   4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   5 |     v = hold 0.1[m/s] (tag (edge (bumped i)) (kP * (frontSonar i - 0.5[m]))))
     |         ---- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Event Float[m]`
@@ -212,7 +212,7 @@ A field of a record:
    --> field.frob:6:25
     |
   4 | gains = Gains { kp = 0.8, ki = 0.1 }
-    |                      --- `kp` is this number, which has no unit
+    |                      --- `kp` is defined as this number, which has no unit
   5 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
   6 |     v = limit 0.4[m/s] (gains.kp * (frontSonar i - 0.5[m])))
     |         ----- --------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`

@@ -59,7 +59,7 @@ A type in lower case is a variable.
   > f x = x + 1
   > FROB
   $ frobc check lower.frob
-  error[E0306]: the signature allows every type `float`, but the definition needs it to be a number
+  error[E0306]: the signature allows any type `float`, but the definition needs it to be a number
    --> lower.frob:2:7
     |
   1 | f :: float -> float

@@ -133,7 +133,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> constant.frob:3:52
     |
   2 | kp = 0.8
-    |      --- `kp` is this number, which has no unit
+    |      --- `kp` is defined as this number, which has no unit
   3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
     |                                           -------- ^ this is `Float[m]`
     |                                           |
@@ -157,7 +157,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> divisor.frob:3:15
     |
   1 | tau = 2.0
-    |       --- `tau` is this number, which has no unit
+    |       --- `tau` is defined as this number, which has no unit
   2 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   3 | f = proc d -> d / tau
@@ -181,7 +181,7 @@ A constant that lacks its unit, far from the place where the unit is needed:
    --> threshold.frob:3:19
     |
   1 | near = 0.5
-    |        --- `near` is this number, which has no unit
+    |        --- `near` is defined as this number, which has no unit
   2 | f :: SF Distance Bool
   3 | f = proc d -> d < near
     |               -   ^^^^ this is `Float`
@@ -207,7 +207,7 @@ A constant with a signature:
    --> signed.frob:4:15
     |
   2 | kp = 0.8
-    |      --- `kp` is this number, which has no unit
+    |      --- `kp` is defined as this number, which has no unit
   3 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   4 | f = proc d -> kp * d
@@ -231,7 +231,7 @@ A parameter:
    --> parameter.frob:3:15
     |
   1 | param kp :: Float = 0.8
-    |                     --- `kp` is this number, which has no unit
+    |                     --- `kp` is defined as this number, which has no unit
   2 | f :: SF Distance Velocity
     |      -------------------- the signature of `f` requires the output `Velocity` (m/s)
   3 | f = proc d -> kp * d
@@ -525,7 +525,7 @@ A constant that lacks its unit, in an operand:
     |                     |
     |                     this is `Velocity` (m/s)
   3 |     l = 0.3
-    |         --- `l` is this number, which has no unit
+    |         --- `l` is defined as this number, which has no unit
     |
     = hint: give `l` its unit: `l = 0.3[m]`
   
@@ -537,7 +537,7 @@ A constant that lacks its unit, in an operand:
     |                                    |
     |                                    this is `Velocity` (m/s)
   3 |     l = 0.3
-    |         --- `l` is this number, which has no unit
+    |         --- `l` is defined as this number, which has no unit
     |
     = hint: give `l` its unit: `l = 0.3[m]`
   
@@ -629,7 +629,7 @@ A sum that should be a product:
     |                    |
     |                    this is `Velocity` (m/s)
     |
-    = hint: `+` needs equal units; the product `v * t` is in `m`
+    = hint: the operands of `+` must have the same unit: if you meant the product, write `v * t`, which is in `m`
   
   1 error
   [1]
@@ -693,7 +693,7 @@ Numbers in place of a record of gains:
     |     |
     |     argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … })`
+    = hint: `pid` takes a single record, not separate numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … })`
   
   1 error
   [1]
@@ -927,7 +927,7 @@ A constant with another unit, and the first of two numbers:
    --> fastest.frob:4:21
     |
   2 | fastest = 0.4[m]
-    |           ------ `fastest` is this number
+    |           ------ `fastest` is defined as this number
   3 | f, g :: SF Velocity Velocity
   4 | f = proc v -> limit fastest v
     |                     ^^^^^^^ - because this is `Velocity` (m/s), and `limit` needs matching units

@@ -83,7 +83,7 @@ In a record, the message shows the number, not the record.
     |
     = hint: write `1[m]` if that is the right unit
   
-  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
+  error[E0306]: the signature allows any unit `u`, but the definition needs it to be `1`
    --> corners.frob:9:30
     |
   8 | scaled :: Float[u] -> Vec2[u]

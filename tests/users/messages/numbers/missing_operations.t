@@ -33,7 +33,7 @@ hint replaces it.
   $ try 'Float[1/(m s)] -> Float[1/(m s)] -> SF Distance AngularVelocity' 'f kp kd = proc e -> kp * e + kd * derivative e' \
   >   'f kp kd = proc e -> kp * e + kd * derivative e' 'Float[1/(m s)] -> Float[1/m] -> SF Distance AngularVelocity'
   error[E0320]: the operands of `+` have different units: `1/s` and `1/s^2`
-    = hint: the gain of a rate of change needs a different unit: write `Float[1/m]` for `kd` in the signature
+    = hint: the gain of a rate of change needs a different unit: in the signature, write `Float[1/m]` as the type of `kd`
   [1]
   $ try 'Distance -> Int' 'f d = round (d * 100)' 'f d = round (d * 100 / 1[m])'
   error[E0320]: expected no unit, found `m`
@@ -74,7 +74,7 @@ hint replaces it.
   [1]
   $ try 'Distance -> Distance -> Angle' 'f x y = atan y x' 'f x y = atan2 y x'
   error[E0320]: expected no unit, found `m`
-    = hint: `atan` takes one argument: for two sides, write `atan2 y x`
+    = hint: `atan` takes one argument: to compute an angle from two sides, write `atan2 y x`
   [1]
   $ try 'SF Distance Velocity' 'f = derivative . lowPass 0.2[s]' 'f = lowPass 0.2[s] >>> derivative'
   error[E0304]: expected a function, found a signal function: `SF Float[u] Float[u/s]`

@@ -96,7 +96,7 @@ A unit follows a literal or a type, never a name, without a space.
   2 | f x = x[m]
     |        ^
     |
-    = hint: remove the unit if the value has one already; to give a plain number a unit, multiply: `x * 1[m]`
+    = hint: remove the unit if the value already has one; to give a plain number a unit, multiply: `x * 1[m]`
   
   1 error
   [1]

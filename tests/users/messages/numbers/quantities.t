@@ -164,7 +164,7 @@ The gains of a controller depend on each other, so a wrong unit has one message:
     |         |
     |         argument 1 of `pid` is `Pid[u, v]`
     |
-    = hint: `pid` takes one record in place of these numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … }) (frontSonar i - 0.5[m])`
+    = hint: `pid` takes a single record, not separate numbers: write `pid (Pid { kp = 1, ki = 0.1, kd = 0.01, largest = … }) (frontSonar i - 0.5[m])`
   
   1 error
   [1]

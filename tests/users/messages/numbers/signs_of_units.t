@@ -91,7 +91,7 @@ A choice between angles, where an angular velocity is expected:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
   3 |     w = if frontSonar i < 0.5[m] then 45[deg] else 0)
-    |                                       ------- `w` is this number
+    |                                       ------- `w` is defined as this number
     |
     = hint: write `45[deg/s]` if this is the turn rate
   

@@ -63,7 +63,7 @@ syntax.
   3 |     v = if buttonHeld i then 0.2[m/s] else 0)
     |            ^^^^^^^^^^^^
     |
-    = hint: `buttonHeld` takes two arguments, `buttonHeld label i`: `label` is missing here, as in `buttonHeld "label" i`
+    = hint: `buttonHeld` takes two arguments, `buttonHeld label i`, but `label` is missing here: write, for example, `buttonHeld "label" i`
   
   1 error
   [1]
@@ -81,7 +81,7 @@ syntax.
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
     |
-    = hint: `knob` takes 5 arguments, `knob label least most first i`: `most` and `first` are missing here, as in `knob "speed" 0.4[m/s] most first i`
+    = hint: `knob` takes 5 arguments, `knob label least most first i`, but `most` and `first` are missing here: write, for example, `knob "speed" 0.4[m/s] most first i`
   
   1 error
   [1]

@@ -78,7 +78,7 @@ A constant with the wrong unit, reported where it is defined:
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
   3 |     omega = 0.5[m/s]
-    |             -------- `omega` is this number
+    |             -------- `omega` is defined as this number
     |
     = hint: write `0.5[rad/s]` if that is the right unit
   
@@ -91,7 +91,7 @@ A constant with the wrong unit, reported where it is defined:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] omega)) where
     |                              ^
     |
-    = hint: replace it by `_` or `_i`
+    = hint: replace it with `_` or `_i`
   
   1 warning
 
@@ -109,7 +109,7 @@ A constant with the wrong unit, reported where it is defined:
     |                                           |
     |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
   3 |     v = 0.2[m/s^2])
-    |         ---------- `v` is this number
+    |         ---------- `v` is defined as this number
     |
     = hint: write `0.2[m/s]` if that is the right unit
     = hint: multiply by a time, as in `1[s] * v`, or, for the sum over time, write `integral v`
@@ -180,7 +180,7 @@ A gain with the wrong unit, next to a gain for the rate:
    --> named_gain.frob:5:32
     |
   2 | kD = 2[rad/(m s)]
-    |      ------------ `kD` is this number
+    |      ------------ `kD` is defined as this number
   ...
   5 |     omega = 4[rad/(m s)] * e + kD * derivative e)
     |             ----------------   ^^^^^^^^^^^^^^^^^ this is `Float[1/s^2]`
@@ -590,7 +590,7 @@ A branch without a unit:
     |                           argument 1 of `setVelTR` is `Velocity` (m/s)
   ...
   5 |         False -> 0.3
-    |                  --- `v` is this number
+    |                  --- `v` is defined as this number
     |
     = hint: write `0.3[m/s]` if that is the right unit
   

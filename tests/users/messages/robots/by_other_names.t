@@ -86,7 +86,7 @@ Names from other systems:
   2 | main = reactimateRobot (proc i -> roMake (setVelTR (0.1[1/s] * i.pose.x) 0))
     |                                                                  ^^^^
     |
-    = hint: for the robot's position, write `place i`, with the fields `x` and `y`, or `robotPose i`, with `position` and `heading`
+    = hint: for the robot's position, write `place i`, which has the fields `x` and `y`, or `robotPose i`, which has `position` and `heading`
   
   1 error
   [1]

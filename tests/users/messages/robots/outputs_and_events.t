@@ -38,7 +38,7 @@ what is missing.
   216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also be `RobotOutput`, not `Float[m/s]`
+      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also have the type `RobotOutput`, not `Float[m/s]`
   
   1 error
   [1]

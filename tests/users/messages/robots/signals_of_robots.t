@@ -79,7 +79,7 @@ A sensor function without its input, read like a field, or in a task:
   5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
     |                              - this `i` is a signal of a `proc`
     |
-    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function, `proc i -> …`
+    = hint: a signal can only be used inside its `proc`: move the equation to the `where` of that `proc`, or write a signal function with its own input: `proc i -> …`
   
   1 error
   [1]
@@ -136,7 +136,7 @@ A result that is not an output, or that takes time:
   5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
     |                                                           ^^^^^^
     |
-    = hint: a robot command is not a task: in a `do`, give it for a fixed time with `sleepT 1[s] (roMake …)`, or until an event with `mkTask (proc i -> (roMake …, e))`
+    = hint: a robot command is not a task: in a `do`, write `sleepT 1[s] (roMake …)` to give it for a fixed time, or `mkTask (proc i -> (roMake …, e))` to give it until an event `e` occurs
   
   1 error
   [1]

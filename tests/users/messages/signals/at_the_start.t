@@ -40,7 +40,7 @@ A mode that mentions a signal of the `proc` around it:
   5 |     mode = switch (proc j -> (0.3[m/s], edge (bumped j))) (\_ -> proc _ -> 0.1[1/s] * d))
     |                                                                                       ^
     |
-    = hint: pass signals in its input: `mode` can take a pair, `proc (x, y) -> …`; to pass a value from one mode to the next, use the event of the switch
+    = hint: pass signals in its input: `mode` can take a pair, as in `proc (x, y) -> …`; to pass a value from one mode to the next, use the event of the switch
   
   1 error
   [1]

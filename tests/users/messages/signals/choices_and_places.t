@@ -37,7 +37,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
     |                     |
     |                     this `i` is a signal of the `proc`
     |
-    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that, not in a later `where`
+    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that point, not in a later `where`
   
   1 error
   [1]
@@ -55,7 +55,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
     |                                this `s` is a signal of the `proc`
     |
     = note: `s` is a unit: write it in brackets directly after a number, as in `3[s]`
-    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that, not in a later `where`
+    = hint: the `proc` ends at the bracket or comma that follows it: use its signals only before that point, not in a later `where`
   
   1 error
   [1]

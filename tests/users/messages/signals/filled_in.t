@@ -109,7 +109,7 @@ A signal of another `proc`:
   > main = proc i -> roMake (setVelTR (0.3[1/s] * ahead) 0)
   > FROB
   $ frobc check other.frob 2>&1 | grep hint
-    = hint: a signal can only be used inside its `proc`: add a `where` to the `proc` in `main`, and write `ahead = frontSonar i` below it, or make the value a part of this `proc`'s input
+    = hint: a signal can only be used inside its `proc`: add a `where` to the `proc` in `main`, and write `ahead = frontSonar i` below it, or make the value part of this `proc`'s input
   $ sed '6s/$/ where\n    ahead = frontSonar i/' other.frob > pasted.frob && frobc check pasted.frob
 
 The first part of `switch` without an event, and `hold` without one:

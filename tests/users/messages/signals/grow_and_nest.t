@@ -55,7 +55,7 @@ A task of the library runs first; the growing one is the program's.
     |     ----------
   6 |         forward 1[m]
   7 |         t)
-    |         ^- between the restarts, `search` starts here
+    |         ^- `search` starts here, between two restarts
     |         |
     |         it restarts here, with one more `search`
     |

@@ -277,7 +277,7 @@ Numbers as an output:
   216 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` requires `RobotOutput o` here
       |
-      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also be `RobotOutput`, not `(Velocity, AngularVelocity)`
+      = hint: `roMake` returns commands for a robot: the signature or the other outputs here must also have the type `RobotOutput`, not `(Velocity, AngularVelocity)`
   
   1 error
   [1]
@@ -324,7 +324,7 @@ A missing argument, by its name:
   3 | f = proc v -> clamp 0 v
     |               ^^^^^^^^^
     |
-    = hint: `clamp` takes 3 arguments, `clamp low high y`: `high` is missing here, as in `clamp 0 high v`
+    = hint: `clamp` takes 3 arguments, `clamp low high y`, but `high` is missing here: write, for example, `clamp 0 high v`
   
   1 error
   [1]
@@ -680,7 +680,7 @@ A value of an event that lacks its unit:
     |               |
     |               with one argument, its result is `Event Float`
     |
-    = hint: for an event with the value `x` that occurs under a condition, write `tag (when condition) x`
+    = hint: for an event that has the value `x` and occurs whenever a condition is True, write `tag (when condition) x`
   
   1 error
   [1]

@@ -52,7 +52,7 @@ Bools, events, functions and signal functions, each used instead of another.
     |             ^^^^^^^^^^ this is `Float[s]`
     |
     = hint: to get a plain number, divide by the unit: `(integral x) / 1[s]`
-    = hint: `integral` is a signal function: run it in a `proc`, `speedUp = proc x -> …`, with the type `SF … …`
+    = hint: `integral` is a signal function: run it in a `proc`, as in `speedUp = proc x -> …`, with the type `SF … …`
   
   1 error
   [1]

@@ -12,7 +12,7 @@ Commands of the robot:
 
   $ try "$M roMake (setVelTR 0.3[m/s] 0)\n    forward 1[m]" "$M sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))\n    forward 1[m]"
   error[E0371]: `roMake` does not return a task, but `Task i o a` is needed here
-    = hint: a robot command is not a task: to give it for a fixed time, write `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))`; to give it until an event `e`, write `mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0), e))`
+    = hint: a robot command is not a task: to give it for a fixed time, write `sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))`; to give it until an event `e` occurs, write `mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0), e))`
   [1]
   $ try "$M sleepT 2[s] (setVelTR 0.3[m/s] 0)\n    forward 1[m]" "$M sleepT 2[s] (roMake (setVelTR 0.3[m/s] 0))\n    forward 1[m]"
   error[E0301]: expected the robot's output during that time, found `b -> b`

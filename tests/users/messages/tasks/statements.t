@@ -116,7 +116,7 @@ A robot's command takes time:
   >     setVelTR 0.3[m/s] 0)
   > FROB
   $ frobc check output.frob
-  error[E0370]: the statements of a `do` are tasks, but this is `d -> d`
+  error[E0370]: each statement in a `do` must be a task, but this is `d -> d`
    --> output.frob:4:5
     |
   3 | main = reactimateTask (do

@@ -175,7 +175,7 @@ A `return` that does nothing is removed without confirmation.
   3 | main = reactimateTask (forward 1[m] || turnBy 90[deg])
     |                        ^^^^^^^^^^^^ -- argument 1 of `||` is `Bool`
     |
-    = hint: use `both s t` to run two tasks in parallel, `abortWhen` to end a task at an event, or a `do` to run one after the other
+    = hint: use `both s t` to run two tasks in parallel, `abortWhen` to end a task at an event, or a `do` to run them one after the other
   
   1 error
   [1]

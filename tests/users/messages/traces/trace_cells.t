@@ -38,8 +38,8 @@ A number is in the unit of the program; the cell has no unit.
 A comma ends a cell, unless it is quoted.
 
   $ echo '0,,Just (1, 2),0' | given && both
-  error: in.csv:2:16: this row has the wrong number of cells: the header has 4 columns, found 5; put a cell that contains a comma in double quotes
+  error: in.csv:2:16: wrong number of cells: the header has 4 columns, but this row has 5; put a cell that contains a comma in double quotes
   [2]
-  error: in.csv:2:16: this row has the wrong number of cells: the header has 4 columns, found 5; put a cell that contains a comma in double quotes
+  error: in.csv:2:16: wrong number of cells: the header has 4 columns, but this row has 5; put a cell that contains a comma in double quotes
   [2]
   $ echo '0,,"Just (1, 2)",0' | given && both
