@@ -32,5 +32,5 @@ val parts : Ir.expr -> Ir.expr list
 (** The direct subexpressions, in source order; a proc's equations come before its output. *)
 
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
-(** Applies the function to the {!parts} of the expression, in order, and replaces each of them with
-    its result. *)
+(** Applies the function to each of the {!parts} of the expression, in order, and replaces the part
+    with the result. *)

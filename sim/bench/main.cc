@@ -46,8 +46,8 @@ double seconds_since(std::clock_t start) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// Runs the simulation as the host does when it draws no picture, and calls `each_step` after each step of
-// the physics. Returns the time it took, in seconds.
+// Runs the simulation as the host does when it draws no picture, and calls `each_step` after each
+// step of the physics. Returns the time it took, in seconds.
 template <typename EachStep>
 double run_program(const frob_program &program, const Scene &scene, double duration_s,
                    double rate_hz, EachStep each_step) {
@@ -142,7 +142,8 @@ int bench(const frob_program &program, const Scene &scene, double duration_s, do
     const double simulated = static_cast<double>(motions.size() / scene.starts.size()) * step_s;
     std::printf("robots: %zu\n", scene.starts.size());
     std::printf("bare Box2D: %.4g simulated seconds per second\n", simulated / bare);
-    std::printf("bare, one look-up per cone: %.4g simulated seconds per second\n", simulated / by_cone);
+    std::printf("bare, one look-up per cone: %.4g simulated seconds per second\n",
+                simulated / by_cone);
     std::printf("with the program: %.4g simulated seconds per second\n", simulated / with_program);
     std::printf("ratio: %.3f\n", bare / with_program);
     std::printf("ratio, one look-up per cone: %.3f\n", by_cone / with_program);

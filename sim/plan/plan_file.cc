@@ -133,7 +133,8 @@ class PlanReader {
                                    "\"` needs the number of points: add the key `points`");
         else if (!is_sampled_ && reader_.any("points") != nullptr)
             reader_.mistake_at("points",
-                               "`points` is only for `sampling = \"random\"` or `\"latin\"`: " "for a grid, remove it and write the number of steps in each range");
+                               "`points` is only for `sampling = \"random\"` or `\"latin\"`: "
+                               "for a grid, remove it and write the number of steps in each range");
         line({"sampling", how, std::to_string(points), std::to_string(seed)});
     }
 

@@ -226,7 +226,7 @@ let is_at (span : Span.t) (fact : Fact.t) =
   | Inference { fact = Not_a_function { argument; _ }; _ } -> Span.compare argument.span span = 0
   | _ -> false
 
-(* The orders of the arguments in which their types fit, and the number of missing arguments, for
+(* The argument orders in which the types fit, and the number of missing arguments, for
    {!Application_fact.call}. *)
 let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
   let entry =
@@ -236,8 +236,8 @@ let orders ctx ~(head : Resolve.Ir.expr) arguments ~types ~failed =
   | None -> (None, None, None)
   | Some { scheme; _ } ->
       let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
-      (* an input cannot be a `String`: if its type is `String`, this application has just inferred
-         it *)
+      (* an input cannot be a `String`, so a type `String` was inferred only from this application
+         *)
       let is_input (e : Resolve.Ir.expr) =
         match e.desc with Local x -> List.mem_assoc x.name ctx.inputs | _ -> false
       in
@@ -340,8 +340,8 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
       | _ -> pass_on ctx held)
   | _ -> pass_on ctx held
 
-(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order used in another
-   language. Checks whether the other order would be correct. *)
+(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order used by some other
+   languages. Checks whether swapping them would fix the mistake. *)
 let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
   | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
@@ -371,7 +371,7 @@ let operator_after ctx (e : Resolve.Ir.expr) argument =
   | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
   | Some _ | None -> None
 
-(* Makes the application warn, when it is built, about operands in degrees. *)
+(* Adds a warning about operands in degrees, which is issued when the application is built. *)
 let warning_of_degrees ctx argument ty ~previous (applied : typed) =
   match (argument.style, previous) with
   | Operator operator, Some left when In_degrees.meets operator ->
