@@ -102,8 +102,8 @@ void frob_sim_lidar_seat(const struct frob_sim *sim, size_t number, double *ahea
 const struct frob_scan *frob_sim_scan(struct frob_sim *sim, size_t robot, int lidar,
                                       int64_t time_ns);
 
-/* The same functions for the world's inertial measurement units. A reading contains the means of
- * all measurements that have arrived since the last call. */
+/* The same functions for the world's inertial measurement units. A reading averages all
+ * measurements that have arrived since the last call. */
 int frob_sim_open_imu(struct frob_sim *sim, const char *imu);
 const char *frob_sim_imu_name(const struct frob_sim *sim, size_t number);
 const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu, int64_t time_ns);
@@ -117,8 +117,8 @@ struct frob_sim_bumps {
 struct frob_sim_bumps frob_sim_bumps_robot(const struct frob_sim *sim, size_t robot);
 
 /* Gives the robot the command in its output struct, which stays in effect until the next command.
- * The simulator limits the values to the robot's abilities, and stops the robot if any of them is
- * NaN. `time_ns` is the time of the controller's instant. */
+ * The simulator limits the values to what the robot can do, and stops the robot if any of them is
+ * NaN. `time_ns` is the time of the controller's step. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output);
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
@@ -127,8 +127,8 @@ void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
  * host must skip the program's step and command a stop. */
 int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
 
-/* The true pose of a robot in the world, and whether it touched an object during the last call of
- * frob_sim_advance that made a step. */
+/* The true pose of a robot in the world, and whether it touched an object during the last call to
+ * frob_sim_advance that ran a step. */
 struct frob_sim_place {
     double x_m, y_m, heading_rad;
     int touches;
@@ -152,19 +152,18 @@ struct frob_sim_summary {
     /* Number of collisions with fixed objects, boxes, balls and other robots. A collision ends
      * when the robot has not touched anything for half a second. */
     int collisions;
-    double odometry_error_m; /* distance between the robot's true position and its odometry */
-    int measured;            /* nonzero if the world file selects the
-                                distance from a wall for measurement: */
+    double odometry_error_m; /* distance between the true position and that of the odometry */
+    int measured;            /* nonzero if the distance from a wall was measured; the next three
+                                fields are valid only then */
     double wall_distance_m;  /* the distance that the robot should keep */
     double mean_error_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_error_m;
-    int tape_measured;  /* nonzero if the world file selects the
-                           distance from the centre line of a tape: */
+    int tape_measured;  /* the same for the distance from the centre line of a tape */
     double mean_tape_m; /* mean distance since the robot settled; NaN if it has not settled */
     double largest_tape_m;
-    double tape_way_m;      /* the distance travelled along the tape, in the order of its points */
-    int ball_measured;      /* nonzero if the world file selects the
-                               distance from a ball: */
+    double tape_way_m;      /* distance travelled along the tape, positive in the order of
+                               its points */
+    int ball_measured;      /* the same for the distance from a ball */
     double ball_distance_m; /* the distance that the robot should keep */
     double mean_ball_m;     /* mean error since the robot settled; NaN if it has not settled */
     double largest_ball_m;

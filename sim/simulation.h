@@ -37,8 +37,8 @@ struct Member {
     std::vector<Lidar> lidars;         // the opened lidars
     std::vector<Imu> imus;             // the opened inertial measurement units
     std::vector<Collision> collisions; // the first few collisions
-    bool touched = false;              // whether the robot touched anything during the last call of
-                                       // `advance` that made a step
+    bool touched = false;              // whether the robot touched anything during the last call to
+                                       // `advance` that ran a step
 };
 
 class Simulation {
@@ -56,7 +56,7 @@ class Simulation {
     // stops at the last step that is not later than this time.
     void advance(std::int64_t time_ns);
 
-    // An instant of a robot's controller: read the sensors, then send the command. The robot's
+    // At each step of a robot's controller, read its input and then send its command. The robot's
     // header declares the structs.
     void read(void *input, std::size_t robot = 0);
     void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
@@ -81,7 +81,7 @@ class Simulation {
         return members_[robot].imus[imu].newest(now_ns);
     }
 
-    // Ground truth of the frame that `newest_frame` returned last for this camera; there must be
+    // Ground truth for the frame that `newest_frame` returned last for this camera; there must be
     // one.
     Truth frame_truth(std::size_t camera, std::size_t robot = 0) {
         return members_[robot].cameras[camera].truth();
@@ -114,13 +114,13 @@ class Simulation {
         return members_[robot].ball_distance;
     }
 
-    // The last frame that was delivered from the robot's first camera; nullptr if there is none.
+    // The last frame that the robot's first camera delivered; nullptr if there is none.
     const frob_image *last_frame(std::size_t robot = 0) const {
         const std::vector<Camera> &cameras = members_[robot].cameras;
         return cameras.empty() ? nullptr : cameras.front().last();
     }
 
-    // The robot's estimate of its pose, according to odometry that started at its true pose.
+    // The robot's own estimate of its pose: odometry that started from the true pose.
     Pose believed(std::size_t robot = 0) const;
 
   private:

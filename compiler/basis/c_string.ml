@@ -8,7 +8,7 @@ let literal text =
   in
   "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
 
-(* Inserts a space between two characters that would form a token together. *)
+(* Inserts a space between two characters that must not be adjacent in a comment. *)
 let comment text =
   let apart = [ ('*', '/'); ('/', '*'); ('?', '?') ] in
   let inside = Buffer.create (String.length text) in

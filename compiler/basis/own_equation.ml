@@ -58,7 +58,7 @@ let right_side sources ~name ~(at : Span.t) =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* The terms of a sum or difference, split outside brackets, each with its sign. *)
+(* The terms of a sum or difference, each with its sign. Ignores operators inside brackets. *)
 let terms text =
   let n = String.length text in
   let add sign from until found =

@@ -23,5 +23,5 @@ val fix : Source.t -> name:string -> at:Span.t -> read:string -> start:string ->
 (** Rewrites the equation for [name], which begins at [at], so that it contains [delay start read]
     in place of [read]. If the equation adds the product of a rate and a time step to its own value,
     it becomes an integral. If it contains a branch or a function, the [delay] gets a separate
-    equation, because a branch or a function must not run it. [None] if the equation is not
+    equation, because it must not run inside a branch or a function. [None] if the equation is not
     [name = …] on one line. *)

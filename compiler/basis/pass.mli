@@ -1,4 +1,4 @@
-(** Passes over a program, for tables of passes. *)
+(** Compiler passes over a program, as rows of a table. *)
 
 type 'program t = {
   name : string;

@@ -1,8 +1,8 @@
 (** Limits the work of a stage.
 
     The limit is in steps rather than seconds, so that every machine rejects the same programs. Each
-    stage decides what it counts as a step, for example an expression evaluated or a part of a type
-    visited. A step takes tens of nanoseconds. Only loops that can run for a long time on a short
+    stage decides what it counts as a step, for example, evaluating an expression or visiting a part
+    of a type. A step takes tens of nanoseconds. Only loops that can run for a long time on a short
     program need to count their steps.
 
     The counter is the compiler's only mutable global. {!within} restores it however its function
@@ -19,8 +19,8 @@ val steps : int -> unit
 
 val within : int -> (unit -> 'a) -> 'a option
 (** Calls the function with this limit, or with the remaining steps of the enclosing {!within} if
-    those are fewer; [None] if the function exceeds the limit. Its steps also count for the
-    enclosing {!within}. *)
+    those are fewer; [None] if the function exceeds the limit. Its steps also count towards the
+    limit of the enclosing {!within}. *)
 
 val left : unit -> int
 (** The remaining steps of the innermost {!within}. *)

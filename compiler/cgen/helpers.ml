@@ -5,7 +5,7 @@ let included =
 
 let is_word = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false
 
-(* Rewrites a text: applies [word] to each identifier and [comment] to each comment. *)
+(* Rewrites C code: applies [word] to each identifier and [comment] to each comment. *)
 let rewritten ~word ~comment text =
   let out = Buffer.create (String.length text) and n = String.length text in
   let rec word_end k = if k < n && is_word text.[k] then word_end (k + 1) else k in
@@ -125,7 +125,7 @@ let own pieces =
   in
   List.map renamed pieces
 
-(* The pieces that a text needs, directly or through other pieces. *)
+(* The pieces that a text needs, directly or indirectly. *)
 let needed pieces text =
   let wanted = Hashtbl.create 64 and taken = Hashtbl.create 16 in
   let want text = List.iter (fun name -> Hashtbl.replace wanted name ()) (identifiers text) in

@@ -268,7 +268,7 @@ let program ?own ?units ?named ?(batch = false) ?(banner = []) (program : M.prog
   let v = V.of_program ?own ?units ?named program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  (* A function, preceded by the helpers that it calls and that are not defined yet. *)
+  (* A function, preceded by those of its helpers that are not defined yet. *)
   let made make =
     let functions = make () in
     V.take_pending v @ functions

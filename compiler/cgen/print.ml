@@ -234,11 +234,11 @@ let fits column text = column + String.length text <= width
 let is_comma piece = String.ends_with ~suffix:"," piece
 let is_choice piece = String.starts_with ~prefix:": " piece
 
-(* Writes a text that is too long for one line, and returns the column where it ends. Packs pieces
-   that end with commas, and operators of one level, into lines. But if an operand needs more than
-   one line, each operator of that level starts a new line. Otherwise, this operator would be harder
-   to see than the tighter operators at which the operand is broken. Both parts of a conditional
-   expression start new lines, too. *)
+(* Writes a text that is too long for one line, and returns the column where it ends. Fills each
+   line with pieces that end with commas, or with operators of one level and their operands. But if
+   one of these operands needs more than one line, each operator of the level starts a new line.
+   Otherwise, the operator would be harder to see than the tighter-binding operators at which the
+   operand is broken. Both branches of a conditional expression also start new lines. *)
 let rec fill out ~indent ~column text =
   if fits column text || not (String.exists is_soft text) then (
     add_flat out text;

@@ -1,3 +1,3 @@
-(** The text of [runtime/include/frob/step.h] when the compiler was built. *)
+(** The text of [runtime/include/frob/step.h], embedded when the compiler is built. *)
 
 val text : string

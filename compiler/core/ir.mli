@@ -67,11 +67,11 @@ and control_kind =
   | Hold  (** a Bool that is True while the button is held down *)
   | Knob of { least : float; most : float; first : float }
   | Toggle of { first : bool }
-  | Map  (** an event with the clicked place, in metres *)
+  | Map  (** an event with the position of a click, in metres *)
   | Camera  (** an event with a camera frame *)
   | Tags  (** an event with the tags detected in a frame *)
   | Lidar of { rays : int }
-      (** an event with a scan that is resampled to this number of directions *)
+      (** an event with a scan, resampled to this number of directions *)
   | Imu  (** an event with the reading of an inertial measurement unit *)
 
 and foreign = {
@@ -85,8 +85,7 @@ and foreign = {
 and header = {
   header : string;
   of_file : string;
-      (** the file that declares the header; the header's path is relative to the folder of this
-          file *)
+      (** the file that declares the header; the header's path is relative to that file's folder *)
 }
 
 and foreign_type = {
@@ -148,8 +147,8 @@ and expr_desc =
   | Component of expr * int  (** a component of a tuple, counted from 0 *)
   | Array of expr list  (** at least one element *)
   | Index of expr * int
-      (** the element at this index, counted from 0; if the size is known here, the index is inside
-          the array *)
+      (** the element at this index, counted from 0; the index is within bounds if the size is known
+          here *)
   | Construct of { data : Global.t; constructor : int; arguments : expr list }
       (** all arguments are present; Bool has its own constants *)
   | Is_constructor of expr * int  (** a Bool; the type of [expr] determines the data type *)

@@ -148,7 +148,7 @@ let array (e : expr) elements =
 let index (e : expr) (array : expr) k =
   match array.ty with
   | Array (Size n, _) when k < 0 || k >= n ->
-      fail e.span "there is no element %d in an array of %d" k n
+      fail e.span "there is no element %d in an array of %d elements" k n
   | Array (_, element) -> is e element
   | _ -> fail e.span "there is no element %d in a value of type %a" k Print.ty array.ty
 

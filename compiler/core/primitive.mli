@@ -74,7 +74,7 @@ type t =
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
   | Node  (** [Float -> SF i o -> Program i o]: a ROS 2 node with topics, and its rate *)
-  | Ending  (** tells the program's host whether the program has ended, and with which result *)
+  | Ending  (** tells the program's host whether the program has ended, and with what result *)
   (* controls of the operator's console, by label; see {!Console} *)
   | Console of console
   (* drawings of the library's module Display *)

@@ -56,7 +56,7 @@ let table =
     ("zipWith", Zip_with, 3);
     ("foldl", Foldl, 3);
     ("scanl", Scanl, 3);
-    (* for a signal function: the number of static arguments, without the signal *)
+    (* for a signal function: the number of static arguments, not counting the signal *)
     ("delay", Delay, 1);
     ("time", Time, 0);
     ("timeSince", Time_since, 0);

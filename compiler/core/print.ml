@@ -284,8 +284,8 @@ let instance c (i : instance) =
       lines c implementation i.methods);
   cut c
 
-(* The module of an instance is the module of the methods that it defines. If it defines none, it is
-   the module of its class. *)
+(* An instance belongs to the module of the methods that it defines or, if it defines none, to the
+   module of its class. *)
 let belongs_to own (i : instance) =
   let given (_, implementation) =
     match implementation with Given g -> Some g | Default _ -> None

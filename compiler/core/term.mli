@@ -35,5 +35,5 @@ val visit : (Ir.expr -> unit) -> Ir.expr -> unit
 (** Visits an expression, then its subexpressions. *)
 
 val with_parts : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr_desc
-(** Applies the function to the {!parts} of the expression, in order, and replaces each of them with
-    its result. *)
+(** Applies the function to each of the {!parts} of the expression, in order, and replaces the part
+    with the result. *)

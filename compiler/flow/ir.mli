@@ -215,7 +215,7 @@ and follower =
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option
-      (** the signal function that prevents it, if known, and its place *)
+      (** the signal function that prevents the transition, and its place, if known *)
 
 type machine = {
   modes : int list;
@@ -294,10 +294,10 @@ type program = {
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   next_id : int;
-      (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id may
+      (** larger than every signal's id and group. Ids are consecutive, so a table indexed by id can
           be an array of this size *)
   imports : import list;
-      (** the user's imports of C code, and those of the library's imports that a node calls. Each
+      (** all the user's imports of C code, and the library's imports that some node calls. Each
           symbol occurs once *)
   headers : header list;  (** headers of the user's C code *)
   input : shape;  (** the root's inputs *)

@@ -94,7 +94,7 @@ let align (words : Word.t array) group =
       aligned
 
 let set (words : Word.t array) =
-  (* the current group of each frame, last line first *)
+  (* the current group of each frame, with its last line first *)
   let groups = Hashtbl.create 64 in
   let blank = ref 0 in
   let finish frame =

@@ -1,6 +1,6 @@
-(** Keeps [=], [->], [<-] and [::] of neighboring lines aligned.
+(** Keeps [=], [->], [<-] and [::] of neighbouring lines aligned.
 
-    If the author has aligned these signs in neighboring equations, branches, statements or fields,
+    If the author has aligned these signs in neighbouring equations, branches, statements or fields,
     they stay aligned, and other lines of the same group are aligned with them. *)
 
 val set : Word.t array -> unit

@@ -88,8 +88,8 @@ type part = { depth : int; mutable operators : bool }
 
 let depth_cost = 50
 
-(* Computes the part of the line that contains each word up to [until]. The text between brackets,
-   and after [if], [do] and similar keywords, is nested more deeply. *)
+(* For each word up to [until], computes the part of the line that contains it. The text between
+   brackets, and after [if], [do] and similar keywords, is nested more deeply. *)
 let parts (words : Word.t array) ~first ~until ~last =
   let whole = { depth = 0; operators = false } in
   let found = Array.make (until - first + 1) whole in

@@ -117,7 +117,7 @@ let begins_element (words : Word.t array) i =
   | COMMA | LPAREN | LBRACKET | LBRACE | UNIT_BRACKET -> true
   | _ -> false
 
-(* The column of a line inside brackets, which starts an element of a list or continues one. *)
+(* The column of a line that starts or continues an element of a list inside brackets. *)
 let in_bracket (bracket : bracket) ~base ~begins =
   match (begins, bracket.content, bracket.element) with
   | true, Some column, _ -> column

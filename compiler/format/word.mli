@@ -27,7 +27,7 @@ type t = {
   item : bool;  (** whether it is the first word of an item of a block or of the file *)
   frame : int;
       (** number of the block or bracket pair that contains it; 0 for the file. A bracket is outside
-          of the pair that it belongs to *)
+          its own pair *)
   mutable partner : int;  (** for a bracket, the index of the matching one; otherwise -1 *)
   of_cases : bool;  (** directly inside a block of branches *)
   in_unit : bool;  (** in the brackets of a unit, or on the right-hand side of [unit u = …] *)

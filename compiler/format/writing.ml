@@ -70,8 +70,8 @@ let column_of (c : Word.comment) ~below ~ended =
           | None, Some (_, column) -> column
           | None, None -> 0))
 
-(* Whether a comment continues the one at the end of the previous line, that is, whether it is
-   directly below it, in the same column. *)
+(* Whether a comment continues the one at the end of the previous line: it does if it is directly
+   below that comment, in the same column. *)
 let goes_on state (c : Word.comment) =
   match (state.now, state.done_) with
   | Some { behind = Some b; _ }, _ | None, { behind = Some b; _ } :: _ ->
@@ -139,7 +139,7 @@ let groups lines =
 
 let least_distance = 2
 
-(* A single comment is aligned with a neighboring group if this moves it by at most this many
+(* A single comment is aligned with a neighbouring group if this moves it by at most this many
    columns. *)
 let most_joining = 6
 
@@ -160,8 +160,8 @@ let column_of_group lines members =
         ((behind (List.hd members)).written + first.shift)
         of_words
 
-(* The column of each comment at the end of a line. A single comment next to an aligned group is
-   aligned with it, if there is room. *)
+(* The column of each comment at the end of a line. A single comment next to an aligned group joins
+   it if there is room. *)
 let columns lines =
   let n = Array.length lines in
   let group = groups lines in

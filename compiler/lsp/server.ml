@@ -13,7 +13,7 @@ type t = {
   mutable looks : (Document.t * look Worker.t) list;  (** texts that workers are checking *)
   mutable asked : (Json.t * answer Worker.t) list;  (** requests that workers are answering *)
   mutable later : (Document.t * Json.t) list;
-      (** requests that wait for the check of their text, the latest one first *)
+      (** requests waiting for their text to be checked, latest first *)
   mutable cancelled : Json.t list;  (** ids of cancelled requests *)
   mutable shut_down : bool;
   mutable exit : int option;
@@ -148,7 +148,8 @@ let descriptors t =
 
 (* {2 Changed texts} *)
 
-(* Marks all open texts that read this file or have messages, so that they are checked again. *)
+(* Marks each open text whose last check read this file or produced messages, so that the text is
+   checked again. *)
 let touched t path =
   Hashtbl.iter
     (fun _ (doc : Document.t) ->
@@ -321,7 +322,7 @@ let notification t method_ params =
 
 (* {1 Messages} *)
 
-(* These requests also analyze other texts, or a modified version of this one, so they may take
+(* These requests also analyse other texts, or a modified version of this one, so they may take
    arbitrarily long. *)
 let takes_long method_ =
   List.mem method_

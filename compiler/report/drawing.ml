@@ -14,8 +14,7 @@ type line = {
 }
 (** An arrow between two positions in the column, which are counted from the top. *)
 
-(* The states in depth-first order from the initial state, followed by those that it does not lead
-   to. *)
+(* The states in depth-first order from the initial state, followed by the unreachable ones. *)
 let in_order (m : Machines.t) =
   let rec visit order source =
     List.fold_left

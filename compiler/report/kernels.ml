@@ -28,8 +28,8 @@ let all =
 
 let find name = List.assoc_opt name all
 
-(* Limits of the kernels: the maximum sides of an image, and the maximum length and width of the
-   line along which edges are found. *)
+(* Limits of the kernels: the maximum width and height of an image, and the maximum length and width
+   of the line along which edges are found. *)
 let side = 4096
 let longest = 257
 let widest = 32

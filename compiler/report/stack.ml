@@ -298,7 +298,7 @@ let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let calls = Saturating_int.times word (2 + List.length leaves) in
   List.fold_left Saturating_int.add (2 * fixed) [ Saturating_int.times 3 rooms; calls; own ]
 
-(* The root receives dt, and the addresses of the state, its input and its output. Its step calls
+(* The root receives dt and the addresses of the state, the input and the output. Its step calls
    the clock's helper functions. *)
 let root (program : M.program) (node : M.node) (bounds : bounds) : bounds =
   let more (t : t) bytes = { t with bytes = Saturating_int.add t.bytes bytes } in

@@ -94,8 +94,8 @@ let looks cost name calls =
     match whole with
     | 0 -> []
     | _ when calls = 1 -> [ "at most the whole image" ]
-    | _ when whole = calls -> [ "each at most the whole image" ]
-    | n -> [ Printf.sprintf "%s of them at most the whole image" (number n) ]
+    | _ when whole = calls -> [ "at most the whole image in each call" ]
+    | n -> [ Printf.sprintf "at most the whole image in %s of the calls" (number n) ]
   in
   let known = if pixels = 0 then [] else [ Printf.sprintf "%s pixels" (number pixels) ] in
   String.concat ", " (known @ images)
@@ -130,7 +130,7 @@ let stack_rows (t : Bounds.t) =
 
 let machine_line (m : Hops.machine) =
   let count = List.length m.modes in
-  Printf.sprintf "  %s, %s: %d %s (%s), at most %d run within one instant\n" m.name
+  Printf.sprintf "  %s, %s: %d %s (%s); maximum number of steps within one instant: %d\n" m.name
     (Bounds.place ~file:m.file m.span)
     count
     (if count = 1 then "mode" else "modes")

@@ -1,4 +1,4 @@
-(** The resolution of speeds in the protocol of the program's robot. *)
+(** The resolution of speeds in the robot's protocol. *)
 
 type step = { quantity : string; size : float; unit_ : string }
 type t = { robot : string; steps : step list }

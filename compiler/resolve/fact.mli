@@ -49,7 +49,7 @@ type import_place = { importer : string; at : Span.t; target : name }
 type in_modules =
   | Missing_module of {
       target : name;
-      imported : string list;  (** the modules named in the imports of the importing module *)
+      imported : string list;  (** the modules that the importing module names in its imports *)
       known : string list;  (** the names of the files that could be modules, for suggestions *)
     }
   | Missing_file of { at : Span.t; file : string }
@@ -59,7 +59,7 @@ type in_modules =
   | Other_file_name of { module_ : name; file : string }  (** [file] has no extension *)
   | Two_files of { target : name; earlier : string; later : string }
   | No_program of { tests : string; program : string; reason : string option }
-      (** The program of a test file cannot be read for this reason, or does not exist ([None]). *)
+      (** The program of a test file cannot be read for this reason; [None] if it does not exist. *)
   | Header_in_tests of Span.t
   | Main_in_tests of Span.t
   | Primitive_outside_library of name
@@ -69,7 +69,7 @@ type in_modules =
 type setting =
   | No_parameter of { known : string list }
   | Several_modules of { qualified : string list }
-      (** the parameters of that name, qualified with their modules *)
+      (** the parameters with that name, each qualified with its module *)
   | Invalid_value of { value : string }
 
 (** {1 Definitions and names} *)
@@ -153,7 +153,7 @@ type in_records =
       constructor : Interface.constructor;
       at : Span.t;
       absent : string list;
-      last : Span.t option;  (** the span of the last given field's value *)
+      last : Span.t option;  (** the span of the last value that was given *)
     }
 
 (** {1 Foreign code} *)

@@ -139,7 +139,7 @@ and class_ = {
 and method_ = {
   name : Global.t;  (** usable in expressions like any other value *)
   scheme : scheme;
-      (** the class's variable is free in it; the context does not contain the class itself *)
+      (** the class variable is free in the scheme, and the class itself is not in its context *)
   default : binding option;  (** its binder is the method's name *)
   doc : string option;
   span : Span.t;

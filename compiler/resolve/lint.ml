@@ -63,7 +63,7 @@ let scheme known (s : Ir.scheme) =
 
 let type_declaration known (d : Ir.type_declaration) =
   let constructor i (c : Ir.constructor) =
-    if c.index <> i then broken "constructor %s has a wrong index" c.constructor.name;
+    if c.index <> i then broken "constructor %s has the wrong index" c.constructor.name;
     List.iter (fun (f : Ir.field) -> ty known f.ty) c.fields;
     declare known.constructors "constructor" c.constructor (List.length c.fields)
   in

@@ -72,8 +72,8 @@ let includes (scope : Scope.t) (program : Syntax.Ir.program) =
   in
   List.filter_map declaration program.declarations
 
-(* The imports of a test file's program, and an import of the program itself that includes names it
-   does not export. *)
+(* The imports of a test file's program, and a qualified import of the program itself, including the
+   names that the program does not export. *)
 let seen_in_tests (program : Scope.t) : Visible.import list =
   let visible = program.visible in
   let module_ = visible.module_ in

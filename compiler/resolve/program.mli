@@ -13,7 +13,7 @@ val load :
   Ir.program option
 (** [load facts ~files ~remember ~library ~also ~given main] reads the module in the file [main],
     its imports, the module in [also] (if any) and the prelude, from [files] and the folder
-    [library], and sets the parameters in [given]. It passes each text read to [remember], together
-    with the file name that spans use, for rendering diagnostics. Reports the errors of all modules.
-    The result is [None] after an error. With [partial], for editors, erroneous parts become [()]
-    instead. *)
+    [library], and sets the parameters in [given]. For rendering diagnostics, it passes each text
+    that it reads to [remember], together with the file name that spans use. Reports the errors in
+    all modules. The result is [None] after an error. With [partial], for editors, erroneous parts
+    become [()] instead. *)

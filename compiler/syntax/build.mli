@@ -45,12 +45,12 @@ val whole : string -> int option
 (** The value of a literal without a decimal point; [None] if it does not fit in an [Int]. *)
 
 val size : location -> string * bool -> int
-(** The size of an array, from the text of a literal and whether the literal has a point or an
-    exponent. *)
+(** The size of an array, given the text of a literal and a flag that says whether the literal has a
+    decimal point or an exponent. *)
 
 val sign_of_sizes : location -> string -> Ir.size_operator
-(** The operator between two sizes, if it is neither [-] nor [*]. Rejects every operator except [+].
-*)
+(** Converts an operator between two sizes; the grammar itself handles [-] and [*]. Rejects every
+    operator except [+]. *)
 
 val product : Surface.factor list -> Ir.unit_
 (** The unit that is the product of these factors, in reverse order. There must be at least one. *)

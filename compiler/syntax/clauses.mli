@@ -3,4 +3,4 @@
 
 val joined : Ir.declaration list -> Ir.declaration list * Rejection.t list
 (** Keeps only the first clause of each function. Returns the remaining declarations in order, and,
-    for each function with several clauses, the reason to reject the others. *)
+    for each function with several clauses, the reason to reject its other clauses. *)

@@ -140,7 +140,7 @@ and expr_desc =
 
 and number = {
   digits : string;  (** the literal's text, without the unit and the sign *)
-  decimal : bool;  (** whether the literal has a point or an exponent *)
+  decimal : bool;  (** whether the literal has a decimal point or an exponent *)
   unit_ : unit_ option;
 }
 

@@ -437,8 +437,8 @@ let text_follows t =
 let next t =
   skip_blanks t;
   let start = position t in
-  (* the token after an unterminated comment has the highest column, so that it does not close any
-     block *)
+  (* the token after an unterminated comment gets the largest possible column, so that it does not
+     close any block *)
   let column = if t.cut_off then max_int else t.at - t.line_start + 1 - t.extra in
   let first = t.fresh in
   let doc =

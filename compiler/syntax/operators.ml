@@ -26,7 +26,8 @@ let precedences =
     table
   |> List.to_seq |> String_table.of_seq
 
-(* Names in backticks have the same precedence as [!], except for these, as in Haskell. *)
+(* As in Haskell, names in backticks have the same precedence as [!], except for the names listed
+   here. *)
 let precedence (operator : Ir.qualified) =
   match operator.name.text with
   | "shiftL" | "shiftR" -> (8, Left)
@@ -123,8 +124,8 @@ let rec push_all last stack = function
 let group steps last =
   match steps with [] -> last | _ -> finish (push_all last [] (List.rev steps)) last
 
-(* The operators that remain on the stack at the end are the outermost ones of the operand. The
-   bottom one binds most loosely. *)
+(* The operators left on the stack after the last step are the outermost ones in the operand. The
+   one at the bottom binds most loosely. *)
 let loosest stack =
   match List.rev stack with
   | [] -> None

@@ -10,7 +10,7 @@ val readable : file:string -> string -> Ir.program option
 
 val program : Fact.t Facts.t -> file:string -> string -> Ir.program option
 (** [program facts ~file text] parses the text, which may contain arbitrary bytes, in linear time.
-    [file]: the name shown in messages. The result is [None] if it reported a fact. *)
+    [file]: the name shown in messages. The result is [None] if a fact was reported. *)
 
 val expects_more : Layout.token option -> bool
 (** Is an expression, type or definition that ends with this token always incomplete? *)

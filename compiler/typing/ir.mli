@@ -143,8 +143,9 @@ and definition = {
 }
 
 and need = { place : Span.t; by : string }
-(** The code outside the library that first requires a class, as close to the class's method as
-    possible. [by]: the name or the instance that requires the class, in backticks. *)
+(** The code outside the library that first requires a class. If definitions pass the requirement
+    on, this is the code closest to the class's method. [by]: the name or the instance that requires
+    the class, in backticks. *)
 
 (** {1 Expressions} *)
 

@@ -316,8 +316,8 @@ and branch s e (scrutinee : expr) (b : branch) =
   is e "a branch" b.value.ty;
   leave s entered
 
-(* Recursive bindings are in scope in all bindings of the list, other bindings only after their own
-   definition. *)
+(* Recursive bindings are in scope in all bindings of the list; other bindings are in scope only
+   after their own definition. *)
 and let_ s e bindings (body : expr) =
   let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
   let entered = List.fold_left (enter true) [] bindings in

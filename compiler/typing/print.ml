@@ -2,7 +2,7 @@ open Basis
 open Pretty
 open Ir
 
-(* The printer's own data is the name of the main module. *)
+(* [own] in the printer is the name of the main module. *)
 
 let global c (g : Global.t) =
   if String.equal g.module_ c.own || is_infix g.name then operator g.name

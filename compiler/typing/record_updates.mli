@@ -5,7 +5,7 @@
     than in its source. *)
 
 val most_fields : int
-(** The maximum number of fields, added up over the records of all updates. *)
+(** The maximum total number of fields in the records that all updates construct. *)
 
 val check : Fact.t Basis.Facts.t -> Ir.program -> unit
 (** Reports [E0413] at the update where the total first exceeds {!most_fields}. Takes time linear in

@@ -68,7 +68,7 @@ void blob_reset(struct blob_state *self)
     look_everywhere(self);
 }
 
-/* Processes one picture. Does not use dt, the seconds since the previous one. */
+/* Processes one picture. Ignores dt, the time since the previous one in seconds. */
 void blob_step(struct blob_state *self, double dt, const struct blob_input *in,
                struct blob_output *out)
 {

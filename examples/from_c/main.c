@@ -1,15 +1,15 @@
 /* main.c -- runs two wheels from C, each with its own controller.
  *
  * The caller owns the states and the time: it resets each state once, then calls a step at each
- * instant with the seconds since the previous one. The two wheels share no data, so each could
- * have its own thread. */
+ * instant, passing the time in seconds since the previous one. The two wheels share
+ * no data, so each could have its own thread. */
 #include "wheel.h"
 
 #include <stdio.h>
 
 enum { WHEELS = 2, STEPS = 150 };
 
-/* A wheel with its motor. Its speed slowly approaches a value of 0.1 m/s per volt. */
+/* A wheel with its motor. Its speed slowly approaches 0.1 m/s per volt. */
 static double speed_after(double dt, double speed, double volts)
 {
     return speed + dt * 2.0 * (0.1 * volts - speed);

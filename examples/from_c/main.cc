@@ -18,7 +18,7 @@ class Wheel
         return out;
     }
 
-    // The speed slowly approaches a value of 0.1 m/s per volt.
+    // The speed slowly approaches 0.1 m/s per volt.
     void turn(double dt, double volts) { speed_ += dt * 2.0 * (0.1 * volts - speed_); }
 
     double speed() const { return speed_; }

@@ -50,7 +50,7 @@ static void say(struct frob_answer *answer, const char *text)
         answer->bytes[answer->count++] = (uint8_t)*text;
 }
 
-/* Updates the encoders' distances from the body's motion, and stores the other readings. */
+/* Updates the encoder distances from the body's motion, and stores the other readings. */
 static void sense(void *memory, const void *from, int64_t now_ns)
 {
     struct board *b = (struct board *)memory;

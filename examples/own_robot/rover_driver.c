@@ -37,7 +37,7 @@ static enum frob_status synchronize(struct rover *d)
 {
     static const uint8_t bytes[] = { '\r', 'b', '\r' };
     if (d->awaited == ROVER_BATTERY)
-        d->turn = 0; /* so that it is queried again immediately, not only after a second */
+        d->turn = 0; /* query the battery again immediately, not a second later */
     d->awaited = ROVER_SYNC;
     d->sent_ns = frob_now_ns(&d->clock);
     return send_bytes(d, bytes, sizeof bytes);
@@ -50,7 +50,7 @@ static enum frob_status send_stop(struct rover *d)
     return status == FROB_OK ? synchronize(d) : status;
 }
 
-/* The range and resolution of speed commands: counts per 1/30 s for each wheel. */
+/* The range and resolution of speed commands, which are in counts per 1/30 s for each wheel. */
 static struct frob_wire speeds_on_the_wire(const struct rover *d)
 {
     double step_m_s = (double)ROVER_LOOPS / d->settings[ROVER_COUNTS_PER_M];

@@ -2,7 +2,7 @@
  *
  * Counts wrap around, so only their differences are used. The pose survives reconnecting. The
  * protocol has no checksum, so the odometry refuses counts that the robot cannot have reached since
- * the last ones. If such counts keep coming, it starts again from them. */
+ * the last accepted ones. If such counts keep coming, it restarts from them. */
 #ifndef ROVER_ODOMETRY_H
 #define ROVER_ODOMETRY_H
 

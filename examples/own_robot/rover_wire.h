@@ -9,7 +9,7 @@
  *   e        counts of the left and right encoder        -120 4711
  *   m L R    speeds, counts per 1/30 s                   OK
  *   p N      queries ranger N, 0 to 4: cm, 0 for no echo 153
- *   a 0      battery, 0 to 1023 of 15 V                  839
+ *   a 0      battery, 0 to 1023 for 0 to 15 V            839
  *   w MS     stop after this time without an m           OK
  *
  * The board answers unknown commands with "Invalid Command". There is no checksum, and an answer

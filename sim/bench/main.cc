@@ -46,8 +46,8 @@ double seconds_since(std::clock_t start) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// Runs the simulation as the host does when it draws no picture, and calls `each_step` after each step of
-// the physics. Returns the time it took, in seconds.
+// Runs the simulation as the host does when it draws no picture, and calls `each_step` after each
+// step of the physics. Returns the time it took, in seconds.
 template <typename EachStep>
 double run_program(const frob_program &program, const Scene &scene, double duration_s,
                    double rate_hz, EachStep each_step) {

@@ -16,9 +16,9 @@ constexpr double strongest = 1e6; // maximum noise, at which pixels are already 
                                   // equal probability
 
 // Nearly normally distributed random numbers from 0 to 252. The array is so long that its reuse is
-// not noticeable. Each number is the sum of four 6-bit numbers. The noise in a row of a
-// picture is the sum of two sections of this array that begin at random positions. It has a mean of
-// 252 and a standard deviation of 52.249, and extends to nearly five standard deviations.
+// not noticeable. Each number is the sum of four 6-bit numbers. The noise in a row of a picture is
+// the sum of two sections of this array that begin at random positions. It has a mean of 252 and a
+// standard deviation of 52.249, and extends to nearly five standard deviations.
 class Grains {
   public:
     static constexpr float mean = 252.0f, deviation = 52.249f;

@@ -7,8 +7,8 @@
 namespace frob::sim {
 
 // A thing that a camera sees: its kind, and its index (from 0) among the things of this kind in the
-// world file.
-// Posters and tags are numbered together, posters first. Robots are in the order of their starts.
+// world file. Posters and tags are numbered together, posters first. Robots are in the order of
+// their starts.
 struct Thing {
     enum class Kind {
         sky,

@@ -1,9 +1,8 @@
 // Compiles selected loops for newer processors, too.
 //
 // On platforms that can select a version when the program is loaded, FROB_WIDE in front of a
-// function compiles it twice: for every x86-64 processor, and for those with
-// AVX2. The results are the
-// same, because neither version reorders or fuses floating-point operations.
+// function compiles it twice: for every x86-64 processor, and for those with AVX2. The results are
+// the same, because neither version reorders or fuses floating-point operations.
 #pragma once
 
 #include <cstddef> // defines __GLIBC__ with glibc

@@ -39,9 +39,8 @@ void add_echoes(const Simulation &simulation, std::size_t transducer, Series &se
 }
 
 // Sets the range of the plot so that it covers `low` to `high` and the whole last series, plus a
-// margin.
-// The other series are clipped if they exceed it, so that a single outlier among the echoes or
-// commands does not flatten the rest.
+// margin. The other series are clipped if they exceed it, so that a single outlier among the echoes
+// or commands does not flatten the rest.
 void fit(Plot &plot, double low, double high) {
     const Series &series = plot.series.back();
     for (const Vec &p : series.points)

@@ -33,7 +33,7 @@ class Robot {
     // once, at the first instant after it happened.
     virtual void read(std::int64_t time_ns, void *input) = 0;
 
-    // Takes the controller's command at this instant from the robot's output struct.
+    // Reads the controller's command at this instant from the robot's output struct.
     virtual void command(std::int64_t time_ns, const void *output) = 0;
 
     // All echoes in order of arrival, for the picture. If there is no picture, the simulation
@@ -92,8 +92,8 @@ struct RobotKind {
     std::size_t input_size, output_size; // sizes of its C structs
     std::function<const Chassis &()> chassis;
     std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
-    // Whether the robot has a default lidar and inertial measurement unit if the world file does
-    // not describe any.
+    // Whether the robot has a default lidar and a default inertial measurement unit, which apply if
+    // the world file does not describe any.
     bool equipped = false;
 };
 

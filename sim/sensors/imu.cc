@@ -9,13 +9,13 @@ namespace frob::sim {
 namespace {
 
 constexpr double gravity = 9.80665; // m/s^2
-constexpr double closest = 0.05;    // m; nearer to a magnet than this, its field falls linearly to
-                                    // zero
+constexpr double closest = 0.05;    // m; within this distance of a magnet, its field falls linearly
+                                    // to zero
 constexpr std::size_t most_waiting = 10000; // measurements that have not arrived yet
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
-// The velocity of the point between the wheels, in the world.
+// The velocity of the point midway between the wheels, in world coordinates.
 Vec velocity_of(const Body &body) {
     const b2Vec2 v = body.rigid().GetLinearVelocityFromLocalPoint({0.0f, 0.0f});
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -50,7 +50,7 @@ double Imu::compass(const Pose &pose) {
 // them adds no error.
 //   gyroscope = (1 + scale error) * rate + bias + noise * n
 //   accelerometer = acceleration + (0, 0, gravity) + bias + noise * n
-// The bias of the gyroscope walks: bias += drift * sqrt(seconds) * n.
+// The bias of the gyroscope performs a random walk: bias += drift * sqrt(seconds) * n.
 frob_imu Imu::measure(double seconds, const Body &body) {
     const Pose pose = body.pose();
     const Vec velocity = velocity_of(body);

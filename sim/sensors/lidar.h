@@ -1,4 +1,4 @@
-// A lidar: rays in many directions of the plane, all measured at the same time.
+// A lidar: rays in many horizontal directions, all measured at the same time.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ class LightBumpers {
     // Signals from left to right, 0 to 4095: a constant divided by the squared distance.
     const std::array<std::int32_t, 6> &signals() const { return signals_; }
 
-    // The echoes since the last call of `forget_echoes`, for the picture: approximately ten a
+    // The echoes since the last call to `forget_echoes`, for the picture: approximately ten a
     // second for each sensor.
     const std::vector<Echo> &echoes() const { return echoes_; }
     void forget_echoes() { echoes_.clear(); }

@@ -3,8 +3,8 @@
 namespace frob::sim {
 
 Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
-    // Mixes the seed before adding the stream's number, so that no stream is a shifted copy of a
-    // stream of a neighbouring seed.
+    // Mixes the seed before adding the stream's number, so that the streams of neighbouring seeds
+    // are not shifted copies of each other.
     state_ = next() + stream;
     state_ = next();
 }

@@ -20,7 +20,7 @@ class Noise {
     double uniform();
 
     // A normal distribution with mean 0 and standard deviation 1, limited to ±4.9. It is computed
-    // only by additions, because libraries differ in the last bit of `log` and `cos`.
+    // using only additions, because libraries differ in the last bit of `log` and `cos`.
     double normal();
 
     // 64 random bits.

@@ -6,8 +6,8 @@
 namespace frob::sim {
 namespace {
 
-constexpr double right_above = 0.01; // m; at a smaller horizontal distance, no object fits in
-                                     // between
+constexpr double right_above = 0.01; // m; below this horizontal distance, no object fits between
+                                     // cell and lamp
 
 } // namespace
 

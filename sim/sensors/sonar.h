@@ -39,7 +39,7 @@ class Sonar {
             }
     }
 
-    // All echoes that have arrived since the last call of `forget_echoes`, in order of arrival.
+    // All echoes that have arrived since the last call to `forget_echoes`, in order of arrival.
     const std::vector<Echo> &echoes() const { return echoes_; }
     void forget_echoes() { echoes_.clear(); }
 

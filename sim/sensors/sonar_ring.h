@@ -9,7 +9,7 @@ namespace frob::sim {
 
 // Transducers that fire in turn.
 struct SonarArray {
-    std::vector<std::size_t> order; // indices of their seats
+    std::vector<std::size_t> order; // their indices in RangeFinders::seats
     std::int64_t first_ping_ns;     // since the start
 };
 

@@ -10,7 +10,7 @@ namespace frob::serve {
 const char usage[] =
     "usage: frob-serve --world WORLD.toml [OPTION]...\n"
     "\n"
-    "Simulates a robot that speaks its serial protocol, in real time. The first line on\n"
+    "Simulates a robot and its serial protocol in real time. The first line on\n"
     "standard output is `device: ` and the device to connect to.\n"
     "\n"
     "  --robot ROBOT      pioneer, scout or create\n"

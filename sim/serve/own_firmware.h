@@ -19,7 +19,7 @@ struct OwnRobot {
     const frob_board *board = nullptr;
 };
 
-// Loads the descriptions of the robot from a shared object, which was compiled from the user's C
+// Loads the descriptions of the robot from a shared object that was compiled from the user's C
 // files. The object stays loaded. Throws WrongUse if a part is missing.
 OwnRobot load_own_robot(const std::string &object, const std::string &robot);
 

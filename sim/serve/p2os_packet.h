@@ -13,7 +13,7 @@ namespace frob::serve {
 // Builds a packet: FA FB, count, body, and the checksum with its high byte first.
 Bytes p2os_packet(const Bytes &body);
 
-// Builds a packet's body. Numbers are little-endian, and texts end with a NUL.
+// Builds a packet's body. Numbers are little-endian, and strings end with a NUL.
 class P2osBody {
   public:
     explicit P2osBody(std::uint8_t type) : bytes_{type} {}

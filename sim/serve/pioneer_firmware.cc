@@ -175,7 +175,8 @@ std::int64_t PioneerFirmware::next_ns() const {
     return open_ ? std::min(sip_ns_, servo_ns_) : servo_ns_;
 }
 
-// Lets the motors follow the setpoints, if they are on and the watchdog has not tripped.
+// Makes the motors follow the setpoints if the motors are on and the watchdog has not tripped;
+// otherwise stops them.
 void PioneerFirmware::drive() {
     frob_pioneer_output output{};
     if (motors_ && !tripped_) {

@@ -84,7 +84,7 @@ class PioneerFirmware : public Firmware {
     struct Echo {
         bool fresh = false; // not yet reported in a SIP
         double range_m = 5.0;
-        std::int64_t at_ns = 0; // time at which the transducer last had a result
+        std::int64_t at_ns = 0; // time of the transducer's last result
     };
     std::array<Echo, 16> echoes_{};
 };

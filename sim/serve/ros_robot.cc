@@ -74,7 +74,8 @@ void RosRobot::open_sensors() {
         sensors_.push_back({frob_sim_open_imu(sim_, name), false, name});
     if (sensors_.size() > ROS_SENSORS_MOST)
         throw WrongUse(
-            "the world has more than eight lidars and inertial measurement units: remove some");
+            "the world has more than eight lidars and inertial measurement units in total: remove "
+            "some");
 }
 
 void RosRobot::start(const std::string &node, bool stamped,

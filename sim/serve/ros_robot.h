@@ -2,10 +2,10 @@
 // velocities that it receives on cmd_vel.
 //
 // The node is a separate process (runtime/hosts/ros_robot), because the simulator does not depend
-// on ROS. A socket connects them; its messages are those of runtime/hosts/ros/messages.h.
+// on ROS. They communicate over a socket; runtime/hosts/ros/messages.h defines the messages.
 //
-// Timestamps and /clock are based on this machine's time, so that other nodes may use either of
-// them.
+// Timestamps and /clock are based on this machine's time, so other nodes may use either the system
+// clock or /clock.
 #pragma once
 
 #include <cstdint>

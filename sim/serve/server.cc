@@ -12,7 +12,7 @@ constexpr std::int64_t most_wait_ns = 5'000'000; // also the maximum time until 
                                                  // noticed
 constexpr std::int64_t pause_ns = 100'000'000;   // longer than any pause within a command
 
-// Replaces a byte that was received at the wrong rate with a different value.
+// Corrupts a byte that was received at the wrong rate.
 std::uint8_t garbled(std::uint8_t byte) { return static_cast<std::uint8_t>((byte ^ 0x5A) * 3 + 1); }
 
 } // namespace

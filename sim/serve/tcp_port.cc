@@ -60,7 +60,7 @@ void TcpPort::accept_one() {
     if (client_ >= 0) setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
 }
 
-// Reads all remaining bytes of a client that has left, so that the next one can connect
+// Reads all remaining bytes from a client that has left, so that the next one can connect
 // immediately.
 Bytes TcpPort::read() {
     Bytes bytes;

@@ -24,7 +24,7 @@ Terminal::Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_C
     cfmakeraw(&settings);
     cfsetspeed(&settings, B9600);
     tcsetattr(master_, TCSANOW, &settings);
-    // A terminal reports a hang-up only after its other side has been open once.
+    // A terminal reports a hang-up only if its other side has been open before.
     const int once = open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (once >= 0) close(once);
 }

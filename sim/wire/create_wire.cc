@@ -37,7 +37,7 @@ constexpr std::array<Group, 11> groups = {{{0, 7, 26},
                                            {106, 46, 51},
                                            {107, 54, 58}}};
 
-// A text that the robot sends while it restarts, and its time after opcode 7.
+// Text that the robot sends while it restarts, and how long after opcode 7 it is sent.
 struct Said {
     std::int64_t after_ns;
     const char *text;

@@ -6,13 +6,13 @@
 // brushes and schedules have no effect. There is no watchdog: the last drive command stays in
 // effect.
 //
-// The robot refreshes its sensors every 15 ms. It answers a query at the next refresh, but at least
-// a millisecond after the query, because it needs this time to process the query. Therefore a
-// client never receives an answer immediately after writing a query.
+// The robot refreshes its sensors every 15 ms. It answers a query at the next refresh, but no
+// sooner than a millisecond after the query, because processing the query takes that long.
+// Therefore a client never receives an answer immediately after writing a query.
 //
-// Opcode 7 restarts the robot. That takes 3 s, in which it ignores commands and sends the text of
-// its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a client
-// library for the Roomba 600).
+// Opcode 7 restarts the robot. This takes 3 s, during which it ignores commands and sends the text
+// of its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a
+// client library for the Roomba 600).
 #pragma once
 
 #include <array>

@@ -57,7 +57,7 @@ void put(std::vector<std::uint8_t> &to, unsigned value) {
     to.push_back(static_cast<std::uint8_t>(value >> 8 & 0xFFu));
 }
 
-// Encodes a number as sign and magnitude; the highest bits of larger numbers are lost.
+// Encodes a number as sign and magnitude. A number that does not fit loses its highest bits.
 void put_signed(std::vector<std::uint8_t> &to, double value) {
     const long long n = std::llround(value);
     put(to, static_cast<unsigned>(std::llabs(n) & 0x7FFF) | (n < 0 ? 0x8000u : 0u));

@@ -1,4 +1,5 @@
-// A simulated Scout's end of its serial line, for any body that uses the structs of <frob/scout.h>.
+// The robot's end of the serial line of a simulated Scout, for any body that uses the structs of
+// <frob/scout.h>.
 //
 // This code was written from the protocol's description (Nomadics' Ndirect) and independently of
 // the driver, so that each of them tests the other. The robot sends one answer to each command, and

@@ -1,4 +1,4 @@
-// Measures how well the robot keeps its distance from a ball, from the true positions.
+// Measures how well the robot keeps its distance from a ball, based on the true positions.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ class BallDistance {
   public:
     explicit BallDistance(const MeasureSettings &settings) : settings_(settings) {}
 
-    // Takes the robot's pose and the positions of the balls at an instant of the controller.
+    // Records the robot's pose and the positions of the balls at a step of the controller.
     // Returns the horizontal distance from the middle of the robot's axle to the centre of the
     // nearest ball.
     double observe(std::int64_t time_ns, const Pose &robot, const std::vector<Vec> &balls);

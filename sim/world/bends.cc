@@ -32,7 +32,7 @@ std::vector<Corner> corners_of(const std::vector<Vec> &points, bool closed) {
 void add_bend(const Corner &corner, double radius, std::vector<Vec> &to) {
     const double turn = corner.turn(), reach = corner.reach(radius);
     const Vec begin = corner.here - reach * corner.in();
-    const double side = turn < 0.0 ? -1.0 : 1.0; // the centre is on the left of a left turn
+    const double side = turn < 0.0 ? -1.0 : 1.0; // in a left turn, the centre is on the left
     const Vec in = corner.in();
     const Vec middle = begin + side * radius * Vec{-in.y, in.x};
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / piece)));

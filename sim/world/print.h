@@ -1,4 +1,4 @@
-// A printed picture: from a PGM or PPM file, or an AprilTag.
+// A printed picture, read from a PGM or PPM file, or an AprilTag.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ class Print {
     static Print tag(int id);
     static constexpr int tags = 30;
 
-    // The colours at `count` places under a light: x runs from 0 at the left to 1 at the right, and
-    // y from 0 at the top to 1 at the bottom. `per_width` is the number of camera pixels that the
-    // picture's width would cover at the scale of each place. Writes three numbers for each place,
-    // computed in single precision.
+    // Computes the colours at `count` places, multiplied by `light`. x runs from 0 at the left to 1
+    // at the right, and y from 0 at the top to 1 at the bottom. `per_width` is the number of camera
+    // pixels that the picture's width would cover at the scale of each place. Writes three numbers
+    // for each place, computed in single precision.
     void colours(int count, const float *x, const float *y, const float *per_width, float light,
                  float *to) const;
 

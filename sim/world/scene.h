@@ -85,9 +85,9 @@ struct CameraSettings {
     static constexpr int most_pixels = 2048; // maximum width and height
     double field_of_view = radians(60.0);    // horizontal
     double rate = 30.0;                      // Hz
-    double latency = 0.0;                    // s, from a frame's exposure to its arrival at the
-                                             // program
-    double rolling = 0.0;      // s, between the exposures of a frame's first and last row
+    double latency = 0.0;                    // s, from a frame's exposure until the program
+                                             // receives it
+    double rolling = 0.0;      // s, between the exposures of a frame's first and last rows
     double jitter = 0.0;       // s, maximum deviation from a frame's regular time
     double dropout = 0.0;      // fraction of frames that are lost
     double noise = 0.0;        // standard deviation of a pixel's value, on the scale from 0 to 255
@@ -99,9 +99,9 @@ struct CameraSettings {
     // chassis.h).
     std::optional<double> ahead, left, up;     // m
     double yaw = 0.0, pitch = 0.0, roll = 0.0; // rad: to the left, down, clockwise
-    // For cameras of a stereo pair: the offset along the camera's rows, in m to the left; a
-    // misalignment that programs do not know; and the index of the camera that takes its frames at
-    // the same times.
+    // For cameras of a stereo pair: `aside` is the offset along the camera's rows, in m to the
+    // left; the `askew_` angles are a misalignment that programs do not know about; `partner` is
+    // the index of the camera that takes its frames at the same times.
     double aside = 0.0;
     double askew_yaw = 0.0, askew_pitch = 0.0, askew_roll = 0.0; // rad
     std::optional<std::size_t> partner;
@@ -115,7 +115,7 @@ struct LidarSettings {
     double field_of_view = radians(360.0);
     double nearest = 0.1, farthest = 12.0; // m, its range
     double rate = 10.0;                    // scans per second
-    double latency = 0.0;                  // s, from a scan to its arrival at the program
+    double latency = 0.0;                  // s, from a scan until the program receives it
     double noise = 0.0;                    // m, standard deviation
     double dropout = 0.0;                  // probability that a ray is lost
     double ahead = 0.0, left = 0.0;        // m, its position on the robot
@@ -129,7 +129,7 @@ struct LidarSettings {
 struct ImuSettings {
     std::string name = "imu"; // the name that programs use
     double rate = 100.0;      // measurements per second
-    double latency = 0.0;     // s, from a measurement to its arrival at the program
+    double latency = 0.0;     // s, from a measurement until the program receives it
     // The gyroscope. The bias is drawn at the start of each run; `gyro_bias` is its standard
     // deviation over all runs.
     double gyro_noise = 0.0; // rad/s, standard deviation
@@ -186,8 +186,8 @@ struct BatterySettings {
     double drain = 0.0;            // V/s
 };
 
-// Times at which the host loses the robot, as if the cable were unplugged; the program does not
-// run.
+// Times during which the host has lost the robot, as if the cable were unplugged, and the program
+// does not run.
 struct OutageSettings {
     double from = 0.0;  // s
     double lasts = 0.0; // s; 0 if there is no outage
@@ -210,7 +210,7 @@ struct Hole {
     std::vector<Vec> points;
 };
 
-// Tape on the floor: a polyline with a width, whose corners and free ends are round. Only cameras
+// Tape on the floor: a polyline with a width; its corners and free ends are round. Only cameras
 // and sensors that look down see it.
 struct Tape {
     std::vector<Vec> points; // including the arcs at its corners

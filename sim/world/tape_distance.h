@@ -1,4 +1,4 @@
-// Measures how well the robot keeps to the tape on the floor, from its true position.
+// Measures how well the robot keeps to the tape on the floor, based on its true position.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +24,17 @@ class TapeDistance {
     // The scene must contain a tape, and must outlive this object.
     TapeDistance(const Scene &scene, const MeasureSettings &settings);
 
-    // Takes the robot's pose at an instant of the controller. Returns the distance from the middle
-    // of its axle to the centre line of the nearest tape.
+    // Records the robot's pose at a step of the controller. Returns the distance from the middle of
+    // its axle to the centre line of the nearest tape.
     double observe(std::int64_t time_ns, const Pose &robot);
 
     // Distances since the robot settled; NaN if it has not settled.
     double mean() const;
     double largest() const;
 
-    // Distance travelled along the tape since the robot settled, in the order of the tape's points;
-    // on a closed tape, laps add up. Jumps between two instants (at a crossing, or from one tape to
-    // another) do not count.
+    // Distance travelled along the tape since the robot settled, positive in the order of the
+    // tape's points; on a closed tape, laps add up. Jumps between two instants (at a crossing, or
+    // from one tape to another) do not count.
     double way() const { return way_; }
 
   private:

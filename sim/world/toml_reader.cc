@@ -126,7 +126,7 @@ std::optional<double> TomlReader::as_number(const toml::node &node, std::string_
                                             Range range) {
     const std::optional<double> value = node.value<double>();
     if (!node.is_number() || !value) {
-        mistakes_.add(node.source(), quoted(key) + " is " + kind(node) + ", expected a number");
+        mistakes_.add(node.source(), quoted(key) + " is " + kind(node) + ", but must be a number");
         return std::nullopt;
     }
     if (!within(*value, range)) {
@@ -153,7 +153,7 @@ bool TomlReader::boolean(std::string_view key, bool otherwise) {
     if (node == nullptr) return otherwise;
     if (!node->is_boolean())
         mistakes_.add(node->source(),
-                      quoted(key) + " is " + kind(*node) + ", expected true or false");
+                      quoted(key) + " is " + kind(*node) + ", but must be true or false");
     return node->value_or(otherwise);
 }
 
@@ -187,7 +187,8 @@ std::string TomlReader::string(std::string_view key) {
     const toml::node *node = find(key);
     if (node == nullptr) return "";
     if (!node->is_string())
-        mistakes_.add(node->source(), quoted(key) + " is " + kind(*node) + ", expected a string");
+        mistakes_.add(node->source(),
+                      quoted(key) + " is " + kind(*node) + ", but must be a string");
     return node->value_or(std::string());
 }
 
@@ -237,8 +238,8 @@ const toml::table *TomlReader::table(std::string_view key) {
     const toml::node *node = find(key);
     if (node == nullptr) return nullptr;
     if (!node->is_table())
-        mistakes_.add(node->source(), quoted(key) + " is " + kind(*node) + ", expected a table [" +
-                                          std::string(key) + "]");
+        mistakes_.add(node->source(), quoted(key) + " is " + kind(*node) +
+                                          ", but must be a table [" + std::string(key) + "]");
     return node->as_table();
 }
 
@@ -250,8 +251,8 @@ std::vector<const toml::table *> TomlReader::tables(std::string_view key) {
     const auto is_table = [](const toml::node &item) { return item.is_table(); };
     if (list == nullptr || !std::all_of(list->begin(), list->end(), is_table)) {
         mistakes_.add(node->source(), quoted(key) + " is " + kind(*node) +
-                                          "; write each one as a table of its own, [[" +
-                                          std::string(key) + "]]");
+                                          "; write a separate table [[" + std::string(key) +
+                                          "]] for each " + std::string(key));
         return tables;
     }
     for (const toml::node &item : *list) tables.push_back(item.as_table());

@@ -78,7 +78,7 @@ std::optional<std::string> about_number(std::string_view line, std::string_view 
         (rest.front() == '/' || rest.front() == '*' || rest.front() == '+' || rest.front() == '-'))
         return std::string("expressions are not allowed here: write the result");
     if (number.front() == '.' || number.back() == '.')
-        return std::string("a number needs digits on both sides of its point, as in `0.5`");
+        return std::string("a number needs digits on both sides of the decimal point, as in `0.5`");
     return std::nullopt;
 }
 
@@ -121,10 +121,10 @@ std::optional<std::string> sentence(std::string_view line, std::size_t column,
     if (has(description, "expected '='"))
         return std::string("write a key, `=` and its value, as in `x = 0.5`");
     if (has(description, "root table"))
-        return std::string("write a key, `=` and its value, a table's name such as `[start]`, or a "
-                           "comment, which begins with `#`");
+        return std::string("write `key = value`, a table's name such as `[start]`, or a comment, "
+                           "which begins with `#`");
     if (is_decimal_comma(line, column))
-        return std::string("write the number with a point, not with a comma");
+        return std::string("write the number with a decimal point, not with a comma");
     const std::optional<std::string> found = about_value(line, column, description);
     if (found) return found;
     if (has(description, "parsing array"))

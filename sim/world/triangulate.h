@@ -14,7 +14,8 @@ using Triangle = std::array<Vec, 3>;
 // the outline runs counter-clockwise.
 double signed_area(const std::vector<Vec> &outline);
 
-// Whether no two edges cross or touch, except neighbours at their common point.
+// Whether the outline is simple: no two edges cross or touch, except neighbours at their common
+// point.
 bool is_simple(const std::vector<Vec> &outline);
 
 // Triangulates a simple counter-clockwise outline by ear clipping, in time quadratic in the number

@@ -1,4 +1,4 @@
-// Measures how well the robot keeps its distance from the wall, from its true position.
+// Measures how well the robot keeps its distance from the wall, based on its true position.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class WallDistance {
     WallDistance(const Scene &scene, const Chassis &chassis, const MeasureSettings &settings)
         : scene_(scene), chassis_(chassis), settings_(settings) {}
 
-    // Takes the robot's pose at an instant of the controller. Returns the distance from the
+    // Records the robot's pose at a step of the controller. Returns the distance from the
     // measured side of the robot to the nearest wall or other solid.
     double observe(std::int64_t time_ns, const Pose &robot);
 

@@ -7,9 +7,9 @@
 #include "triangulate.h"
 
 // In each step, Box2D reads the clock dozens of times for a profile that the simulator does not
-// use. On systems where reading the clock is slow, this takes a third of a run. The following
-// definitions, which do not read the clock, replace the library's, because they are linked first.
-// Box2D's results do not depend on the clock.
+// use. On systems where reading the clock is slow, this takes a third of the run time.
+// The following definitions, which do not read the clock, replace the library's, because they are
+// linked first. Box2D's results do not depend on the clock.
 b2Timer::b2Timer() {}
 void b2Timer::Reset() {}
 float b2Timer::GetMilliseconds() const { return 0.0f; }
@@ -39,8 +39,8 @@ void add_fixture(b2Body &body, const b2Shape &shape, float density, std::size_t 
 void add_polygon(b2Body &body, const b2Vec2 *points, int count, bool skin, std::size_t name) {
     b2PolygonShape shape;
     shape.Set(points, count);
-    // Box2D keeps polygons apart by a skin on each of them. Solids do not get a skin, so that the
-    // sonar and the bumper detect them at the same place.
+    // Box2D keeps polygons apart with a skin around each of them. Solids do not get a skin, so that
+    // the sonar and the bumper detect them at the same place.
     if (!skin) shape.m_radius = 0.0f;
     add_fixture(body, shape, 0.0f, name);
 }
@@ -66,7 +66,7 @@ void add_wall(b2Body &body, const Wall &wall, std::size_t name) {
     }
 }
 
-// Box2D replaces triangles that it considers degenerate with a square of 1 m^2, so triangles that
+// If Box2D considers a triangle degenerate, it uses a square of 1 m^2 instead, so triangles that
 // are too narrow for Box2D are omitted.
 bool is_solid(const Triangle &t) {
     const double longest =

@@ -400,7 +400,7 @@ AmbientSettings read_ambient(TomlReader reader, bool has_lamps) {
     ambient.noise = reader.number("noise", ambient.noise, Range::not_negative);
     ambient.white = reader.optional_number("white", Range::positive);
     if (ambient.white && ambient.light == 0.0 && !has_lamps)
-        reader.mistake_at("white", "with `white`, cameras need light, and this world has "
+        reader.mistake_at("white", "with `white`, cameras need light, but this world has "
                                    "none: add `light`, or a table [[lamp]]");
     reader.finish();
     return ambient;
@@ -549,9 +549,9 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
     if (const toml::table *table = reader.table("measure"))
         scene.measure = read_measure(inside(table));
     if (scene.measure && scene.measure->what == MeasureSettings::What::tape && scene.tapes.empty())
-        reader.mistake_at("measure", "`measure` needs a [[tape]], and this world has none");
+        reader.mistake_at("measure", "`measure` needs a [[tape]], but this world has none");
     if (scene.measure && scene.measure->what == MeasureSettings::What::ball && scene.balls.empty())
-        reader.mistake_at("measure", "`measure` needs a [[ball]], and this world has none");
+        reader.mistake_at("measure", "`measure` needs a [[ball]], but this world has none");
     look_at_boxes(reader, scene.boxes);
     look_at_points(reader, scene);
     reader.finish();

@@ -7,10 +7,10 @@
 type severity = Error | Warning
 
 type text
-(** A text for users. Code that needs to know what a message says asks for its topics instead. *)
+(** Text for users. Code that needs to know what a message says uses its topics instead. *)
 
 val for_display : text -> string
-(** Only renderers and the language server call this function; a test checks it. *)
+(** Only renderers and the language server call this function; a test checks this. *)
 
 type topic = ..
 (** The subject of a message or of a hint, for the rules that need to know whether it has been
@@ -43,7 +43,7 @@ type t = {
   notes : text list;
   hints : hint list;  (** suggested corrections, each of which is probably right *)
   fixes : fix list;  (** the hints that a tool can apply, as edits *)
-  about : topic list;  (** the topics of the message, its labels and notes *)
+  about : topic list;  (** the topics of the message, the labels and the notes *)
 }
 
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
@@ -62,7 +62,8 @@ val message : 'a extend
 (** Replaces the message. *)
 
 val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
-(** [fix title edits] replaces the text at each place. Not safe by default. *)
+(** [fix title edits] adds a fix that replaces the text at each place. It is not [safe] by
+    default. *)
 
 val write : Span.t -> string -> t -> t
 (** Adds a fix that replaces the text at this place, with the title [write `…`]. *)

@@ -19,8 +19,9 @@ val ignored : unit -> 'fact t
 (** Discards all facts. *)
 
 val map : ('a -> 'b) -> 'b t -> 'a t
-(** A sink for a stage that runs another stage. It wraps each reported fact in a fact of the outer
-    stage. {!hold} on the argument cannot hold facts that are reported to the result. *)
+(** A sink for a stage that runs inside another stage. It wraps each reported fact in a fact of the
+    outer stage. Calling {!hold} on the outer stage's sink does not hold the facts reported to this
+    sink. *)
 
 val report : 'fact t -> 'fact -> unit
 
@@ -49,7 +50,8 @@ val hold : 'fact t -> (unit -> 'a) -> 'a * 'fact held list
 val fact : 'fact held -> 'fact
 
 val is_within : Span.t list -> 'fact held -> bool
-(** Is each diagnostic of this fact located within one of these spans? False if it has none. *)
+(** Is each diagnostic of this fact located within one of these spans? False if the fact has no
+    diagnostic. *)
 
 val pass_on : 'fact t -> 'fact held -> unit
 (** Reports the held fact, with the diagnostic that it already has. *)

@@ -5,6 +5,6 @@ val closest : string -> string list -> string option
     (inserting, deleting or replacing a character, or swapping two neighbours), if that is
     plausible: at most one edit per three characters, and at most three. A difference only in case
     counts as distance 0. Ties are broken alphabetically, so the order of [candidates] is
-    irrelevant. Otherwise, the only candidate with the same words in another order, such as
-    [wallFollow] for [followWall]. For a single character, the only suggestion is the same letter in
-    the other case. *)
+    irrelevant. Otherwise, the result is the only candidate with the same words in another order,
+    such as [wallFollow] for [followWall]. For a single character, the only suggestion is the same
+    letter in the other case. *)

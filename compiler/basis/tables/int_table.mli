@@ -1,8 +1,8 @@
 (** Hash tables keyed by small integers, such as the ids of signals, variables and fields.
 
-    Passes look up signals a hundred times for each line of a program. Compared with [Hashtbl] from
-    the standard library, hashing and comparing keys costs almost nothing here, and an empty table
-    takes almost no memory. The interface is a subset of the interface of [Hashtbl]. *)
+    Passes look up signals a hundred times for each line of a program. Unlike in the standard
+    library's [Hashtbl], hashing and comparing keys costs almost nothing, and an empty table takes
+    almost no memory. The interface is a subset of the interface of [Hashtbl]. *)
 
 type 'a t
 

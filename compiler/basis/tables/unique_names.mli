@@ -8,7 +8,8 @@ val create : unit -> t
 val clear : t -> unit
 
 val find : t -> id:int -> string -> string
-(** The name under which to show the variable that has this id and this name in the program. *)
+(** [find t ~id name] is the name under which to show the variable [id], which the program calls
+    [name]. *)
 
 val find_opt : t -> int -> string option
 (** The name that {!find} returned for the variable with this id; [None] if {!find} was not called

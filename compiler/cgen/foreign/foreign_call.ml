@@ -106,7 +106,7 @@ let give output value =
     (if String.equal output.pointer "" then Ir.Return value
      else Assign (Unary (Dereference, Name output.pointer), value))
 
-(* Declares a variable for each output, which holds the C function's result until the output is
+(* Declares, for each output, a variable that holds the C function's result until the output is
    assigned. *)
 let through_variables v names ~initial outputs results call =
   let own output =

@@ -1,7 +1,7 @@
 (** Accesses places in the structs of an {!Interface}. *)
 
 val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
-(** The place that a path leads to from a pointer to the struct, given an index for each array on
+(** The place reached along a path from a pointer to the struct, given an index for each array on
     the path. *)
 
 val for_each :

@@ -1,8 +1,8 @@
 (** Generates a function that runs many steps in one call, for replay and simulation. It takes
-    arrays of inputs and fills arrays of outputs. It is defined in the source file of the step, so
-    that C compilers can inline the step. It calls the root's step, which takes dt in nanoseconds
-    and in seconds and converts neither. The outputs therefore equal those of single steps, bit for
-    bit. *)
+    arrays of inputs and fills arrays of outputs. It is defined in the same source file as the step,
+    so that C compilers can inline the step. It calls the root's step, which takes dt both in
+    nanoseconds and in seconds and converts neither, so the outputs are bit-for-bit identical to
+    those of single steps. *)
 
 type t = {
   prototype : string;  (** text for the header, including a comment *)

@@ -29,7 +29,7 @@ val declared : t -> (M.variable * string) list -> Ir.statement list
     type share a declaration. *)
 
 val uninitialized : t -> M.variable list -> Ir.statement list
-(** Like {!declared}, but with the variables' own names, and with the last declaration first. *)
+(** Like {!declared}, but with the variables' own names, and in reverse order. *)
 
 val in_seconds : Program_names.t -> Ir.expr -> Ir.expr
 (** Converts 64-bit nanoseconds to seconds. *)

@@ -29,8 +29,8 @@ val field : names -> Step.Ir.field -> Ir.expr
 (** The expression [self->x]. *)
 
 val state : names -> Step.Ir.field -> Ir.expr
-(** The argument for the function of a node whose state this field contains: a pointer to the struct
-    that contains the node's state. *)
+(** A pointer to the struct that contains the state of the field's node: the argument for that
+    node's functions. *)
 
 val reaches_state : names -> bool
 (** Whether any field of the state has been accessed. *)
@@ -38,7 +38,7 @@ val reaches_state : names -> bool
 val bounded : names -> Step.Ir.field -> Step.Ir.expr -> Ir.statement_desc option
 (** The statement that writes a bounded time ({!Step.Short_times}); [None] for other fields. The
     state stores the time that is left until the bound. If {!Step.Short_times.reached} contains the
-    time, the statement declares a variable that later comparisons with the bound read. *)
+    time, the statement also declares a variable, which later comparisons with the bound use. *)
 
 val unlimited : names -> Step.Ir.variable -> Step.Ir.expr -> Step.Ir.expr
 (** The initial value in the declaration of a variable. For a variable that {!Limits} found, this is
@@ -53,7 +53,7 @@ val arguments : names -> Step.Ir.variable list -> Step.Ir.expr list -> Ir.expr l
 (** The arguments for these parameters of a node's function. *)
 
 val operand : names -> at:Basis.Span.t -> Step.Ir.expr -> Ir.expr
-(** Like {!of_step}, for an operand of the operation at this place, or for the value of the
-    statement at this place. A number that has a name at this place in the source keeps the name. *)
+(** Like {!of_step}, but a number that has a name in the source keeps it. [at]: the place of the
+    operation that has this operand, or of the statement that has this value. *)
 
 val of_step : names -> Step.Ir.expr -> Ir.expr

@@ -209,7 +209,7 @@ let read_elements names variable steps =
 
 let input (v : Program_names.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
-(* Limits the values of dt that the caller of the root's step passes. *)
+(* Limits the values of dt that callers pass to the root's step. *)
 let limited_times (v : Program_names.t) k =
   let limit name function_ = [ plain (Ir.Assign (Name name, Call (function_, [ Name name ]))) ] in
   (if Step.Dt_limits.nanoseconds v.dt_limits k then limit "dt_ns" "frob_span" else [])
@@ -218,7 +218,7 @@ let limited_times (v : Program_names.t) k =
   | Unlimited | Where_used -> []
   | Both_ways -> limit "dt" (V.in_precision v "frob_dt")
 
-(* Maximum number of operations of a function that is marked inline. *)
+(* Maximum number of operations in a function that is marked inline. *)
 let inline_size = 12
 
 let own_step (v : Program_names.t) k : Ir.function_ =

@@ -52,16 +52,16 @@ let zero c (v : M.variable) =
   let name = Expression.variable c.names v in
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
-(* Results need initial values if C compilers cannot see that they are assigned. If results may be
-   dropped, compilers cannot tell that the first mode always assigns them. If a mode may end early,
-   they cannot tell that another mode follows. *)
+(* Results need initial values if C compilers cannot see that every path assigns them. If results
+   may be discarded, compilers cannot tell that the first mode always assigns them. If a mode may
+   end early, compilers cannot tell that another mode follows. *)
 let results_of_run c (run : M.run) ~drops =
   let ends = List.exists (ends_early c) c.node.modes in
   if (not drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else List.map (zero c) run.results
 
-(* Calls a mode's step, which returns a single result, or writes several results to the places. *)
+(* Calls a mode's step. The step returns a single result, or writes several results to [places]. *)
 let call ?entered c (mode : M.mode) (case : M.case) places =
   let state = own_state c mode.state in
   let arguments = for_step c mode.node case.arguments in
@@ -72,7 +72,7 @@ let step ?entered c mode case = function
   | [ place ] -> plain (Ir.Assign (place, call ?entered c mode case []))
   | places -> plain (Ir.Do (call ?entered c mode case places))
 
-(* Maximum number of operations in a step that may be duplicated in each transition to its mode. *)
+(* Only steps with at most this many operations are duplicated in each transition to their mode. *)
 let direct_size = 24
 
 (* Subtracts the number of operations in this node's step and its callees from [most]. *)
@@ -88,9 +88,9 @@ let rec remaining (program : M.program) most k =
     node.step.body;
   !most
 
-(* Whether a mode takes its first step in the branch of the transition that enters it, and not in
-   another iteration of the loop. This requires that no second transition can follow in the instant.
-   *)
+(* Whether a mode takes its first step in the branch of the transition that enters it, rather than
+   in another iteration of the loop. This requires that no second transition can follow in the same
+   instant. *)
 let is_direct c (run : M.run) k =
   let mode = List.nth c.node.modes k in
   run.steps = 2 && (not run.late) && remaining c.v.program direct_size mode.node >= 0

@@ -27,8 +27,7 @@ let times (v : Program_names.t) ~root =
     ( [ plain (Ir.Variable { ty = Int64; name = "dt_ns"; value = rounded }) ],
       (dt_ns, if node.seconds then in_seconds v dt_ns else none) )
   else if node.seconds then
-    (* The replacement of dt by 0 must come first: if it came last, C compilers would duplicate the
-       step. *)
+    (* Replace dt with 0 first: if this came last, C compilers would duplicate the step. *)
     let whole = Ir.Call ("frob_whole_dt", [ dt ]) in
     match at_first v ~root none dt with
     | Name _ -> ([], (Ir.Integer 0l, whole))

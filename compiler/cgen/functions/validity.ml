@@ -31,7 +31,7 @@ type t = {
   names : string array;  (** name of the checking function of each node; [""] if it has none *)
 }
 
-(* The condition that the number of the running mode is one of the constants. *)
+(* Checks that the number of the running mode is one of the modes' constants. *)
 let in_range (v : Program_names.t) k running =
   let modes = v.nodes.(k).modes in
   let count = Array.length modes in

@@ -146,8 +146,7 @@ let convert out program sums shape side ~own ~host ~inward =
 
 (* {1 The step} *)
 
-(* Hosts always pass [params] to the table's functions. Returns the statement that ignores it, and
-   the text that passes it on; one of the two is empty. *)
+(* Hosts always pass [params] to the table's functions. *)
 let passed = function
   | None -> ("    (void)params;\n", "")
   | Some params -> ("", sprintf ", (const struct %s *)params" (Param_struct.struct_name params))

@@ -32,8 +32,8 @@ val definitions : Step.Ir.program -> side -> string
 (** The definition of the host's struct if it contains a robot's struct and other parts. *)
 
 val passed : Param_struct.t option -> string * string
-(** For a function of the table that receives [params]: the statement that ignores [params], and the
-    text that passes [params] on, after the state. *)
+(** The statement with which a function of the table ignores its argument [params], and the text
+    with which it passes that argument on, after the state. One of the two is empty. *)
 
 val step :
   params:Param_struct.t option ->

@@ -193,7 +193,7 @@ let input ~enumerations out (program : Step.Ir.program) (side : Border.side) =
   let locations = locations program side program.input in
   table_of ~enumerations out program ~prefix:"in" side locations program.input
 
-(* The table of the console's controls, with the values in the input that they set. *)
+(* The table of the console's controls, with the input values that they set. *)
 let controls out (program : Step.Ir.program) values =
   let bounds (kind : Core.Ir.control_kind) =
     match kind with
@@ -218,8 +218,8 @@ let controls out (program : Step.Ir.program) values =
   let rows = if values = [] then [] else List.map2 row program.console values in
   (table out "control" "controls" rows, List.length rows)
 
-(* If margins are enabled, exports the margin formulas of assertions, for tools that look up this
-   symbol. *)
+(* If margins are enabled, exports the margin formulas of assertions as [frob_margins], which tools
+   look up by name. *)
 let margins out (program : Step.Ir.program) =
   let text (claim : F.claim) = Option.fold ~none:"NULL" ~some:c_string claim.margin in
   if List.exists (fun (claim : F.claim) -> Option.is_some claim.margin) program.claims then
@@ -227,8 +227,8 @@ let margins out (program : Step.Ir.program) =
       "extern const char *const frob_margins[];\nconst char *const frob_margins[] = {%s};\n"
       (String.concat ", " (List.map text program.claims))
 
-(* The tables of the output, of the visible probes and of the verdicts of assertions. If the last
-   leaf of the output is the program's result, it has a table of its own. *)
+(* The tables for the output, the visible probes and the assertion verdicts. If the last leaf of the
+   output is the program's result, it has its own table. *)
 let outputs ~enumerations out (program : Step.Ir.program) (side : Border.side) =
   let probes = Interface.record_of program.probes in
   let all =

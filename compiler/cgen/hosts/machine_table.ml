@@ -9,8 +9,8 @@ type t = {
   within : (int * int) option;
 }
 
-(* The table omits arrays of more machines than this, because they would have too many columns to
-   read. *)
+(* Arrays with more machines than this are omitted, because they would need too many columns to be
+   readable. *)
 let longest_array = 64
 
 type search = {

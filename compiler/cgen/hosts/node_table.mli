@@ -5,7 +5,7 @@ type topic = {
   name : string;  (** before remapping: ["cmd_vel"] *)
   type_ : string;  (** the type of its messages: ["geometry_msgs/msg/Twist"] *)
   is_counted : bool;  (** whether the type of the field is [Event (Counted m)] *)
-  is_command : bool;  (** whether a message of zeros stops what the topic controls *)
+  is_command : bool;  (** whether an all-zero message stops the controlled device *)
 }
 
 type texts = {
@@ -13,7 +13,7 @@ type texts = {
   type_ : string;
   texts : string list;  (** one for each constructor, in order *)
 }
-(** An enumeration whose constructors are texts in messages. *)
+(** An enumeration whose constructors represent strings in messages. *)
 
 type enumeration = {
   constructors : string;  (** the name of the C table *)

@@ -10,7 +10,7 @@ type constant = {
 
 type t = at:Basis.Span.t -> float -> constant option
 (** The named constant that has this value and is written as an operand of the operation at this
-    place. [None] if there is no such constant, or if it is ambiguous which operand is meant. *)
+    place. [None] if there is no such constant, or if it is unclear which operand is meant. *)
 
 val none : t
 

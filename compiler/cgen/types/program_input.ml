@@ -6,8 +6,8 @@ type passed = Leaf of int  (** in all calls, this leaf of the input *) | Differe
 type node = {
   passed : (int, passed) Hashtbl.t;  (** arguments, by the id of the parameter *)
   mutable refused : bool;
-      (** whether the node cannot receive the pointer: a caller does not have it, or a call is in a
-          loop, in an expression or on trial *)
+      (** whether the node cannot receive the pointer: a caller does not have it, or a call is a
+          trial step or occurs in a loop or an expression *)
   mutable given : bool;
 }
 
@@ -63,7 +63,7 @@ let reads_only_elements body (variable : M.variable) steps ~by_pointer =
 (* Call this after all callers have been processed. *)
 let decide t k (node : M.node) =
   let own = t.nodes.(k) in
-  (* An array can only be read through the pointer if the node never needs it as a whole, because
+  (* An array can be read through the pointer only if the node never needs it as a whole, because
      arrays in the input have a different C type from local arrays. *)
   let check (v : M.variable) =
     match Hashtbl.find_opt own.passed v.id with
@@ -99,7 +99,7 @@ let note_call t ~from ~node parameters arguments =
   in
   List.iter2 note parameters arguments
 
-(* Visits the calls in a body that are statements, except in loops. *)
+(* Visits all calls that are statements in a body, except those in loops. *)
 let calls f (program : M.program) (node : M.node) body =
   let step k arguments = f k program.nodes.(k).step.parameters arguments in
   let case (mode : M.mode) (case : M.case) = step mode.node case.arguments in

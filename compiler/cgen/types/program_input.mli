@@ -25,8 +25,8 @@ val reads_only_elements :
   by_pointer:Step.Ir.variable list ->
   bool
 (** Whether a body reads an array with this path only element by element, never as a whole.
-    [by_pointer] are the variables that it passes through the pointer; see {!variables_by_pointer}.
-*)
+    [by_pointer]: the variables that the body passes through the pointer; see
+    {!variables_by_pointer}. *)
 
 val variables_by_pointer :
   t -> Step.Ir.program -> Step.Ir.node -> Step.Ir.statement list -> Step.Ir.variable list

@@ -19,7 +19,7 @@ type node = {
   step : string;
   members : member list;  (** the members of its struct *)
   paths : string list Basis.Int_table.t;
-      (** paths to the node's fields, by id, in the struct that contains them *)
+      (** paths to the node's fields within the struct that contains them, by id *)
   modes : mode array;  (** modes of its machine *)
   foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C *)
 }

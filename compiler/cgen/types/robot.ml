@@ -19,8 +19,8 @@ let wheels mm_s ~separation_mm =
     { quantity = "resulting turn rate"; size = turning; unit_ = "deg/s" };
   ]
 
-(* The driver and the simulator use the same numbers, from runtime/drivers/ROBOT;
-   tests/robots/line/steps.t compares them with these. *)
+(* These numbers must match those of the driver and the simulator, in runtime/drivers/ROBOT;
+   tests/robots/line/steps.t compares them. *)
 let default =
   robot "Pioneer" "pioneer"
     [

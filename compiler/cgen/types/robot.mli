@@ -43,14 +43,14 @@ val output : t -> string
 (** The type of the commands. *)
 
 val of_shape : ?own:t -> Flow.Ir.shape -> t option
-(** The robot that has the whole shape as its input or output type. *)
+(** The robot whose entire input or output type is this shape. *)
 
 type console = {
   part : string * Flow.Ir.shape;
   at : int;  (** number of the robot's leaves before the console *)
 }
-(** The operator's console in a robot's input belongs to the program, not to the robot. For hosts,
-    it comes after the robot's struct. *)
+(** The operator's console in a robot's input. It belongs to the program, not to the robot; in the
+    struct for hosts, it follows the robot's own struct. *)
 
 val apart : Flow.Ir.shape -> Flow.Ir.shape * console option
 (** Splits a robot's input into the robot's own part and the console. *)

@@ -1,8 +1,8 @@
 (** The units that comments state for the members of generated structs.
 
     Step has no units. Callers that have the types of the program supply the units in this form;
-    units only change comments. A unit is a text like [m/s]. It is [""] if the value is not a
-    number, if it is a plain number, or if its unit is not known. *)
+    units affect only comments. A unit is a string such as [m/s], or [""] if the value is not a
+    number, is a plain number, or has an unknown unit. *)
 
 type value = {
   unit_ : string;

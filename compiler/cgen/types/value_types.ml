@@ -6,7 +6,8 @@ type owner = Program | Robot | Foreign_code
 type known = {
   program : F.sum array;
   sum_owners : owner array;
-  array_owners : (M.ty, owner) Hashtbl.t;  (** owners of arrays that do not belong to the program *)
+  array_owners : (M.ty, owner) Hashtbl.t;
+      (** owners of the array types that the program does not own *)
 }
 
 type t = {

@@ -4,11 +4,11 @@
     and one for the user's C, with doubles. Types without Floats are only in the first table, and
     both sides share them. *)
 
-(** The owner of a type, whose header defines it. *)
+(** The owner of a type. The owner's header defines the type. *)
 type owner =
   | Program
   | Robot
-  | Foreign_code  (** the program, with a name that the user's C can use *)
+  | Foreign_code  (** the program, but the type has a name that the user's C can use *)
 
 type t
 

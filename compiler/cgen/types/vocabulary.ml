@@ -35,7 +35,7 @@ let name_modes (nodes : M.node array) scope ~prefix (node : M.node) =
   Array.of_list (List.map name node.modes)
 
 (* Names the members of a struct, and stores the paths to the fields. [within]: the path to the
-   struct, whose last member comes first. *)
+   struct, in reverse order. *)
 let rec name_members (nodes : node array) ~within members =
   let scope = Name.scope Members in
   let name (stores : Step.State_struct.member) =
@@ -133,8 +133,8 @@ type parts = {
 
 let parts_of_robots ?own known (program : M.program) =
   (* Robots' structs contain doubles. In single precision, the program's own structs differ from
-     them, and the table for hosts converts between them. However, the user's C may use types of the
-     robot. *)
+     them, and the table for hosts converts between the two. The robot then matters only if the
+     program imports C code, which may use the robot's types. *)
   let robot_of shape =
     match (program.real, program.imports) with
     | Single, [] -> None
@@ -197,8 +197,8 @@ let of_program ?own ?(units = Units.none) ?(named = Named_constants.none) (progr
   let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helpers.names ()) in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
-  (* Names that hosts and users see are chosen first: the names of the root are the program's own,
-     and its types precede internal functions. *)
+  (* Names that hosts and users see are chosen first, so that no internal name takes them: the root
+     gets the program's own names, and its types are named before internal functions. *)
   let root = name_root scope ~name in
   let params = Param_struct.of_program scope ~name program in
   let known = Value_types.known program.sums in

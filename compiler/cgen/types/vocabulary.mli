@@ -29,10 +29,10 @@ val literal : Program_names.t -> at:Basis.Span.t -> float -> Ir.expr
 val is_negative_zero : float -> bool
 
 val in_precision : Program_names.t -> string -> string
-(** The function of <frob/step.h> with this name, in the program's precision. *)
+(** The name of this function from [<frob/step.h>] in the program's precision. *)
 
 val call : Program_names.t -> string -> Ir.expr list -> Ir.expr
-(** Calls a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
+(** Calls a function from [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
 
 val elementary : Core.Primitive.elementary -> string
 (** The C function for doubles. The square root is the one from [<math.h>], which is correctly

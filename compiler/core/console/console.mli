@@ -33,14 +33,15 @@ val map_label : string
 (** The label to display for the map, since the program does not give it one. *)
 
 val tags_label : string -> string
-(** The label of the tags seen by the camera with this label. Hosts use it to find the camera. *)
+(** The label for the tags seen by the camera with this label. Hosts use it to find the camera. *)
 
 val lidar_label : string -> int -> string
-(** The label of the scans with this number of directions from the lidar with this label. Hosts use
-    it to find the lidar. *)
+(** The label for scans from the lidar with this label, resampled to this number of directions. Hosts
+    use it to find the lidar. *)
 
 val camera : Ir.control -> string option
-(** The label of the camera that supplies this control, if it is a camera or tags. *)
+(** The label of the camera that supplies this control; [None] if the control is neither a camera
+    nor tags. *)
 
 val simulated : Ir.control -> string option
 (** A description of the control if it is a sensor that only the simulator provides: "the lidar

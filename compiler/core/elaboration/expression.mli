@@ -1,6 +1,6 @@
 (** Translates expressions of Typed to expressions of Core.
 
-    An expression occurs either at a place of a proc that is evaluated at every instant, or
+    An expression occurs either in a part of a proc that is evaluated at every instant, or
     elsewhere. In the first case, each instance becomes a separate equation, and so does each
     [let]-bound variable, because instances may depend on it. In the second case, the levels
     guarantee that there are no instances. *)

@@ -42,7 +42,9 @@ let find table ~class_ ~name ty types =
   match split ty with
   | None -> None
   | Some (head, arguments) -> (
-      let missing () = bug "no method `%s` of class `%s` for a type" name class_.Ir.Global.name in
+      let missing () =
+        bug "the method `%s` of class `%s` has no definition for a type" name class_.Ir.Global.name
+      in
       match Hashtbl.find_opt table (class_, head) with
       | None -> missing ()
       | Some (i : Ir.instance) -> (

@@ -11,5 +11,6 @@ val find :
   Ir.ty ->
   Ir.ty list ->
   (Ir.Global.t * Ir.ty list) option
-(** The definition of a method for a type, and its type arguments, given the arguments for the
-    method's own parameters. [None] for a type variable. *)
+(** Returns the definition of a method for the given type, with all the type arguments of that
+    definition. The last argument contains the type arguments for the method's own parameters.
+    Returns [None] for a type variable. *)

@@ -60,7 +60,7 @@ let unique t scope name : Ir.Global.t =
   g
 
 (* The captured variables. A mentioned variable that has been lifted is replaced by the variables
-   that it captured itself. *)
+   that its own definition captures. *)
 let captured t ~own mentions =
   let expand (b : Ir.binder) =
     match Int_table.find_opt t.uses b.local.id with

@@ -17,7 +17,7 @@ val scope : Ir.Global.t -> Ir.variable list -> scope
 (** The scope of a top-level definition with these type parameters. *)
 
 val variable : table -> scope -> Typing.Ir.expr -> Ir.Local.t -> Ir.ty list -> Ir.expr
-(** The translation of a use of a local variable at these types. *)
+(** Translates a use of a local variable at these types. *)
 
 type lifted = {
   binding : Typing.Ir.binding;

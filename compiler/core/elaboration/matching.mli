@@ -23,5 +23,5 @@ type branch = {
 
 val case : Context.t -> root:Ir.expr -> Basis.Span.t -> branch list -> Ir.expr
 (** The value of the first branch that matches and whose guards do not all fail. The last branch is
-    not tested, because cases are exhaustive. If the branches after some branch are needed in two
-    places, they become a local function of [()], a join point. *)
+    not tested, because cases are exhaustive. If the branches after a given one are needed in two
+    places, they become a join point, which is a local function of [()]. *)

@@ -18,7 +18,7 @@ type t =
   | And of t * t
   | Or of t * t
   | Choice of t * t * t
-      (** the second formula at instants at which the first one is true, otherwise the third *)
+      (** the second formula when the first is true, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
       (** a function of the library's module Past, and the column of its time argument *)
 

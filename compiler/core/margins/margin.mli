@@ -11,8 +11,8 @@
     inputs can bring it closer. *)
 
 val program : Ir.program -> Ir.program * (Basis.Span.t -> Formula.t option)
-(** The program with these equations, and the formula of the assertion defined at a place; [None] if
-    there is no assertion, or if the formula would be too large. *)
+(** The program with these equations, and a function that returns the formula for the assertion
+    defined at a place, or [None] if there is no assertion or its formula would be too large. *)
 
 val column : string -> int -> string
 (** The name of the equation with this number, derived from the name of the verdict. *)

@@ -1,5 +1,5 @@
-(** Symbolic evaluation of a proc's expressions through the variables, functions and composed signal
-    functions that they mention. *)
+(** Evaluates a proc's expressions symbolically, following the variables, functions and composed
+    signal functions that they mention. *)
 
 type t
 
@@ -18,12 +18,12 @@ val of_proc : t -> Ir.proc -> env
 type head = { env : env; expr : Ir.expr }
 
 val head : t -> stop:(Ir.Global.t -> bool) -> env -> Ir.expr -> head
-(** Evaluates the expression until its outermost construct is known: the result is not a variable,
-    call, binding or known component, unless its value is unknown. [stop]: definitions that are not
-    expanded. Parameters of the program are not expanded either. *)
+(** Evaluates the expression to weak head normal form: the result is a variable, call, component or
+    payload only if evaluation cannot continue. [stop]: definitions that are not expanded. Parameters of
+    the program are not expanded either. *)
 
 val run : t -> env -> Ir.Local.t -> head option
-(** The signal function that the variable is an instance of, with its environment. *)
+(** The signal function whose instance defines the variable, if any, with its environment. *)
 
 val input : t -> env -> Ir.Local.t -> head option
 (** The input of that instance. *)
@@ -33,7 +33,7 @@ val enter : env -> Ir.proc -> input:head -> env
     the proc expression. *)
 
 val ty : env -> Ir.ty -> Ir.ty
-(** Converts a type from this environment to the types of the analysed proc. *)
+(** Converts a type from this environment to that of the analysed proc. *)
 
 val copy : t -> env -> Ir.expr -> Ir.expr
 (** A copy of the expression that can be used in an equation of the analysed proc.
@@ -42,5 +42,5 @@ val copy : t -> env -> Ir.expr -> Ir.expr
 val fresh : t -> string -> Basis.Span.t -> Ir.Local.t
 
 val added : t -> Ir.equation list
-(** The equations that the copies made since the last call need: instances of signal functions in
+(** The equations needed by the copies made since the last call: instances of signal functions in
     procs that were entered. *)

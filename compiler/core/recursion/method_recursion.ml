@@ -60,8 +60,7 @@ let most_parts = 20_000
 
 exception Large
 
-(* Parts of a type may be shared in memory, so a traversal may visit far more parts than there
-   are. *)
+(* Parts of a type may be shared in memory, so a traversal may visit the same part many times. *)
 let is_large ty =
   let parts = ref 0 in
   let rec visit depth (ty : Ir.ty) =
@@ -126,8 +125,8 @@ let rec follow_all g =
       follow g v;
       follow_all g
 
-(* Starts from the closed definitions, and from the methods of all instances at the variables of the
-   instances. *)
+(* Starts from the closed definitions and from each instance's methods, with the instance's own type
+   variables as type arguments. *)
 let start g (program : Ir.program) =
   let own (d : definition) = List.map (fun v -> Ir.Variable v) d.core.parameters in
   let enter name types =

@@ -7,7 +7,7 @@ let rec is_open : Ir.ty -> bool = function
   | Tuple parts | Data (_, parts) -> List.exists is_open parts
   | Function (a, b) | Signal_function (a, b) | Array (a, b) -> is_open a || is_open b
 
-(* Does the type contain a variable of the definition, without being just that variable? *)
+(* Does the type properly contain a type variable of the definition? *)
 let grows : Ir.ty -> bool = function Variable _ -> false | ty -> is_open ty
 
 (* The uses on a shortest path from the definition [from] to [target]. *)

@@ -25,8 +25,8 @@ let of_uses { Uses.definitions; index; uses } : Fact.t list =
 
 let facts (program : Ir.program) =
   let uses = Uses.of_program program in
-  (* Runs the later checks only if the earlier ones find nothing. Otherwise, they would report a
-     definition that is recursive at all types again for each type. *)
+  (* Runs the later checks only if the earlier ones find nothing. Otherwise, a definition that is
+     recursive at every type would be reported again for each type. *)
   match of_uses uses with
   | [] -> (
       match Method_recursion.facts program uses with

@@ -166,7 +166,7 @@ let arguments a index =
   | Some ranges -> ranges
   | None -> anything_of a a.program.nodes.(index).inputs
 
-(* The ranges of the inputs of an instance; for a loop, the ranges in any iteration. *)
+(* The ranges of an instance's inputs; for a loop, those in any iteration. *)
 let inputs_of a values (i : Ir.instance) =
   match i.loop with
   | None -> map (read a values) i.inputs

@@ -85,7 +85,7 @@ let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
       nodes.(index) <- { (nodes.(index)) with transitions = map transition node.transitions })
     m.modes
 
-(* The hops of a cycle of modes. *)
+(* The transitions along a cycle of modes. *)
 let hops_of steps cycle =
   let hop from target : Chains.hop =
     { from; by = List.find (fun (t : Ir.transition) -> t.target = target) steps.(from) }

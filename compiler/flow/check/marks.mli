@@ -3,8 +3,8 @@
     In the given program, a drawing is an array of [Event Mark] with room for one mark. Only the
     library's primitives create such arrays. They add a mark by replacing an element; no other
     operation changes a drawing. The maximum for each value is therefore the result of a fixpoint
-    iteration. Adding a whole drawing counts as replacing an element with as many marks as that
-    drawing has. *)
+    iteration. Adding a whole drawing also replaces one element, which counts as all the marks in
+    that drawing. *)
 
 val limit : int
 

@@ -140,8 +140,8 @@ let rec compared (operator : Ir.operator) a b holds =
 
 and swapped operator a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
 
-(* If the second range contains a single value, removes that value from the first range, provided
-   that it is one of its bounds. *)
+(* If the second range contains a single value that is a bound of the first range, removes that
+   value from the first range. *)
 and without least most other_least other_most =
   if other_least < other_most then Ints { least; most }
   else
@@ -166,7 +166,7 @@ let payload t k leaf =
   | Constructors _ -> None
   | Bools _ | Ints _ | Floats _ -> bug "the payload of a value that is not a sum"
 
-(* The value of a range that contains only one. Float zeros are excluded, because a range does not
+(* The only value of a range, if it has exactly one. Excludes Float zeros, because a range does not
    distinguish their signs. *)
 let constant : t -> Ir.atom option = function
   | Bools { true_ = true; false_ = false } -> Some (Bool true)

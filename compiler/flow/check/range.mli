@@ -41,8 +41,8 @@ val may_be_false : t -> bool
 val has_constructor : t -> int -> t
 
 val payload : t -> int -> int -> t option
-(** A leaf of the payload, if the value certainly has this constructor; [None] if the leaf may have
-    any value. *)
+(** The possible values of a leaf of the payload. [None], which means any value, if they are unknown
+    or the value may have another constructor. *)
 
 val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
 (** The range of the result of an operation. The last argument is the type of the result. *)

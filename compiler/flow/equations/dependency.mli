@@ -34,8 +34,8 @@ type node = {
 }
 
 val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
-(** Computes the passages of all nodes, callees first. Passes each node with the passages of the
-    preceding nodes to [each], one at a time, because keeping the graphs of all nodes would take too
+(** Computes the {!passage} of every node, callees first. Calls [each] for one node at a time,
+    with the results for the preceding nodes, because keeping the graphs of all nodes would take too
     much memory. *)
 
 val passed_by : passage -> Ir.instance -> int -> Inputs.t

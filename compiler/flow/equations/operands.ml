@@ -27,7 +27,8 @@ let same_instant = function
     ->
       all rhs
 
-(* Handles short lists, which are common, separately. The payload of a constructor may be long. *)
+(* Handles short lists separately, because they are common. Other lists, such as the payload of a
+   constructor, may be long. *)
 let map_list f atoms =
   match atoms with
   | [ a ] -> [ f a ]

@@ -1,4 +1,4 @@
-(** The operands of equations' right-hand sides. *)
+(** The operands on the right-hand sides of equations. *)
 
 val of_instance : (Ir.atom -> Ir.atom) -> (Ir.signal -> Ir.signal) -> Ir.instance -> Ir.instance
 (** Replaces the atoms that an instance reads and the signals that it defines. *)
@@ -11,8 +11,8 @@ val same_instant : Ir.rhs -> Ir.atom list
     (whose [init] is static and only read at the start) and of [Integral]. *)
 
 val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
-(** Maps the operands in the order of {!all}. Returns the same right-hand side, physically, if no
-    operand changes physically. *)
+(** Maps the operands in the order of {!all}. If all new operands are physically equal to the old
+    ones, so is the right-hand side. *)
 
 val signals : Ir.atom list -> Ir.signal list
 (** The signals among the atoms. *)

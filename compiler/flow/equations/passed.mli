@@ -7,8 +7,8 @@ val parameters : Ir.node -> Ir.signal array
 (** The static parameters, then the inputs. *)
 
 val places : Ir.program -> Ir.atom -> (int * int) option
-(** If the atom is a parameter, returns the index of its node and its index among the parameters of
-    that node. *)
+(** If the atom is a parameter of a node, returns the node's index and the parameter's index in the
+    node's {!parameters}. *)
 
 val settle : Ir.program -> (call -> bool) -> unit
 (** Visits all calls, in an order in which callers come before callees. The visitor returns whether
@@ -17,5 +17,5 @@ val settle : Ir.program -> (call -> bool) -> unit
     inputs. *)
 
 val replaced : Ir.program -> (int -> int -> Ir.atom option) -> Ir.program
-(** Replaces parameters, identified by node and index, with atoms. Returns the same program,
-    physically, if nothing is replaced. *)
+(** Replaces parameters, identified by node and index, with atoms. Returns a program physically
+    equal to its argument if nothing is replaced. *)

@@ -2,8 +2,8 @@
 
     Requires that the program is causal, and that every instance can run as one call ({!Inline}
     ensures this). Each item comes after all items whose values it needs in the same instant; an
-    instance needs all its static parameters and inputs. Otherwise, the items keep the node's own
-    order (see {!in_source_order}).
+    instance needs all its static parameters and inputs. Apart from that, the items keep the node's
+    own order (see {!in_source_order}).
 
     [Delay] and [Integral] do not need any other item, because their values for this instant are
     already in the state. Their values for the next instant must be stored after all items. *)

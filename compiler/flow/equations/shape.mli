@@ -12,8 +12,8 @@ val foreign : Ir.sum array -> Ir.ty -> Ir.foreign_type list
 (** All foreign types in a type. *)
 
 val of_the_instant : Ir.sum array -> Ir.ty -> Ir.foreign_type option
-(** A foreign type inside this type that is not copyable, if there is one. Its values are valid only
-    within an instant, because C owns their memory. *)
+(** A non-copyable foreign type inside this type, if there is one. Its values are valid only within
+    an instant, because C owns their memory. *)
 
 val is_image : Ir.foreign_type -> bool
 (** Whether this is the type of camera images, the only foreign type that hosts support

@@ -8,8 +8,8 @@ type t
 val create : unit -> t
 
 val replace : t -> Ir.signal -> Ir.atom -> unit
-(** Records that an atom replaces a signal. If the signal has a name from the programmer and the
-    atom is a signal without one, the atom inherits the name. *)
+(** Records that an atom replaces a signal. If the programmer named the signal and the atom is an
+    unnamed signal, the atom inherits the name. *)
 
 val atom : t -> Ir.atom -> Ir.atom
 

@@ -43,7 +43,7 @@ let rec path_before text dot names =
     let names = String.sub text start (dot - start) :: names in
     if start > 0 && text.[start - 1] = '.' then path_before text (start - 1) names else names
 
-(* Is this inside a bracket after a number or a type, where only a unit can occur? *)
+(* Does the line end inside brackets after a number or a type, where only a unit can occur? *)
 let in_unit line =
   let n = String.length line in
   let is_unit_char c =

@@ -3,7 +3,7 @@
 open Basis
 
 val parameters : Workspace.t -> Document.t -> Json.t
-(** The parameters of the notification, with the diagnostics of the last check of the text. *)
+(** The parameters of the notification, with the diagnostics from the last check of the text. *)
 
 val of_diagnostic : Workspace.t -> Analysis.t -> Diagnostic.t -> Json.t
 

@@ -40,7 +40,7 @@ let format text =
 
 let formatted piece = Option.fold (format (piece ^ "\n")) ~none:piece ~some:String.trim
 
-(* The edit of whole lines that turns one text into the other. *)
+(* The edit of whole lines that turns [before] into [after]. *)
 let difference before after =
   let n = String.length before and m = String.length after in
   let rec same_start i = if i < min n m && before.[i] = after.[i] then same_start (i + 1) else i in
@@ -52,7 +52,7 @@ let difference before after =
   ((start, n - k), String.sub after start (m - start - k))
 
 (* Formats the result if the original text was formatted, because the added arguments may make lines
-   too long, and removing a line may change the alignment of its neighbors. *)
+   too long, and removing a line may change the alignment of its neighbours. *)
 let tidy text edits =
   let after = applied text edits in
   match (format text, format after) with
@@ -68,7 +68,8 @@ type piece = {
   cut : int * int;  (** the range to remove from the block *)
 }
 
-(* The start of the comment lines directly above that have the same indentation. *)
+(* The start of the comment lines that are directly above this line and have the same
+   indentation. *)
 let rec with_comments text ~column line =
   let above = if line > 0 then start_of_line text (line - 1) else line in
   let comment = String.make column ' ' ^ "--" in
@@ -76,8 +77,8 @@ let rec with_comments text ~column line =
     with_comments text ~column above
   else line
 
-(* A declaration that shares its lines with no other code. If it is the only declaration of a
-   `where`, the `where` is removed with it. *)
+(* The piece for a declaration. If it is the only declaration of a `where`, the `where` is removed
+   with it. Otherwise, no other code may precede it on its line. *)
 let piece text ~alone (start, stop) =
   let line = start_of_line text start and behind = end_of_line text stop in
   let column = start - line in
@@ -98,7 +99,8 @@ let piece text ~alone (start, stop) =
     let cut = if has_lines then (first, next) else (first - 1, stop) in
     Some { from = first + column; last; cut }
 
-(* Can an application be inserted at this place without parentheses? An argument would need them. *)
+(* Can an application be inserted at this place without parentheses? An application that is an
+   argument needs them. *)
 let is_free_standing text (start, stop) =
   let rec back i = if i > 0 && text.[i - 1] = ' ' then back (i - 1) else i in
   let at = back start in

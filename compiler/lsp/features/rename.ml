@@ -36,7 +36,7 @@ let check_name (symbol : Index.symbol) name =
   | ((UPPER _ | LOWER _), END), Some capital ->
       Error
         (Printf.sprintf "this name must begin with a %s letter, unlike `%s`"
-           (if capital then "capital" else "small")
+           (if capital then "capital" else "lower-case")
            name)
   | _ -> Error (Printf.sprintf "`%s` is not a valid name" name)
 
@@ -63,8 +63,8 @@ let errors (a : Analysis.t) =
     (fun (d : Diagnostic.t) -> if d.severity = Error then Some d.code else None)
     a.diagnostics
 
-(* Numbers the meaning of each occurrence. The numbers do not depend on names, so they can be
-   compared before and after renaming. *)
+(* Represents the meaning of each occurrence by a number that does not depend on names, so that
+   meanings can be compared before and after renaming. *)
 let meaning (ws : Workspace.t) (a : Analysis.t) =
   match View.of_analysis ws.declared a with
   | None -> []

@@ -1,6 +1,6 @@
 (** [textDocument/rename] and [prepareRename]: rename a symbol in all programs of the workspace
-    folders. The request fails if this would change the meaning of any program or make it invalid.
-*)
+    folders. The request fails if renaming would change the meaning of any program or make it
+    invalid. *)
 
 open Basis
 

@@ -1,5 +1,5 @@
-(** [textDocument/signatureHelp]: shows the type of the function whose arguments are being typed,
-    and which argument is next. *)
+(** [textDocument/signatureHelp]: shows the type of the function whose arguments the user is
+    entering, and which argument is next. *)
 
 open Basis
 

@@ -37,7 +37,7 @@ let with_timer timer signal exn seconds f =
       stop ();
       raise exn
 
-(* Measures processor time, so that other load on the machine has no influence. *)
+(* Measures processor time, so that other load on the machine does not affect the limit. *)
 let at_once f =
   match with_timer ITIMER_PROF Sys.sigprof Not_at_once 0.08 f with
   | value -> Some value
@@ -114,7 +114,7 @@ let check ~library ~read ~path text =
     | Resolved program -> resolved := Some program
     | Typed program -> typed := Some program
   in
-  (* The text is parsed only here, and a second time only if it has syntax errors. *)
+  (* The text is parsed here, and again only if it has syntax errors. *)
   let tree = ref None in
   let parse ~file text =
     tree := Syntax.Parse.program (Facts.ignored ()) ~file text;

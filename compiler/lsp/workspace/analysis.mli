@@ -20,18 +20,18 @@ val check :
   path:string ->
   string ->
   t
-(** Analyzes the text. [read] returns the texts of other modules. Never raises an exception. *)
+(** Analyses the text. [read] returns the texts of other modules. Never raises an exception. *)
 
 val partial : library:string -> read:(string -> (string, Resolve.Files.error) result) -> t -> t
-(** Analyzes the valid parts of a text that has errors. The result contains the trees of these
+(** Analyses the valid parts of a text that has errors. The result contains the trees of these
     parts. *)
 
 val path_of : library:string -> string -> string
 (** The path of a file, given its name in spans. *)
 
 val guarded : (unit -> 'a) -> ('a, string) result
-(** Runs a function of the compiler. Returns an error if it raises an exception or runs longer than
-    {!patience}. *)
+(** Runs a function of the compiler. Returns an error if it raises an exception or runs for longer
+    than {!patience}. *)
 
 val given_up : path:string -> string -> string -> t
 (** The analysis of a text that could not be checked, for the given reason. *)

@@ -41,7 +41,8 @@ val found :
 (** Does not change the document. *)
 
 val prepare : found -> unit
-(** Precomputes the data that the next request will need, so that it is answered immediately. *)
+(** Precomputes the data that the next request will need, so that the request can be answered
+    immediately. *)
 
 val looked_at : t -> found -> unit
 val names : t -> View.seen option

@@ -1,6 +1,6 @@
 open Basis
 
-(* The type of the local variable of this name whose declaration is closest to the offset. *)
+(* The type of the local variable with this name that is declared closest to the offset. *)
 let local (seen : View.seen) facts ~offset name =
   let source = (View.analysis seen.view).sources in
   let is_it ((span : Span.t), (l : Place_types.local)) =

@@ -232,7 +232,7 @@ let in_space (space : Mentions.space) (g : Global.t) =
   | Unit -> Unit g
   | Constructor | Field -> Constructor g
 
-(* Tries all name spaces, because the name in an import or export list can be in any of them. *)
+(* Tries all namespaces, because the name in an import or export list can be in any of them. *)
 let exported lookup module_ name =
   let spaces : Mentions.space list = [ Value; Type; Class; Unit; Constructor ] in
   let of_module module_ =

@@ -28,8 +28,8 @@ val of_analysis :
   Syntax.Ir.program ->
   t
 (** Builds the index from the analysis and tree of a text. [typed], the typed program of the same
-    text, determines to which record a field belongs. The cache contains the declarations of other
-    modules. *)
+    text, determines which record each field belongs to. The cache contains the declarations of
+    other modules. *)
 
 val all : t -> occurrence list
 (** In source order. *)

@@ -65,8 +65,8 @@ let of_program (program : Typing.Ir.program) ~main =
   { program; types = Array.of_list !types; locals; globals }
 
 (* The type of the smallest span. Spans are nested, so the smallest one starts last and ends first.
-   If several expressions have this span, uses the outermost, which is visited first and is
-   therefore last in the list. *)
+   If several expressions have this span, uses the outermost, which comes last in the list because
+   it is visited first. *)
 let type_at t p =
   let smaller best ((s : Span.t), ty) =
     if s.start <= p && p <= s.stop && s.start < s.stop then

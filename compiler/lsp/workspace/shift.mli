@@ -12,7 +12,7 @@ val between : string -> string -> t
 (** [between from to_] is the shift from one text to another. *)
 
 val and_then : t -> t -> t
-(** Composes two shifts. The first must end with the text with which the second starts. *)
+(** Composes two shifts. The second must start with the text that the first one ends with. *)
 
 val back : t -> t
 (** The inverse shift. *)

@@ -1,5 +1,5 @@
-(** Values computed from the texts of files. The same files are needed again after each change of a
-    program, and most of them have not changed. *)
+(** Values computed from the texts of files. After each change to a program, the same files are
+    needed again, and most of them have not changed. *)
 
 type 'a t
 

@@ -3,7 +3,7 @@
 type token = { token : Syntax.Grammar.token; start : int; stop : int;  (** offsets *) first : bool }
 
 val of_text : string -> token array
-(** The tokens, without the one for the end of the text. *)
+(** The tokens, without the end-of-text token. *)
 
 val item : string -> int -> int * int
 (** The range of the top-level declaration that contains the offset: from a line that is not

@@ -1,5 +1,5 @@
-(** A version of a text that the compiler could analyze. Translates places between this version and
-    the current text. *)
+(** A version of a text that the compiler was able to analyse. Translates places between this
+    version and the current text. *)
 
 open Basis
 
@@ -32,10 +32,11 @@ val seen : t -> Text.t -> Shift.t -> seen
 val position : seen -> int -> Span.position option
 
 val place : seen -> Span.t -> (int * int) option
-(** The place in the current text of a word in the version. *)
+(** Maps a word in the version to its place in the current text. *)
 
 val place_at : seen -> int -> Span.t -> (int * int) option
 (** Like {!place}, but [None] if the word does not contain this offset of the current text. *)
 
 val range : seen -> Span.t -> (int * int) option
-(** Like {!place}, for a range longer than a word, whose contents may have changed. *)
+(** Like {!place}, but for a range that is longer than a word and whose contents may have
+    changed. *)

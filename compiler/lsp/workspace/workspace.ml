@@ -87,7 +87,7 @@ let files t =
   let opened = Hashtbl.fold (fun _ (d : Document.t) all -> d.path :: all) t.documents [] in
   List.sort_uniq String.compare (on_disk @ opened)
 
-(* {1 Places for the editor} *)
+(* {1 Places in the protocol's format} *)
 
 let position t text offset : Json.t =
   let { Text.line; character } = Text.position t.encoding text offset in

@@ -37,7 +37,7 @@ val look : t -> Document.t -> unit
 val files : t -> string list
 (** The paths of the programs in the workspace folders and of the open programs. *)
 
-(** {1 Places for the editor} *)
+(** {1 Places in the protocol's format} *)
 
 val position : t -> Text.t -> int -> Json.t
 val range : t -> Text.t -> int * int -> Json.t

@@ -15,5 +15,5 @@ val instances :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.instance list
-(** The instances, in source order. Reports a definition whose name is not a method of the class,
-    and a signature. *)
+(** The instances, in source order. Reports signatures, and definitions whose names are not methods
+    of the class. *)

@@ -92,7 +92,7 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Annotated { expr = inner; ty } ->
       Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
 
-(* Is this application probably meant as something else: as a number or value with its unit, or as
+(* Was this application probably meant to be something else: a number or value with its unit, or a
    field access? *)
 and habit_of_another_language env whole (head : Syntax.Ir.expr) (argument : Syntax.Ir.expr) :
     Fact.unresolved option =
@@ -116,8 +116,8 @@ and is_statement_elsewhere head =
   | Variable { qualifier = None; name; _ } -> List.mem name.text statements_elsewhere
   | _ -> false
 
-(* Is this a unit that a space separates from its number, as in `f 3 [m/s]`? `m` and `s` must be
-   names of units but not of variables. *)
+(* Is this a unit separated from its number by a space, as in `f 3 [m/s]`? `m` and `s` must be names
+   of units but not of variables. *)
 and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   match head.desc with
   | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
@@ -272,8 +272,8 @@ and record env span constructor fields : Ir.expr_desc =
       match Patterns.construction scope found ~at:constructor.span fields with
       | None -> missing
       | Some given ->
-          (* an invalid field is probably a misspelled missing one, which is then not reported as
-             missing *)
+          (* an invalid field is probably a misspelling of a missing one, so do not report missing
+             fields as well *)
           if List.length given = List.length fields then
             check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })

@@ -1,5 +1,5 @@
 (** Resolves expressions: looks up names, turns operators and sections into applications and
-    functions, and turns every notation of a proc into equations and an output. *)
+    functions, and turns every proc notation into equations and an output. *)
 
 val expr : Env.t -> Syntax.Ir.expr -> Ir.expr
 

@@ -10,8 +10,9 @@ let is_name text =
 
 let report (scope : Scope.t) = Context.report_foreign scope.context
 
-(* The meaning that the name may already have in C, in its headers or in generated code. If
-   generated code declared the name again, it would be invalid or refer to something else. *)
+(* The meaning that the name already has in C, in C headers or in generated code, if any. If
+   generated code declared such a name again, the code would be invalid or the name would refer to
+   something else. *)
 let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text : Fact.c_meaning option =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =

@@ -1,5 +1,5 @@
-(** Checks the texts in [foreign] declarations, which are copied to generated C. Each text must be
-    valid C syntax where it is copied. *)
+(** Checks the strings in [foreign] declarations, which are copied into generated C. Each string
+    must be valid C syntax at the place where it is inserted. *)
 
 val check_symbol : Scope.t -> kind:Syntax.Ir.foreign_kind -> Syntax.Ir.name -> unit
 (** Checks the name of a function or the prefix of a component's names. It must be a C identifier

@@ -12,9 +12,9 @@ type found = {
   of_local : int Int_table.t;
   mutable told : int list; (* vertices whose values hosts report, so they count as used *)
   mutable reads : (int * int) list; (* pairs of a vertex and a local variable that it reads *)
-  mutable parameters : Span.t list; (* the patterns of the parameters of functions *)
+  mutable parameters : Span.t list; (* the parameters of functions *)
   mutable zeros : (string list * Span.t) list;
-      (* literal zeros in commands, each with the usual names of variables in its place *)
+      (* literal zeros in commands, each with the variable names that are usual in its place *)
 }
 
 let names_of_speeds = [ "v"; "vel"; "speed"; "velocity"; "linear"; "forward" ]
@@ -77,7 +77,7 @@ and binding found (b : Ir.binding) =
       add_local found Equation [] local;
       if is_measured b || Labels.is_name local.name then found.told <- number :: found.told
   | Destructure p ->
-      (* A pattern without variables is intentionally unused, so it counts as named `_`. *)
+      (* A pattern without variables is unused on purpose, so it is treated like the name `_`. *)
       let name = if Patterns.variables p = [] then "_" else "" in
       ignore (add found { name; at = p.span; kind = Equation; needs = [] });
       add_pattern found [ number ] p);
@@ -86,7 +86,8 @@ and binding found (b : Ir.binding) =
 and visitor found reader : Walk.visitor =
   { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
 
-(* Reports the unread variables of one pattern: four or more together, fewer one by one. *)
+(* Reports the unread variables of one pattern: together if there are four or more, otherwise one by
+   one. *)
 let report_variables report found vertices =
   let variable { name; at; kind; _ } : Fact.variable =
     let is_parameter =
@@ -168,8 +169,8 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   |> List.fold_left by_pattern []
   |> List.iter (report_variables report found)
 
-(* A module may be imported only for its instances. A module outside the library may also be
-   imported for the instances of the modules that it imports. *)
+(* An import may be needed only for the module's instances or, if the module is outside the library,
+   for the instances of the modules that it imports. *)
 let imports report (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in

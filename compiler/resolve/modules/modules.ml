@@ -133,8 +133,8 @@ let is_module_name text =
        (function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false)
        text
 
-(* The module's name. The header must agree with the file name, unless the file name is not a valid
-   module name, which is allowed for programs. *)
+(* The module's name. If the file name is a valid module name, the header must agree with it. The
+   file name of a program need not be a valid module name. *)
 let name_of loader ~file_name (syntax : Syntax.Ir.program) =
   match syntax.header with
   | None -> if is_module_name file_name then file_name else "Main"

@@ -29,8 +29,8 @@ val load :
   string ->
   t list
 (** The modules of the program in a file: imported modules before those that import them, the
-    program last. A module that cannot be read or parsed is reported and left out. A test file comes
-    after its program, which it requires, and must not have a header or a [main]. A program is
+    program last. A module that cannot be read or parsed is reported and left out. A test file
+    requires its program, comes after it, and must not have a header or a [main]. A program is
     loaded without its test file. The module in the file [also] is included whether or not it is
     imported, and an import of its name refers to it. A file with the same content as a library
     module is treated as that module. *)

@@ -17,7 +17,8 @@ val inside : t -> Syntax.Ir.right -> t
     because such a name may be a signal of a [proc] elsewhere in the definition. *)
 
 val with_sizes : t -> Sizes.t list -> t
-(** The environment inside a definition whose signature has these size variables, for messages. *)
+(** The environment inside a definition whose signature has these size variables. They are used only
+    in messages. *)
 
 val scope : t -> Scope.t
 val context : t -> Context.t

@@ -25,11 +25,10 @@ val is_assumption : string -> bool
 val word : Syntax.Ir.claim -> string
 
 val check_name : Syntax.Ir.check -> string -> string
-(** The name of the definition of the test with this label. *)
+(** The name of the definition for the test with this label. *)
 
 val judge : string -> string
-(** The name of the judge's definition. It is derived from the given name of the test's definition.
-*)
+(** The name of the judge's definition, given the name of the test's definition. *)
 
 val is_measuring : Ir.Global.t -> bool
 (** Does [frobc test] report the value of an equation that applies this library function, such as

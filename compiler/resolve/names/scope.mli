@@ -1,4 +1,4 @@
-(** The module-level names that a module can use, with their meaning. The module's own declarations
+(** The module-level names that a module can use, and their meanings. The module's own declarations
     hide imported names. Two imports of the same name clash only if the name is used. *)
 
 open Basis

@@ -1,6 +1,7 @@
 type t = Fact.size = { variable : string; of_ : string; array : string option }
 
-(* The size variables of an array [xs] of this type, each with an array of this size. *)
+(* The size variables in the type of the array [xs], each with an expression for an array of that
+   size. *)
 let of_array (ty : Ir.ty) xs =
   let variable (ty : Ir.ty) array =
     match ty.desc with Type_variable n -> [ (n, array) ] | _ -> []

@@ -1,4 +1,4 @@
-(** The module-level names that are visible in a module, without the state of their resolution. *)
+(** The module-level names that are visible in a module, without the resolver's state. *)
 
 open Basis
 

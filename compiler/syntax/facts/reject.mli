@@ -4,7 +4,7 @@
 exception Rejected of Rejection.t
 
 exception Command of { command : Basis.Span.t; block : Lexing.position }
-(** A command with [-<] in the [do] of tasks that starts at [block]. *)
+(** A command with [-<] in a [do] block of tasks. [block]: the start of the [do]. *)
 
 val because : Rejection.t -> 'a
 (** @raise Rejected always *)

@@ -38,11 +38,11 @@ val together : t -> (unit -> 'a) -> 'a
 val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
-(** Quantifies the variables that are not in scope, in order of occurrence, at [depth]. Also returns
-    the scope extended with them. *)
+(** Quantifies over the variables that are not in scope, in order of occurrence, at [depth]. Also
+    returns the scope extended with them. *)
 
 val nowhere : Environment.t -> Surroundings.t
-(** Surroundings that answer no question about the program. *)
+(** Surroundings with this environment and no other information about the program. *)
 
 val report_declaration : t -> Declaration_fact.t -> unit
 (** Reports a fact about a declaration that is not part of a definition. *)

@@ -157,8 +157,8 @@ let choices t ty =
       | Data _ | Alias _ | Builtin | Foreign -> [])
   | _ -> []
 
-(* The constructors of the first type that have a field of the second type. They are written with
-   their fields, for a message. *)
+(* The constructors of the first type that have a field of the second type, printed with their
+   fields for a message. *)
 let makers t ty ~of_ =
   match (Type.expand ty, Type.expand of_) with
   | Data { tycon; _ }, Data { tycon = part; units; _ } -> (

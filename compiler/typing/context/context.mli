@@ -71,7 +71,8 @@ val start : Annotation.t -> sources:Source.t -> real:Real.t -> t
 (** The initial state, outside all groups. *)
 
 val within : t -> ?wanted:Type.t -> Resolve.Ir.expr -> t
-(** The state inside this application or record. [wanted]: the type that it must have. *)
+(** The state inside this application or record. [wanted]: the type that the expression must
+    have. *)
 
 val in_group : t -> t
 (** The state at the start of a new group. *)
@@ -82,7 +83,7 @@ val find_local : t -> Ir.Local.t -> Type.scheme option
 (** The scheme of a local variable of this group. *)
 
 val defined_locally : t -> Ir.Local.t -> Resolve.Ir.binding -> unit
-(** Records that this binding defines the local variable without a signature. *)
+(** Records that this binding, which has no signature, defines the local variable. *)
 
 val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
 (** Records that a local function without a signature is applied at this place. Returns the place of
@@ -162,10 +163,10 @@ val lacks_class : t -> wanted:Type.t -> Type.t -> bool
 (** Does {!asked_in_vain} find a name? *)
 
 val with_variables : t -> by:Surroundings.construct -> Resolve.Ir.scheme -> Type.scheme * t
-(** Converts the scheme. Also returns the state for inferring the code that has this type. In this
-    state, the scheme's variables are in scope, one level deeper. [by]: the construct that
-    introduces the variables. Reports a constraint on something other than a variable ([E0365]) and
-    on a variable that the type does not mention ([E0364]). *)
+(** Converts the scheme. Also returns the state for inferring the code of this type, in which the
+    scheme's variables are in scope, one level deeper. [by]: the construct that introduces the
+    variables. Reports a constraint on something other than a variable ([E0365]) and on a variable
+    that the type does not mention ([E0364]). *)
 
 val with_signature : t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** Like {!with_variables}, for the signature of a definition. *)

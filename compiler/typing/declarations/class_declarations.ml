@@ -59,8 +59,8 @@ let classes ctx (program : Resolve.Ir.program) = List.map (class_ ctx) program.c
 
 (* {1 Instances} *)
 
-(* Enters an instance of the class. Its head becomes a scheme whose variables are in the order in
-   which the head mentions them. *)
+(* Enters an instance of the class. Its head becomes a scheme, with the variables in the order in
+   which they occur in the head. *)
 let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
   let as_scheme : Resolve.Ir.scheme =
     { context = written.context; ty = written.head; span = written.span }

@@ -68,7 +68,8 @@ let constructor (reader : Annotation.t) tycon (parameters : Environment.paramete
   in
   Environment.make_constructor ir ~tycon scheme
 
-(* Enough for any type within the limits of {!Final}. *)
+(* Maximum number of steps for one declaration: enough for any type within the limits of
+   {!Final}. *)
 let most_steps = 200_000
 
 let expansion (reader : Annotation.t) (declared : Resolve.Ir.type_declaration) scope body =

@@ -23,8 +23,8 @@ type instance = {
   of_class : class_;
   head : Type.t;
   scheme : Type.scheme;
-      (** This is not the type of a value: it quantifies the variables of the instance, in the order
-          of its head, and has the instance's context. *)
+      (** This is not the type of a value: it quantifies over the instance's variables, in the order
+          in which they occur in the head, and has the instance's context. *)
   inner : Context.t;  (** the context in which its definitions are checked *)
   definitions : (Ir.Global.t * Resolve.Ir.binding) list;
   place : Span.t;

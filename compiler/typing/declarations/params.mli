@@ -3,4 +3,4 @@
 
 val program :
   report:(Declaration_fact.t -> unit) -> Resolve.Ir.program -> Ir.definition list -> Ir.param list
-(** Reports a type that is neither a number nor a truth value, or that is polymorphic. *)
+(** Reports a type that is neither a number nor a Bool, or that is polymorphic. *)

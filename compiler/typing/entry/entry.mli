@@ -17,8 +17,8 @@ val all : Ir.program -> Ir.definition list
 
 val accepts : Fact.t Facts.t -> Ir.program -> closed:bool -> Ir.definition -> bool
 (** Can the definition be an entry? Reports [E0411] if it cannot. Its type may be declared or
-    inferred; units and classes are not erased yet. [closed]: whether the type contains no variables
-    once a robot has been chosen. *)
+    inferred; units and classes have not been erased yet. [closed]: whether the type contains no
+    variables once a robot has been chosen. *)
 
 val is_signed : Resolve.Ir.program -> Ir.Global.t -> bool
 (** Does this definition have a type signature? *)

@@ -18,8 +18,8 @@ type call = {
           fit *)
   rotated : int list option;  (** another order in which the types fit *)
   lacking : int option;
-      (** the number of arguments missing before the failing one, if it and the arguments after it
-          fit the last parameters *)
+      (** the number of arguments missing before the failing one, if the failing argument and those
+          after it fit the last parameters *)
 }
 
 type method_call = {

@@ -41,8 +41,8 @@ type t =
   | Wrong_kind of { environment : Environment.t; at : Span.t; wanted : Type.kind; found : Type.t }
       (** a size in place of a type, or the reverse *)
   | Too_many_updates of { at : Span.t; record : Ir.constructor; updates : int; most_fields : int }
-      (** the record updates up to this place write too many fields; [record] has the largest share,
-          with [updates] updates *)
+      (** the record updates up to this place write too many fields; [record] accounts for the
+          largest share, with [updates] updates *)
   | Entry of Entry_fact.t
   | Too_large of { at : Span.t; construct : construct }  (** see {!Final.Too_large} *)
   | Exponent_too_large of Span.t  (** the exponent of a unit *)

@@ -17,7 +17,7 @@ type t =
       expected : Expected.t;
       first : Resolve.Ir.expr * Type.t;
       second : Resolve.Ir.expr * Type.t;
-    }  (** each component has the type of the other one *)
+    }  (** each component has the type that the other should have *)
   | Not_a_function of {
       head : Resolve.Ir.expr;
       position : int;  (** position of the argument, counted from 1 *)
@@ -36,7 +36,7 @@ type t =
       at : Span.t;  (** the first parameter that the type does not allow *)
       parameters : Resolve.Ir.pattern list;
       expected : Expected.t;  (** the definition's type *)
-      result : Type.t;  (** the type that remains after the parameters it allows *)
+      result : Type.t;  (** the part of the definition's type after the allowed parameters *)
       allowed : int;
     }
   | Parameters_in_a_tuple of {
@@ -120,7 +120,8 @@ type t =
       next : Span.t option;  (** the statement after it *)
     }  (** a [return] that is not the last statement of a [do]; a warning *)
   | Unreachable_statement of { at : Span.t; endless : Resolve.Ir.expr }
-      (** [endless]: the head of the statement before it, a task that never ends; a warning *)
+      (** a warning; [endless]: the head of the preceding statement, which is a task that never
+          ends *)
   | Long_array of { at : Span.t; length : int; longest : int }
   | Empty_array of Span.t
   | Int_out_of_range of {

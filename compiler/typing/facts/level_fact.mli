@@ -40,8 +40,8 @@ type reason = { variable : Ir.Local.t; why : why }
 
 and why =
   | Input  (** it comes from the input of a proc *)
-  | Runs_at of Span.t  (** a signal function runs there *)
-  | Depends_on of Ir.Local.t * Span.t  (** its definition mentions this signal there *)
+  | Runs_at of Span.t  (** a signal function runs at this place *)
+  | Depends_on of Ir.Local.t * Span.t  (** its definition mentions this signal at this place *)
 
 type cause =
   | Mentions of Ir.Local.t * reason list
@@ -50,7 +50,7 @@ type cause =
 
 (** {1 Indices} *)
 
-(** The reason why an index is not constant, and the place. *)
+(** Why an index is not constant, and where. *)
 type problem =
   | Variable of Ir.Local.t * Span.t
       (** it is a function parameter, or a variable that depends on one *)

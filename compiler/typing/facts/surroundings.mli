@@ -26,8 +26,8 @@ type t = {
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   field_of : Type.t -> of_:Type.t -> string option;
-      (** the field whose type has the same type constructor as the second type, if the first type
-          is a record with exactly one such field *)
+      (** if the first type is a record that has exactly one field whose type has the type
+          constructor of [of_], the name of that field *)
   field_type : Type.t -> string -> Type.t option;  (** the type of this field of a record *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)

@@ -23,7 +23,7 @@ type t =
   | Limits_cross of { limit : Ir.expr; other : Ir.expr }
       (** nested [min] and [max], whose result is always [limit] *)
   | Limited_constant of { low : Ir.expr; high : Ir.expr; limited : Ir.expr }
-      (** [clamp] with a constant as the value to limit, but not as the lower limit *)
+      (** [clamp] that limits a constant, although its lower limit is not constant *)
   | Unreachable_threshold of {
       comparison : Ir.expr;
       result : bool;  (** its constant result *)
@@ -42,7 +42,7 @@ type t =
       function_ : Ir.Global.t;
       head : Ir.expr;  (** place where the program mentions the function *)
       angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
-      scaled : bool;  (** whether [angle] is a multiple *)
+      scaled : bool;  (** whether [angle] is a multiple of such an angle *)
       instead : string;  (** name of the function to use for angles that wrap *)
       module_ : string;  (** the module of that function *)
       same_arguments : bool;  (** whether it takes the same arguments *)

@@ -41,5 +41,5 @@ val shifted :
   position:int ->
   int option
 (** The number of missing arguments, if the argument at [position] and those after it fit the last
-    parameters, and those before it fit the first ones. [is_constrained]: whether the variable is
-    required to have a class. *)
+    parameters, and those before it fit the first ones. [is_constrained]: whether there is a class
+    constraint on the variable. *)

@@ -119,8 +119,8 @@ let variable_of t : Ir.variable option =
 let given_of ctx (variable : Ir.variable) =
   Option.value (Hashtbl.find_opt ctx.given variable.id) ~default:[]
 
-(* Records the first use that requires a constraint. A later use replaces the first one if only the
-   later one requires the constraint's class directly. *)
+(* Records the first use that requires a constraint, but prefers a use that requires the
+   constraint's class directly. *)
 let note ctx (variable : Ir.variable) class_ (required : required) =
   let constraint_ = (variable.id, class_) in
   match Hashtbl.find_opt ctx.needs constraint_ with

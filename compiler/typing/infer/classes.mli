@@ -1,8 +1,8 @@
 (** Solves class constraints. A type has the built-in classes if it does not contain functions,
     signal functions or labels. It has any other class if there is an instance for it.
 
-    Codes: [E0307] the type has no equality or order · [E0308] a class is required of a type that
-    nothing determines · [E0309] the signature's context lacks a constraint · [E0360] there is no
+    Codes: [E0307] the type has no equality or order · [E0308] nothing determines the type for which
+    a class is required · [E0309] the signature's context lacks a constraint · [E0360] there is no
     instance. *)
 
 open Context

@@ -9,8 +9,9 @@ type t
 (** A signature with two types exchanged. *)
 
 val candidates : Resolve.Ir.scheme -> t list
-(** The exchanges that are likely mistakes: the input and the output of a signal function, a task or
-    a program, two elements of a tuple, two parameters, or the last parameter and the result. *)
+(** The exchanges that programmers are likely to make by mistake: the input and the output of a
+    signal function, a task or a program, two elements of a tuple, two parameters, or the last
+    parameter and the result. *)
 
 val scheme : t -> Resolve.Ir.scheme
 

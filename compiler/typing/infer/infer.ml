@@ -110,8 +110,8 @@ let generalize ctx declared bindings expectations =
       Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-(* Omits a definition with a type beyond the size limit, because such a type would slow down later
-   stages, and reports an error. *)
+(* Omits a definition and reports an error if one of its types exceeds the size limit, because such
+   a type would slow down later stages. *)
 let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
   let name, _ = top b in
   let refuse at construct =
@@ -177,8 +177,8 @@ let fits (ctx : Context.t) (b : Resolve.Ir.binding) written =
   Option.iter (Global_table.replace ctx.globals name) entry;
   errors trial = 0
 
-(* If the definition fits its signature when two types are exchanged, reports that in place of the
-   facts about the definition. Returns the other facts. *)
+(* If the definition would fit its signature with two types exchanged, reports that instead of the
+   facts about the definition. Returns the facts that are still to be reported. *)
 let exchanged_signature (ctx : Context.t) held (b : Resolve.Ir.binding) =
   let explained (written : Resolve.Ir.scheme) mistake =
     let name, _ = top b in
@@ -203,14 +203,14 @@ let exchanged_signature (ctx : Context.t) held (b : Resolve.Ir.binding) =
 
 (* {1 Limits} *)
 
-(* The types in a few lines may need more memory than is available, and inference may visit parts of
-   a very long definition many times. *)
+(* Even the types of a few lines may need more memory than is available, and inference may visit
+   parts of a very long definition many times. *)
 let most_steps_of_one = 5_000_000
 let most_steps = 20_000_000
 
-(* Runs a check of one definition within its limit of steps; returns [otherwise] if its types are
-   too large. When the program's steps are used up, skips the remaining checks, because an error has
-   already been reported. *)
+(* Runs the check of one definition with a limited number of steps. Returns [otherwise] if the types
+   are too large. Once the steps allowed for the whole program are used up, skips the remaining
+   checks, because an error has already been reported. *)
 let limited ctx left ~at construct ~otherwise check =
   let before = Work.left () in
   let checked =

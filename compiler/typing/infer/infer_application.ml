@@ -208,7 +208,7 @@ let operator_after ctx (e : Resolve.Ir.expr) argument =
   | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
   | Some _ | None -> None
 
-(* Makes the application warn, when it is built, about operands in degrees. *)
+(* Adds a warning about operands in degrees, which is issued when the application is built. *)
 let warning_of_degrees ctx argument ty ~previous (applied : typed) =
   match (argument.style, previous) with
   | Operator operator, Some left when In_degrees.meets operator ->

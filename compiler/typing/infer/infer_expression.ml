@@ -52,8 +52,8 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
   | None ->
       Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
 
-(* Was this branch as a whole just reported as having the wrong type? If so, the other branch is not
-   reported as well. *)
+(* Was this branch as a whole just reported as having the wrong type? If so, nothing is reported
+   about the other branch. *)
 let is_told_of (e : Resolve.Ir.expr) held =
   match List.rev_map Facts.fact held with
   | Fact.Inference { fact = Mismatch { at; clash = Different _; _ } | Exchanged_pair { at; _ }; _ }

@@ -14,7 +14,7 @@ val construct :
   Ir.Global.t ->
   (Syntax.Ir.name * Resolve.Ir.expr) list ->
   typed
-(** [wanted]: the expected type, an application of the constructor's type constructor. It determines
+(** [wanted]: the expected type, whose type constructor must be that of the record. It determines
     the expected field types. The caller compares the resulting type with it. *)
 
 val field :

@@ -6,9 +6,9 @@
 open Basis
 
 val number : Context.t -> negative:bool -> at:Span.t -> Resolve.Ir.number -> Type.t * Exact.t
-(** The type, and the value in base units. A literal without a point or exponent has type [n[1]];
-    with one of them, [Float[1]]. A unit suffix replaces the unit [1]. Zero has every unit. A scaled
-    unit makes the literal a [Float]. *)
+(** The type, and the value in base units. A literal with neither a point nor an exponent has type
+    [n[1]]; any other has type [Float[1]]. A unit suffix replaces the unit [1]. Zero can have any
+    unit. A scaled unit makes the literal a [Float]. *)
 
 val is_only_negative : Resolve.Ir.number -> bool
 (** Is this an [Int] that is in range only with its minus sign, such as [-2147483648]? *)

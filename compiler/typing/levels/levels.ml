@@ -163,8 +163,9 @@ let index w (array : expr) (k : expr) =
       0
 
 (* {1 The walk} *)
-(* A pattern that does not bind any variable has no node. Its level does not matter, so this is a
-   conservative guess. *)
+
+(* A pattern that does not bind any variable has no node. Its level does not matter; this is a
+   conservative choice. *)
 let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node
@@ -173,8 +174,8 @@ let level w place (p : pattern) =
 let remember w (b : binding) =
   match b.pattern.desc with Bound x -> Hashtbl.replace w.values x.id b.value | _ -> ()
 
-(* Shares unchanged subexpressions, because large programs contain very many of them, and most do
-   not change. *)
+(* Shares unchanged subexpressions, because large programs contain very many subexpressions, most of
+   which do not change. *)
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with

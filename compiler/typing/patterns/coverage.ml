@@ -112,10 +112,10 @@ let rebuild head parts =
 
 (* {1 Bounded lists} *)
 
-(* The first elements of a list, and the number of further ones. *)
+(* The first elements of a list, and the number of remaining ones. *)
 type 'a some = { first : 'a list; besides : int }
 
-(* Limits the count, because the real number may not fit in an [int]. *)
+(* Limits the count, because the actual number may not fit in an [int]. *)
 let limited n = min n 1_000_000
 
 let some_of t all =
@@ -134,12 +134,12 @@ let append t a b =
 
 let map f some = { some with first = List.map f some.first }
 
-(* The pairs of an element of [a] and an element of [b]. *)
+(* Combines each element of [a] with each element of [b]. *)
 let pairs t f a b =
   let { first; _ } = some_of t (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
   { first; besides = limited (count a * count b) - List.length first }
 
-(* Values of the type whose heads differ from these heads. Together they cover all other values. *)
+(* Values of [ty] that do not have any of these heads. Together they represent all such values. *)
 let others t (ty : ty) heads =
   Work.steps (List.length heads);
   let given = Hashtbl.create 16 in

@@ -10,7 +10,7 @@ val tell :
   Type.t ->
   Resolve.Ir.branch list ->
   unit
-(** Passes on the held facts about this branch. If the branch matches a constructor in [taken] and
-    has errors, that is, if the number of errors now exceeds [before], replaces the last fact with
-    this explanation. The last two arguments are the type of the matched value and the list of all
-    branches. [taken]: the constructors that earlier branches cover completely. *)
+(** Passes on the held facts about this branch. If the branch matches a constructor in [taken], and
+    the number of errors has risen above [before], replaces the last fact with the explanation that
+    the constructor is matched twice. The last two arguments are the type of the matched value and
+    the list of all branches. [taken]: the constructors that earlier branches cover completely. *)

@@ -21,11 +21,12 @@ type completed = {
   ty : Type.t;
   units : Units.t list;  (** the unit arguments of [ty] *)
   is_example : bool;
-      (** whether nothing determines some of these units, so that they are only examples *)
+      (** whether some of these units are undetermined and therefore only examples *)
   fields : (Syntax.Ir.name * number option * Units.t option) list;
       (** for each field, the number that it is set to, and the unit that this number needs *)
 }
-(** A record completed with units, so that all its numbers agree with one type. *)
+(** A record, with the unit that each of its numbers must have for the record to have the type
+    [ty]. *)
 
 (** The reason why an expression must have a certain type. *)
 type reason =
@@ -63,8 +64,9 @@ type reason =
       constructor : Environment.constructor option;
           (** the constructor of the record, if the units of its fields depend on each other *)
       completed : completed Lazy.t option;
-          (** the record completed with units. Present for a number in such a record if the number
-              has no unit or the expected units are known; computed when a message needs it *)
+          (** the record with all its units, computed only when a message needs it. Present if the
+              units of the record's fields depend on each other, the value of this field is a
+              number, and either the number has no unit or the expected units are known *)
     }
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)

@@ -3,9 +3,9 @@
     Type variables that nothing determines get a default: [()] for a type, [Float] for a
     representation, [1] for a unit.
 
-    During inference, types share subterms, so a type may contain another many times at no cost. The
-    final form can be exponentially larger: each [pair (pair …)] doubles it. Limits on size and
-    nesting protect the later stages. *)
+    During inference, types share subterms, so a type may contain the same subterm many times at no
+    cost. The final form can be exponentially larger: each [pair (pair …)] doubles it. Limits on
+    size and nesting protect the later stages. *)
 
 exception Too_large
 

@@ -10,8 +10,8 @@ type state = {
   mutable counts : counts;
 }
 
-(* Schemes have at most as many variables as a type may have parts, because larger schemes would
-   slow down later stages. *)
+(* The maximum number of parts in a type also limits the number of variables in a scheme, because
+   larger schemes would slow down later stages. *)
 let variable state kind count : Ir.variable =
   if count > Final.most_parts then raise_notrace Final.Too_large;
   { id = Type.next state.supply; name = Variable_name.nth kind count }

@@ -62,7 +62,8 @@ and admit_representation variable r =
   | Rigid_representation r -> if r.depth > variable.depth then clash Escaping
   | Int | Float -> ()
 
-(* Marks as erroneous all variables that only an erroneous type could have determined. *)
+(* Marks the unsolved variables of the type as erroneous, because the type that would have
+   determined them is erroneous. *)
 let rec spoil t =
   Basis.Work.step ();
   match repr t with

@@ -11,8 +11,8 @@ type kind =
   | Scaled  (** a dimensionless multiple of a heading, such as its value in degrees *)
 
 val kind : t -> Ir.expr -> kind option
-(** The kind of the angle that is the value of the expression, or an element of the value; [None] if
-    it does not wrap. Follows equations, and functions that return their argument. *)
+(** The kind of angle, if the value of the expression or an element of that value is an angle that
+    wraps; otherwise [None]. Follows equations, and functions that return their argument. *)
 
 val output : t -> Ir.expr -> kind option
 (** Like {!kind}, for the output of a signal function that is given as a composition. *)

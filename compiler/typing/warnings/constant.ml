@@ -5,9 +5,7 @@ type value = Float of float | Int of int
 type t = {
   definitions : expr Resolve.Global_table.t;
   found : value Resolve.Global_table.t;
-  of_ints : value Resolve.Global_table.t;
-      (* values of number-polymorphic definitions when used as
-                                             Int *)
+  of_ints : value Resolve.Global_table.t; (* of number-polymorphic definitions used as Int *)
   as_int : bool; (* the current definition is number-polymorphic and is evaluated as Int *)
   given : (int * value) list; (* values of parameters, by the id of the local *)
 }
@@ -110,7 +108,7 @@ and literal t ty exact =
   | Number (Int, _) -> Option.map (fun n -> Int (Int32.to_int n)) (Basis.Exact.to_int32 exact)
   | _ -> None
 
-(* A field of a record that is the whole value of a definition. *)
+(* A field of a record, if that record is the whole value of a definition. *)
 and field t (record : expr) constructor index =
   match record.desc with
   | Global (g, _) -> (

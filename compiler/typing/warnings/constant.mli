@@ -14,7 +14,7 @@ val spine : Ir.expr -> Ir.expr * Ir.expr list
 val value : t -> Ir.expr -> value option
 
 val is_of_any_numbers : t -> Ir.expr -> bool
-(** Does this name have a number-polymorphic definition whose numbers are Ints at this use? *)
+(** Does this name have a number-polymorphic definition that is instantiated with Int here? *)
 
 val float : t -> Ir.expr -> float option
 (** The value, if it is a [Float]. *)

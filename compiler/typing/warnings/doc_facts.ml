@@ -21,7 +21,7 @@ let after marker text =
 
 let words text = List.filter (( <> ) "") (String.split_on_char ' ' text)
 
-(* The texts in backticks at the beginning, up to the end of the sentence. *)
+(* The strings in backticks in the first sentence of the text. *)
 let quoted text =
   let rec go = function
     | before :: inside :: rest when not (String.starts_with ~prefix:"." before) -> inside :: go rest

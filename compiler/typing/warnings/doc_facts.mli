@@ -1,7 +1,7 @@
 (** Reads facts about functions and records from their doc comments, for warnings.
 
-    Because the library states these facts, there is no list in the compiler that would have to be
-    kept up to date. Programs can state such facts, too. Three kinds of sentences are recognized:
+    The library itself states these facts, so the compiler does not need a list that could become
+    outdated. Programs can state such facts, too. Three kinds of sentences are recognized:
 
     - [Requires: `tau >= 0`, `low <= high`.] Conditions on parameters, or on fields of a record. A
       condition compares a parameter, or the [sum] of an array, with a number in base units or with

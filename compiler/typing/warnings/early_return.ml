@@ -24,8 +24,8 @@ let warn ctx (statement : Resolve.Ir.expr) ~next =
   if only_returns statement then
     Context.warn ctx (Idle_return { statement; is_choice = not (is_return statement); next })
 
-(* Does the type promise a result of any type? Then there can be no result, unless an argument
-   supplies it. *)
+(* Is this a task whose result can have any type? Such a task never ends, unless an argument
+   supplies the result. *)
 let never_ends (ctx : Context.t) (e : Resolve.Ir.expr) =
   let head, arguments = Resolve.Walk.application e in
   let rec result taken (t : Type.t) = function

@@ -7,5 +7,5 @@ val warn : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
 (** Checks a statement that does not bind anything. [next]: the place of the statement after it. *)
 
 val warn_of_end : Context.t -> Resolve.Ir.expr -> next:Span.t option -> unit
-(** Warns if the type of the statement, a task, promises a result of any type, because such a task
-    never ends ([W0318]). [next]: the place of the statement after it. *)
+(** Warns about a statement that is a task whose result can have any type, because such a task never
+    ends ([W0318]). [next]: the place of the statement after it. *)

@@ -22,7 +22,7 @@ measure() {
     "$bench" "$out"/frobc/wall_follow-*.so "$@" >"$out/speed"
     awk -v name="$name" '
         /^bare Box2D:/ { reference = $3 }
-        /^bare, a look-up a cone:/ { by_cone = $6 }
+        /^bare, one look-up per cone:/ { by_cone = $6 }
         /^with the program:/ { value = $4 }
         function row(measure, reference) {
             printf "{\"program\": \"%s\", \"measure\": \"%s\", \"compiler\": \"gcc\", ", name, measure

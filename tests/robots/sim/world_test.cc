@@ -194,7 +194,7 @@ void mistakes()
     rejects("a key without its unit", "[start]\nx = 0\ny = 0\nheading = 90\n",
             "w.toml:4:1: unknown key `heading`; did you mean `heading_deg`?");
     rejects("a string for a number", "[start]\nx = \"0\"\ny = 0\n",
-            "w.toml:2:5: `x` is a string, expected a number");
+            "w.toml:2:5: `x` is a string, but must be a number");
     rejects("a size below zero", start + "[[circle]]\ncenter = [3, 3]\nradius = -1\n",
             "w.toml:6:10: `radius` must be at least 0.01 m");
     rejects("a point with one number", start + "[[wall]]\npoints = [[1, 2], [3]]\n",
@@ -217,7 +217,7 @@ void mistakes()
     rejects("several mistakes at once, in the file's order",
             "[start]\nx = true\n[sonar]\nrays = 0\n",
             "w.toml:1:1: this needs a key `y`\n"
-            "w.toml:2:5: `x` is true or false, expected a number\n"
+            "w.toml:2:5: `x` is true or false, but must be a number\n"
             "w.toml:4:8: `rays` must be a whole number from 1 to 101");
 }
 

@@ -238,7 +238,7 @@ main = proc x -> y where
             params={"most": "0.2[m/s] to 0.1[m/s]"},
         )
         told("its unit is [m/s], not [m]", params={"most": "0.2[m] to 1[m]"})
-        told("a range has two ends", params={"most": (0, float("inf"))})
+        told("expected two finite ends, found 0 to inf", params={"most": (0, float("inf"))})
         told("has no input `in.want`", inputs={"in.want": (0, 1)})
         told("the column `in.ahead` of cruise is missing", inputs={"in.wanted": (0, 1)})
         told("nothing is varied", inputs={"in.wanted": 1, "in.ahead": 2})
@@ -401,7 +401,7 @@ class Simulated(unittest.TestCase):
 
         told("nothing is varied: give a range to a parameter, a disturbance or the seeds")
         told("its inputs come from the simulator", inputs={"in.x": (0, 1)})
-        told("expected a table of the world file and its key", disturbances={"noise": (0, 1)})
+        told("expected a table and a key of the world file, such as sonar.noise", disturbances={"noise": (0, 1)})
         told('expected a range, such as "0 to 0.1"', disturbances={"sonar.noise": 0.1})
         told("hall.toml:13:1: unknown key `noose`", disturbances={"sonar.noose": (0, 0.1)})
         told("the range ends at 0, which is not more than 1", disturbances={"sonar.noise": (1, 0)})
