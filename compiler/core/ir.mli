@@ -70,8 +70,7 @@ and control_kind =
   | Map  (** an event with the position of a click, in metres *)
   | Camera  (** an event with a camera frame *)
   | Tags  (** an event with the tags detected in a frame *)
-  | Lidar of { rays : int }
-      (** an event with a scan, resampled to this number of directions *)
+  | Lidar of { rays : int }  (** an event with a scan, resampled to this number of directions *)
   | Imu  (** an event with the reading of an inertial measurement unit *)
 
 and foreign = {

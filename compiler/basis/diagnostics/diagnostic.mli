@@ -62,8 +62,8 @@ val message : 'a extend
 (** Replaces the message. *)
 
 val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
-(** [fix title edits] adds a fix that replaces the text at each place. It is not [safe] by
-    default. *)
+(** [fix title edits] adds a fix that replaces the text at each place. It is not [safe] by default.
+*)
 
 val write : Span.t -> string -> t -> t
 (** Adds a fix that replaces the text at this place, with the title [write `…`]. *)

@@ -17,8 +17,7 @@ type t =
   | Not of t
   | And of t * t
   | Or of t * t
-  | Choice of t * t * t
-      (** the second formula when the first is true, otherwise the third *)
+  | Choice of t * t * t  (** the second formula when the first is true, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
       (** a function of the library's module Past, and the column of its time argument *)
 

@@ -34,9 +34,9 @@ type node = {
 }
 
 val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
-(** Computes the {!passage} of every node, callees first. Calls [each] for one node at a time,
-    with the results for the preceding nodes, because keeping the graphs of all nodes would take too
-    much memory. *)
+(** Computes the {!passage} of every node, callees first. Calls [each] for one node at a time, with
+    the results for the preceding nodes, because keeping the graphs of all nodes would take too much
+    memory. *)
 
 val passed_by : passage -> Ir.instance -> int -> Inputs.t
 (** For an instance of the node: the indices of the inputs that this output needs. *)

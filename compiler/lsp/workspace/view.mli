@@ -38,5 +38,5 @@ val place_at : seen -> int -> Span.t -> (int * int) option
 (** Like {!place}, but [None] if the word does not contain this offset of the current text. *)
 
 val range : seen -> Span.t -> (int * int) option
-(** Like {!place}, but for a range that is longer than a word and whose contents may have
-    changed. *)
+(** Like {!place}, but for a range that is longer than a word and whose contents may have changed.
+*)

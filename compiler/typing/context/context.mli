@@ -71,8 +71,8 @@ val start : Annotation.t -> sources:Source.t -> real:Real.t -> t
 (** The initial state, outside all groups. *)
 
 val within : t -> ?wanted:Type.t -> Resolve.Ir.expr -> t
-(** The state inside this application or record. [wanted]: the type that the expression must
-    have. *)
+(** The state inside this application or record. [wanted]: the type that the expression must have.
+*)
 
 val in_group : t -> t
 (** The state at the start of a new group. *)

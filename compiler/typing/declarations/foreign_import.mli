@@ -1,9 +1,9 @@
 (** Checks the types of foreign imports.
 
-    C can represent numbers, Booleans, structs of them, and foreign types. A foreign function
-    takes at least one argument ([()] if it does not need any). A foreign signal function has a type
-    of the form [SF a b]. The types may contain unit variables, which do not exist in C, but no
-    other variables. *)
+    C can represent numbers, Booleans, structs of them, and foreign types. A foreign function takes
+    at least one argument ([()] if it does not need any). A foreign signal function has a type of
+    the form [SF a b]. The types may contain unit variables, which do not exist in C, but no other
+    variables. *)
 
 val program :
   report:(Declaration_fact.t -> unit) ->

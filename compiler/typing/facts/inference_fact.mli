@@ -120,8 +120,8 @@ type t =
       next : Span.t option;  (** the statement after it *)
     }  (** a [return] that is not the last statement of a [do]; a warning *)
   | Unreachable_statement of { at : Span.t; endless : Resolve.Ir.expr }
-      (** a warning; [endless]: the head of the preceding statement, which is a task that never
-          ends *)
+      (** a warning; [endless]: the head of the preceding statement, which is a task that never ends
+      *)
   | Long_array of { at : Span.t; length : int; longest : int }
   | Empty_array of Span.t
   | Int_out_of_range of {

@@ -25,8 +25,8 @@ type completed = {
   fields : (Syntax.Ir.name * number option * Units.t option) list;
       (** for each field, the number that it is set to, and the unit that this number needs *)
 }
-(** A record, with the unit that each of its numbers must have for the record to have the type
-    [ty]. *)
+(** A record, with the unit that each of its numbers must have for the record to have the type [ty].
+*)
 
 (** The reason why an expression must have a certain type. *)
 type reason =

@@ -401,7 +401,10 @@ class Simulated(unittest.TestCase):
 
         told("nothing is varied: give a range to a parameter, a disturbance or the seeds")
         told("its inputs come from the simulator", inputs={"in.x": (0, 1)})
-        told("expected a table and a key of the world file, such as sonar.noise", disturbances={"noise": (0, 1)})
+        told(
+            "expected a table and a key of the world file, such as sonar.noise",
+            disturbances={"noise": (0, 1)},
+        )
         told('expected a range, such as "0 to 0.1"', disturbances={"sonar.noise": 0.1})
         told("hall.toml:13:1: unknown key `noose`", disturbances={"sonar.noose": (0, 0.1)})
         told("the range ends at 0, which is not more than 1", disturbances={"sonar.noise": (1, 0)})
