@@ -258,7 +258,7 @@ def need_packages(method: str) -> None:
         if "cma" in missing
         else ""
     )
-    raise Error(f"falsify needs {which} not installed: `frobc extras install search`{blind}")
+    raise Error(f"falsify needs {which} not installed: run `frobc extras install search`{blind}")
 
 
 def cma() -> Any:

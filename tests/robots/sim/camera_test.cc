@@ -482,7 +482,7 @@ void mistakes_are_told()
                     "w:6:11: `rolling` must be at most 1 / `rate`, the time between frames",
                 "rows too slow");
     check::that(told("[ambient]\nwhite = 100\n") ==
-                    "w:5:9: with `white`, cameras need light, and this world has none: "
+                    "w:5:9: with `white`, cameras need light, but this world has none: "
                     "add `light`, or a table [[lamp]]",
                 "no light");
     check::that(told("[ambient]\nwhite = 0\nlight = 10\n") ==

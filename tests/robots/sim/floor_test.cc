@@ -211,7 +211,7 @@ void mistakes()
     rejects("a patch that crosses itself", "[[patch]]\npoints = [[2,2],[3,3],[3,2],[2,3]]\n",
             "w.toml:6:10: the edges of this patch cross or touch");
     rejects("no tape to measure", "[measure]\nwhat = \"tape\"\n",
-            "w.toml:5:1: `measure` needs a [[tape]], and this world has none");
+            "w.toml:5:1: `measure` needs a [[tape]], but this world has none");
     rejects("tape has no side",
             "[[tape]]\npoints = [[1, 1], [2, 1]]\n[measure]\nwhat = \"tape\"\nside = \"left\"\n",
             "w.toml:9:1: unknown key `side`");

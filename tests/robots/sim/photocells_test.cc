@@ -209,7 +209,7 @@ void mistakes()
     rejects("less than dark", "[ambient]\nlight = -1\n",
             "w.toml:5:9: `light` must be zero or more");
     rejects("one lamp where many may hang", "[lamp]\nposition = [1, 1]\n",
-            "w.toml:4:1: `lamp` is a table; write each one as a table of its own, [[lamp]]");
+            "w.toml:4:1: `lamp` is a table; write a separate table [[lamp]] for each lamp");
 }
 
 } // namespace

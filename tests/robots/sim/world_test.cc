@@ -209,7 +209,7 @@ void mistakes()
             start + "[[polygon]]\npoints = [[2,2],[3,3],[3,2],[2,3]]\n",
             "w.toml:5:10: the edges of this polygon cross or touch");
     rejects("one table where many may stand", start + "[wall]\npoints = [[1,1],[2,2]]\n",
-            "w.toml:4:1: `wall` is a table; write each one as a table of its own, [[wall]]");
+            "w.toml:4:1: `wall` is a table; write a separate table [[wall]] for each wall");
     rejects("a start inside a wall", start + "[[wall]]\npoints = [[0, -1], [0, 1]]\n",
             "w.toml:1:1: the robot starts inside a wall or another object");
     rejects("a needed key misspelt, once", start + "[[circle]]\ncentre = [3, 3]\nradius = 1\n",
@@ -262,9 +262,9 @@ void syntax_mistakes()
     rejects("a unit that is no letter", "[start]\nheading_deg = 90°\n", "w.toml:2:17: " + unit);
     rejects("a unit in a list", start + "[[circle]]\ncenter = [1, 2 m]\n", "w.toml:5:16: " + unit);
     rejects("a decimal comma", "[start]\nx = 1,5\n",
-            "w.toml:2:6: write the number with a point, not with a comma");
+            "w.toml:2:6: write the number with a decimal point, not with a comma");
     rejects("a point without digits", "[start]\nx = .5\n",
-            "w.toml:2:5: a number needs digits on both sides of its point, as in `0.5`");
+            "w.toml:2:5: a number needs digits on both sides of the decimal point, as in `0.5`");
     rejects("a computation", "[start]\nx = 1/2\n",
             "w.toml:2:6: expressions are not allowed here: write the result");
     rejects("two keys in a line", "[start]\nx = 1 y = 2\n",
@@ -286,8 +286,8 @@ void syntax_mistakes()
     rejects("half a bracket", "[start\nx = 1\n",
             "w.toml:1:7: put the name of a table in brackets, as in `[start]` or `[[wall]]`");
     rejects("a comment of C's", "// a room\n",
-            "w.toml:1:1: write a key, `=` and its value, a table's name such as "
-            "`[start]`, or a comment, which begins with `#`");
+            "w.toml:1:1: write `key = value`, a table's name such as `[start]`, "
+            "or a comment, which begins with `#`");
 }
 
 } // namespace

@@ -156,7 +156,7 @@ class OnCluster(unittest.TestCase):
         with self.assertRaises(frob.Error) as raised:
             frob.sweep("gaps.toml", self.client)
         self.assertIn(f"the worker {address} cannot perform these runs: ", str(raised.exception))
-        self.assertIn("there is no world `room.toml` beside", str(raised.exception))
+        self.assertIn("there is no world `room.toml` next to", str(raised.exception))
         self.assertEqual(os.listdir("gaps.rows"), [])
 
     def test_full_disk(self):

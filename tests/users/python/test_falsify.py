@@ -242,7 +242,7 @@ main = proc x -> y where
         told("has no input `in.want`", inputs={"in.want": (0, 1)})
         told("the column `in.ahead` of cruise is missing", inputs={"in.wanted": (0, 1)})
         told("nothing is varied", inputs={"in.wanted": 1, "in.ahead": 2})
-        told("there is no assertion `fast`; there are: `stops`, `is slow`", only=["fast"])
+        told("there is no assertion `fast`; the assertions are: `stops`, `is slow`", only=["fast"])
         told("points: expected a number from 1 to 10000, found 0", points=0)
         told('method: expected "cma" or "random"', method="best")
         with open("nothing.frob", "w") as file:
@@ -262,11 +262,11 @@ main = proc x -> y where
 
         self.assertEqual(
             told("numpy", "random"),
-            "error: falsify needs numpy, which is not installed: `frobc extras install search`\n",
+            "error: falsify needs numpy, which is not installed: run `frobc extras install search`\n",
         )
         self.assertEqual(
             told("cma", "cma"),
-            "error: falsify needs cma, which is not installed: `frobc extras install search`; or "
+            "error: falsify needs cma, which is not installed: run `frobc extras install search`; or "
             "search at random (`--method random`), which takes more runs\n",
         )
 

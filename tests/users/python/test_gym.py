@@ -147,7 +147,7 @@ class Driven(unittest.TestCase):
         with self.assertRaisesRegex(frob.Error, "has not been started, or is closed"):
             driven.truth()
         with self.assertRaisesRegex(
-            frob.InputError, "follow has no number `out.left`; it has: in.od"
+            frob.InputError, "follow has no numeric column `out.left`; it has: in.od"
         ):
             driven.numbers(["out.left"])
         with self.assertRaisesRegex(frob.Error, "a world needs a table .start."):
@@ -244,10 +244,10 @@ class Environment(unittest.TestCase):
 
     def test_mistakes(self):
         for text, options in [
-            ("follow has no number `out.left`", dict(action=["out.left"], limits={})),
-            ("limits: `in.x` is neither acted on nor observed", dict(limits={"in.x": (0, 1)})),
+            ("follow has no numeric column `out.left`", dict(action=["out.left"], limits={})),
+            ("limits: `in.x` is in neither `action` nor `observation`", dict(limits={"in.x": (0, 1)})),
             ("the minimum is greater than the maximum", dict(limits={"out.turn": (1, -1)})),
-            ("need at least one column, and each column only once", dict(action=[], limits={})),
+            ("must each name at least one column", dict(action=[], limits={})),
             ("it has no parameter|follow has no parameter `far`", dict(params={"far": 1})),
             ("duration: expected seconds, found nan", dict(duration=float("nan"))),
         ]:
@@ -258,7 +258,7 @@ class Environment(unittest.TestCase):
             env.step(np.zeros(2))
         env.reset(seed=1)
         for action in (np.zeros(3), np.array([np.nan, 0])):
-            with self.assertRaisesRegex(frob.InputError, r"an action is \(2,\) numbers"):
+            with self.assertRaisesRegex(frob.InputError, r"expected an action of shape \(2,\)"):
                 env.step(action)
 
 

@@ -134,10 +134,10 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
             [0, 0],
         ):
             with self.assertRaisesRegex(
-                frob.InputError, "out: expected a writable array of float64"
+                frob.InputError, "out: expected a writable float64 array"
             ):
                 half.run(inputs, dt=1, out=wrong)
-        with self.assertRaisesRegex(frob.InputError, "out: expected a writable array of float64"):
+        with self.assertRaisesRegex(frob.InputError, "out: expected a writable float64 array"):
             program(ODD).run(np.zeros((2, 2)), dt=1, out=np.zeros((2, 2)))
         with self.assertRaisesRegex(
             frob.InputError, "out: this is only supported if the inputs are an array"
@@ -217,7 +217,7 @@ class Mistakes(unittest.TestCase):
             step(({"x": 1, "way": "Back"}, [1, 2], None)),
         )
         self.told(
-            "in.1.way: `Turn` has arity 1, found Data('Turn')",
+            "in.1.way: expected `Turn` with 1 argument, found Data('Turn')",
             step(({"x": 1, "way": "Turn"}, [1, 2], None)),
         )
         self.told("in.2: expected a list of 2, found 3: [1, 2, 3]", step((pose, [1, 2, 3], None)))
@@ -227,7 +227,7 @@ class Mistakes(unittest.TestCase):
         )
         self.told("in.3: expected a number, found [1]", step((pose, [1, 2], [1])))
         self.told(
-            "dt: nan is not a duration: give seconds, 0 or more",
+            "dt: nan is not a duration: give a non-negative number of seconds",
             lambda: p.step(float("nan"), (pose, [1, 2], None)),
         )
         self.told("dt: expected seconds, found '1'", lambda: p.step("1", (pose, [1, 2], None)))
@@ -258,7 +258,7 @@ class Mistakes(unittest.TestCase):
             "in, row 1: expected a number, found None", lambda: half.run({"in": [1, None]}, dt=1)
         )
         self.told(
-            "`in.2` has 1 rows, and `in.1` 2",
+            "`in.2` has 1 rows, but `in.1` has 2",
             lambda: odd.run({"in.1": [1, 2], "in.2": [True]}, dt=1),
         )
         self.told(
@@ -284,9 +284,9 @@ class Mistakes(unittest.TestCase):
             "time, row 1: nan is not a time in seconds",
             lambda: half.run(np.zeros(2), time=[0, float("nan")]),
         )
-        self.told("dt has 2 rows, and the input 3", lambda: half.run(np.zeros(3), dt=[1, 1]))
+        self.told("dt has 2 rows, but the input has 3", lambda: half.run(np.zeros(3), dt=[1, 1]))
         self.told(
-            "dt, row 1: -1.0 is not a duration: give seconds, 0 or more",
+            "dt, row 1: -1.0 is not a duration: give a non-negative number of seconds",
             lambda: half.run(np.zeros(2), dt=[1, -1]),
         )
         self.told(
@@ -299,7 +299,7 @@ class Mistakes(unittest.TestCase):
         )
         self.told(
             "`in.1.way` of it is not a number (`Idle` or `Ahead` or `Turn`), but an array can "
-            "only have numbers: give a mapping of columns, or a DataFrame",
+            "only contain numbers: give a mapping of columns, or a DataFrame",
             lambda: program(PAIR).run(np.zeros((2, 5)), dt=1),
         )
         self.told(

@@ -154,10 +154,10 @@ class Read(unittest.TestCase):
             frob.read("nowhere.csv")
         self.told(
             "a,b\n1,2\n",
-            "log.csv:1: not a recording: its first column is `time`, found `a`; "
+            "log.csv:1: not a recording: the first column must be `time`, not `a`; "
             "to choose the column with the times, pass `time_column=NAME`",
         )
-        self.told("", "log.csv:1: not a recording: its first column is `time`")
+        self.told("", "log.csv:1: not a recording: the first column must be `time`")
         self.told(
             "time,in\n0,1\n1\n",
             "log.csv:3: 2 columns, but 1 cells in this row; the recording may be truncated",

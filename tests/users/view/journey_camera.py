@@ -98,7 +98,7 @@ def visit_missing(page):
     page.at(50)
     check(
         "a frame that is missing is told",
-        "frame 29, of instant 50, is not available" in page.wait(lambda: page.text("#notes")),
+        "frame 29 at instant 50 is not available" in page.wait(lambda: page.text("#notes")),
     )
     page.wait(lambda: colours(page)[1] == 0)
     check("and no other is shown for it", frame(page) is None)

@@ -26,7 +26,7 @@ PATIENCE = 120  # seconds for anything that must happen, however busy the machin
 # The page's message that a command was not executed because the run's process was frozen, or had
 # no processor, for longer than a command may wait. On a busy machine this is right.
 LATE = (
-    "the run does not answer, so the request was ignored",
+    "the run is not responding, so the request was ignored",
     "the request came too late and was ignored",
 )
 

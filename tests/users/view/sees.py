@@ -164,7 +164,7 @@ async def without(frobc):
         shown = viewer.Viewer(frobc, live.path(f"{name}.csv"), follow)
         async with live.Page(shown) as page:
             notes = (await page.ask(f"instant {at}")) and (await page.ask("program"))["notes"]
-            check(f"{name}: it is told", f"frame 40, of instant {at}, {says}" in notes)
+            check(f"{name}: it is told", f"frame 40 at instant {at} {says}" in notes)
             lost = await page.ask(f"picture {at} 320 0")
             check(
                 f"{name}: and shown in its place",

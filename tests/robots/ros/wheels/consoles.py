@@ -75,7 +75,7 @@ def test_bad_joystick():
     base, joystick, run = started(*JOYSTICK)
     joystick.buttons = [1]
     base.until(
-        lambda: says(run, "`joy.drive=1` needs 2 buttons, and it has 1"),
+        lambda: says(run, "`joy.drive=1` needs 2 buttons, but the joystick has 1"),
         "a missing button is reported",
     )
     joystick.buttons, joystick.axes = [0, 1], [math.nan]
