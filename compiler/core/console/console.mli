@@ -36,8 +36,8 @@ val tags_label : string -> string
 (** The label for the tags seen by the camera with this label. Hosts use it to find the camera. *)
 
 val lidar_label : string -> int -> string
-(** The label for scans from the lidar with this label, resampled to this number of directions. Hosts
-    use it to find the lidar. *)
+(** The label for scans from the lidar with this label, resampled to this number of directions.
+    Hosts use it to find the lidar. *)
 
 val camera : Ir.control -> string option
 (** The label of the camera that supplies this control; [None] if the control is neither a camera

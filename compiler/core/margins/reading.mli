@@ -19,8 +19,8 @@ type head = { env : env; expr : Ir.expr }
 
 val head : t -> stop:(Ir.Global.t -> bool) -> env -> Ir.expr -> head
 (** Evaluates the expression to weak head normal form: the result is a variable, call, component or
-    payload only if evaluation cannot continue. [stop]: definitions that are not expanded. Parameters of
-    the program are not expanded either. *)
+    payload only if evaluation cannot continue. [stop]: definitions that are not expanded.
+    Parameters of the program are not expanded either. *)
 
 val run : t -> env -> Ir.Local.t -> head option
 (** The signal function whose instance defines the variable, if any, with its environment. *)
