@@ -8,7 +8,7 @@
 type program
 
 val program : ?params:(Core.Ir.Global.t * Value.thunk) list -> Core.Ir.program -> program
-(** [params] lists definitions with the values that replace theirs. *)
+(** [params]: definitions whose values are overridden, each with its new value. *)
 
 val definition : program -> Core.Ir.Global.t -> Value.thunk
 (** The value of a definition without parameters. *)

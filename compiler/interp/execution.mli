@@ -9,7 +9,7 @@ val start :
   ?params:(Core.Ir.Global.t * Value.t) list -> Core.Ir.program -> entry:Core.Ir.Global.t -> t
 (** [params]: the values of parameters that differ from their defaults. The entry must be a signal
     function or a program with a closed type. For programs that the compiler would reject, the
-    behavior is undefined. *)
+    behaviour is undefined. *)
 
 val ended : t -> Core.Ir.ty option
 (** The type of the result, if the program can end. In that case, each output is a pair of the

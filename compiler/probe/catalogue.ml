@@ -206,7 +206,7 @@ let rec found equations passed (program : Ir.program) index ~path ~whole ~given 
   in
   own @ List.fold_right inner (inside program node) rest
 
-(* Suffixes of the path to an instance, the shortest first. *)
+(* Suffixes of the path to an instance, shortest first. *)
 let rec ends whole =
   match whole with [] -> [] | _ :: rest -> ends rest @ [ String.concat "." whole ]
 

@@ -97,7 +97,8 @@ let entered t (node : Flow.Ir.node) ~only_head places =
       | [ ty ] -> Substitution.union (Substitution.matching d.scheme.ty ty) others
       | _ -> others)
 
-(* The values of the type variables at the end of a path. The root is the last node. *)
+(* The values of the type variables in the node at the end of a path from the root. The root is the
+   program's last node. *)
 let at t path =
   let rec follow node places values = function
     | [] -> values

@@ -284,8 +284,8 @@ let program (before : Ir.program) probes =
   }
 
 let claims ~shown ~margin probes =
-  (* The margin columns belong to the instance of the claim, so only the last part of their names
-     differs from that of the claim. *)
+  (* The margin columns belong to the same instance as the claim, so their names differ from the
+     claim's name only in the last part. *)
   let margin_of (p : Catalogue.probe) =
     let way = String.sub p.name 0 (String.length p.name - String.length p.signal) in
     let column number = way ^ Core.Margin.column p.signal number in

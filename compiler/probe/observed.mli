@@ -5,7 +5,7 @@
     not run in every instant, because it is a mode or inside [onEvent], the output is an [Event]
     that occurs only when the node runs; a signal that is already an event is not wrapped again.
 
-    This happens before any optimization, so all signals still exist. The program's own behavior
+    This happens before any optimization, so all signals still exist. The program's own behaviour
     does not change. *)
 
 val program : Flow.Ir.program -> Catalogue.probe list -> Flow.Ir.program

@@ -268,8 +268,8 @@ let walk t continue =
 
 (* {1 Columns} *)
 
-(* For each leaf of the input or output, the name of its columns: the text before the index of an
-   element, and the text after it. *)
+(* For each leaf of the input or output, the name that its columns share: the text before the index
+   of an array element, and the text after it. *)
 let rec leaf_columns name (shape : Ir.shape) =
   match shape with
   | Leaf _ -> [ (name, "") ]

@@ -22,8 +22,8 @@ type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
-      (** the innermost mode in which the source matters, as the column of a machine and the number
-          of its mode. For [Entry], this is the previous mode: {!any}, or {!before} if the machine
+      (** the innermost mode in which the source matters: the column of its machine, and its
+          number. For [Entry], this is the previous mode: {!any}, or {!before} if the machine
           itself was starting *)
 }
 

@@ -17,8 +17,8 @@ val without : Ir.variable list -> t -> t
 (** Removes the values of these variables. *)
 
 val union : t -> t -> t
-(** The values of both substitutions. If both have a value for a variable, the first one's counts.
-*)
+(** The values of both substitutions. If both have a value for a variable, the first one takes
+    precedence. *)
 
 val data :
   unit_parameters:Ir.variable list ->

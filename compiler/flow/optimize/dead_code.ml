@@ -1,7 +1,7 @@
 open Basis
 
-(* For each node, the maximum number of accumulators in the loops over it. That many of its first
-   inputs may be fed back from the outputs with the same index. *)
+(* For each node, the maximum number of accumulators in any loop that runs it. Up to that many of
+   its first inputs may be fed back from the outputs with the same index. *)
 let accumulators (program : Ir.program) =
   let most = Array.make (Array.length program.nodes) 0 in
   let is_accumulator argument = argument = Ir.Accumulator in
@@ -123,8 +123,8 @@ let find (program : Ir.program) =
   go (List.fold_left need [] (Long_list.map snd program.nodes.(root).outputs));
   found
 
-(* The items whose flags are set. Returns the same list, physically, if all flags are set, which is
-   the usual case. *)
+(* The items whose flags are set. The result is physically equal to the list if all flags are set,
+   which is the usual case. *)
 let select flags items =
   let add all flag item = if flag then item :: all else all in
   if List.for_all Fun.id flags then items else List.rev (List.fold_left2 add [] flags items)

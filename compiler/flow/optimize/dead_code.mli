@@ -1,5 +1,5 @@
-(** Dead code elimination: removes the equations, instances, static parameters, inputs and outputs
-    of nodes, and whole nodes that no output of the program depends on.
+(** Dead code elimination. Removes everything that no output of the program depends on: equations,
+    instances, static parameters, inputs and outputs of nodes, and whole nodes.
 
     A parameter is needed if something needed in its node reads it, in any instant. In that case,
     its arguments in all needed instances are also needed. The pass is a single search from the

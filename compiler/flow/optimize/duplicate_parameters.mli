@@ -7,4 +7,4 @@
     longer read. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if there are no duplicates. *)
+(** The result is physically equal to the argument if there are no duplicates. *)

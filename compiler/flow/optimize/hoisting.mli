@@ -1,12 +1,12 @@
-(** Moves calls of elementary functions from a node to its callers, if their arguments are inputs of
+(** Moves calls to elementary functions from a node to its callers if the arguments are inputs of
     the node.
 
     For example, two nodes may compute the cosine of the same heading, or all iterations of a loop
     may compute the cosine of the same angle. If the caller computes the cosine and passes the
-    result, it is computed only once. The pass moves a function only if this saves a call: if a loop
-    passes the same arguments in all iterations, or if the caller would otherwise compute the value
-    more than once. All callers must be able to compute the value, so nothing is moved out of the
-    nodes of modes. *)
+    result, it is computed only once. The pass moves a call only if this reduces the number of
+    calls: if a loop passes the same arguments in all iterations, or if the caller would otherwise
+    compute the value more than once. All callers must be able to compute the value, so nothing is
+    moved out of the nodes of modes. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if nothing was moved. *)
+(** The result is physically equal to the argument if nothing was moved. *)

@@ -18,7 +18,7 @@ val to_look_at : most:int -> Ir.program -> Ir.program
     transitions their order. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if nothing was inlined. *)
+(** The result is physically equal to the argument if nothing was inlined. *)
 
 val uses : Ir.program -> int array
 (** For each node, the number of instances that run it. *)

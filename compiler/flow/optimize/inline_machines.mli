@@ -3,4 +3,4 @@
     no step function that only calls another one. Requires that there are no dead nodes. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if there is no such machine. *)
+(** The result is physically equal to the argument if there is no such machine. *)

@@ -13,7 +13,7 @@ type group = {
 
 type work = {
   program : Ir.program;
-  varying : unit Int_table.t; (* signals that are not known at the start *)
+  varying : unit Int_table.t; (* signals whose values are not known at the start *)
   mutable groups : group list; (* the groups, latest one first; only the latest may grow *)
 }
 

@@ -25,7 +25,7 @@ let sole (nodes : Ir.node array) (m : Ir.machine) =
       if List.for_all is_over ends then Some { mode; arguments; ends } else None
   | _, _, _ -> None
 
-(* For each output, its Bool value in all these nodes, if they agree on one. *)
+(* For each output, its value if it is the same Bool literal in all these nodes. *)
 let told (nodes : Ir.node array) ends =
   let bools (_, node) =
     let bool (_, (a : Ir.atom)) = match a with Bool b -> Some b | _ -> None in

@@ -7,4 +7,4 @@
     [withMarks]. In this case, only the outputs of the end mode are kept. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if there is no such machine. *)
+(** The result is physically equal to the argument if there is no such machine. *)

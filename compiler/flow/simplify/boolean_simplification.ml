@@ -40,7 +40,7 @@ let rec pairs = function
 let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   let value known = Truth.value (at_an_instant known) (Signal e.defines) in
   let parts = parts definitions e.rhs in
-  (* The value that follows from [known] directly or, otherwise, by case distinction on some other
+  (* The value that follows from [known] directly or, failing that, by case analysis on another
      part. *)
   let value_anyhow known =
     let either (other : Ir.signal) =

@@ -5,4 +5,4 @@
     one of two events occurs. Candidates are verified for all values of the two signals. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if there is no such condition. *)
+(** The result is physically equal to the argument if there is no such condition. *)

@@ -4,9 +4,9 @@
     merges two instances of a node with the same static parameters and inputs, because they start
     together and take the same steps. Also merges delays, except those whose equality can only be
     proved by assuming it (such as two counters that are not instances of one node). An absolute
-    value and a distance ([hypot]) do not depend on the sign of their operands, so those of [a - b]
-    and [b - a] are merged. The first equation of each class remains, and inherits a programmer's
-    name from any equation of the class. *)
+    value and a distance ([hypot]) do not depend on the sign of their operands, so [abs (a - b)] and
+    [abs (b - a)] are merged, for example. The first equation of each class remains, and inherits a
+    programmer's name from any equation of the class. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if nothing is computed twice. *)
+(** The result is physically equal to the argument if nothing is computed twice. *)

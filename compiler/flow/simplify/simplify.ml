@@ -14,7 +14,7 @@ let is_int : Ir.atom -> bool = function
   | Signal s -> s.ty = Int
   | Bool _ | Float _ -> false
 
-(* Whether the value certainly equals itself, because it cannot be NaN. *)
+(* Whether the value is certain to equal itself, because it cannot be NaN. *)
 let is_no_float : Ir.atom -> bool = function
   | Int _ | Bool _ -> true
   | Signal s -> s.ty <> Float
@@ -214,7 +214,7 @@ let of_loop known atom (i : Ir.instance) =
 
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
-  (* Lazy, because only few equations need it. *)
+  (* Lazy, because only a few equations need it. *)
   let written : known Lazy.t =
     lazy
       (let written = Int_table.create 64 in

@@ -7,7 +7,7 @@
     most effective on acyclic nodes. The pass takes linear time. *)
 
 val program : Ir.program -> Ir.program
-(** Returns the same program, physically, if nothing is simplified. *)
+(** The result is physically equal to the argument if nothing is simplified. *)
 
 val after : (Ir.node -> Ir.node) -> Ir.program -> Ir.program
 (** Applies a function to each node, and simplifies those that it changes. *)

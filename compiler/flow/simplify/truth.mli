@@ -6,8 +6,8 @@ val definitions : Ir.node -> Ir.rhs Basis.Int_table.t
 (** The definitions of the node's Bools. *)
 
 val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
-(** Derives the consequences of these values. Partially apply it to the node, and then apply the
-    result to values any number of times. *)
+(** Derives the consequences of these values. Apply this function to the node first; the result can
+    then be applied to values any number of times. *)
 
 val while_running : Ir.node -> (Ir.signal * bool) list -> t
 (** Like {!at_an_instant}, for an instant in which a mode continues to run, so none of its

@@ -6,9 +6,9 @@ val apply :
   size:int ->
   Value.thunk list ->
   Value.t option
-(** Applies a primitive to all its arguments; the first parameter applies a function to arguments.
-    [size] is the size of the resulting array if its type determines it. [None] for primitives that
-    do not operate on arrays. *)
+(** Applies a primitive to all its arguments. The first parameter applies a function to arguments;
+    [size] is the size of the resulting array, if its type determines it. Returns [None] for
+    primitives that do not operate on arrays. *)
 
 val map_sf : size:int -> Value.thunk -> Value.instance
 val parallel : Value.thunk -> Value.instance

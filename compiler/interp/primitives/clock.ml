@@ -3,7 +3,7 @@ type instant = int64
 let seconds real ns = Basis.Real.round real (Basis.Real.of_int64 real ns /. 1e9)
 let first = 0L
 
-(* Doubles of 2^52 and more have no fraction. *)
+(* Doubles of 2^52 or more have no fractional part. *)
 let to_nearest_even x =
   if x >= 0x1p52 then x
   else

@@ -6,11 +6,11 @@ type instant = int64
 val first : instant
 
 val after : Basis.Real.t -> float -> instant
-(** The instant this many seconds after the previous one, where the seconds are a number of the
-    given precision. Rounds to nanoseconds, ties to even. Returns 0 for negative numbers and NaN,
-    and at most 10⁹ s. In single precision, the product of the fractional part of the seconds and
-    10⁹ is rounded to a single, too. Therefore the single nearest to 0.1 becomes 100,000,000 ns,
-    although its value is 1.5 ns more. *)
+(** The instant that comes this many seconds after the previous one. The number of seconds has the
+    given precision. Rounds to the nearest nanosecond, ties to even. Returns 0 for negative numbers
+    and NaN, and never more than 10⁹ s. In single precision, the product of the fractional part of
+    the seconds and 10⁹ is rounded to a single, too. Therefore the single nearest to 0.1 becomes
+    100,000,000 ns, although its value is 1.5 ns more. *)
 
 val later : int64 -> instant -> int64
 (** Adds the length of an instant to a local time in nanoseconds. Saturates at 2⁶³ - 1 ns, about 292

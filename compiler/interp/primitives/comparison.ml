@@ -3,8 +3,8 @@ let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values that are not compar
 (* Pairs the corresponding parts of two values of the same type, from first to last. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
 
-(* Drawings and texts compare as equal: drawings do not influence what a program does, and texts
-   occur only in drawings. *)
+(* Drawings compare as equal, because they do not influence what a program does. So do values of
+   type [Text], because they occur only in drawings. *)
 let rec equal (a : Value.t) (b : Value.t) =
   match (a, b) with
   | Bool a, Bool b -> Bool.equal a b

@@ -19,8 +19,8 @@ end
 
 module Float : sig
   val nan : float
-  (** The only NaN, which is quiet. Before version 5.1, OCaml's [nan] was a signaling NaN, for which
-      the C library's [pow nan 0] is not 1. *)
+  (** The only NaN, which is quiet. Before version 5.1, OCaml's [nan] was a signalling NaN, for
+      which the C library's [pow nan 0] is not 1. *)
 
   val signum : float -> float
   (** Returns zeros and NaN unchanged. *)

@@ -12,8 +12,8 @@ val write : Shape.t -> Value.t -> string
 (** Converts a completely evaluated value to text. Does not quote the text for CSV. *)
 
 val read : ?frames:Kernels.frames -> Shape.t -> string -> (Value.t, string) result
-(** Reads a value of this shape. On failure, returns a description of the expected text. [frames]
-    finds the images. *)
+(** Reads a value of this shape. On failure, returns a description of the expected text. Images are
+    loaded from [frames]. *)
 
 val overflows : string -> bool
 (** Whether the text is a number that would be rounded to infinity, such as [1e400]. *)

@@ -18,8 +18,8 @@ type problem =
           the row that was read *)
   | Zero_byte
   | Too_long
-      (** the row has more than {!longest} bytes or a million cells; these limits bound memory use
-      *)
+      (** the row is larger than {!longest} bytes or has more than a million cells; these limits
+          bound memory use *)
 
 val longest : int
 

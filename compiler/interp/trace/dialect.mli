@@ -34,17 +34,17 @@ val cell : t -> string -> string
     A hint is empty if no option would help. *)
 
 val time_hint : t -> string list -> string
-(** The hint for the error that the first column of the header must be [time]. *)
+(** The hint for a header whose first column is not [time]. *)
 
 val separator_hint : t -> string list -> string option
 (** The part of {!time_hint} about a different separator. If the result is [Some], the header was
     split at the wrong places, so messages about other columns would be misleading. *)
 
 val column_hint : missing:string -> unknown:string list -> string
-(** The hint for the error that a column is missing, if the recording has unknown columns. *)
+(** The hint for a missing column, if the recording has unknown columns. *)
 
 val width_hint : t -> width:int -> cells:int -> string
 (** The hint for a row with [cells] cells where the header has [width] columns. *)
 
 val number_hint : t -> string -> string
-(** The hint for the error that a cell is not a number. *)
+(** The hint for a cell that is not a number. *)

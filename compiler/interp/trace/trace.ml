@@ -179,7 +179,8 @@ let nanoseconds text =
       | Some _ | None -> None)
   | Some _ | None -> None
 
-(* Recognizes times since 1970 in smaller units by their size: the current time is about 1.8e9 s. *)
+(* A time since 1970 in a smaller unit can be recognized by its size: the current time is about
+   1.8e9 s. *)
 let other_unit seconds =
   let looks_like unit_ factor =
     Printf.sprintf ": this looks like %s, so divide the times by %s" unit_ factor

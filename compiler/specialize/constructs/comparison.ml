@@ -58,7 +58,8 @@ let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s cannot be compared"
     (Types.to_string ty)
 
-(* Drawings and texts do not affect what a program computes, so they always compare as equal. *)
+(* Drawings and values of type [Text] do not affect what a program computes, so they always compare
+   as equal. *)
 let is_only_shown ty = Types.is_drawing ty || Types.is_text ty
 
 let rec equal (p : position) target ty a b : Ir.atom =
@@ -185,7 +186,7 @@ and ordered_parts p order target pairs : Ir.atom =
       or_ p target less (and_ p Node.Unnamed equal rest)
 
 (* Loops over two arrays. One accumulator is true if the elements so far make the first array less
-   than the second, and the other one if they are all equal. *)
+   than the second; the other one is true if they are all equal. *)
 and ordered_arrays p order target ~count element a b : Ir.atom =
   let round p values : Value.t list =
     match values with

@@ -65,7 +65,7 @@ let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result argument
       file = f.span.file;
     }
 
-(* All calls of a foreign function share one node. *)
+(* All calls to a foreign function share one node. *)
 let node (p : Evaluator.position) f ~result arguments =
   let c = p.context in
   let walk = Specialization_key.walk c.keys p.node Holes in
@@ -90,7 +90,8 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
   in
   Leaves.value p.types result outputs
 
-(* Detects C components whose struct and functions would have the same names as the program's. *)
+(* Detects C components whose struct and functions would have the same names as those of the
+   program. *)
 let check_names (c : Context.t) ~name =
   (* For example, [my-robot.frob] defines [my_robot_step]. *)
   let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in

@@ -3,7 +3,7 @@ open Basis
 type t = {
   head : int list; (* ids of the code that the mode runs first *)
   depth : int;
-  added : string; (* the outermost function of the mode's deepest nesting *)
+  added : string; (* the outermost function where the mode's functions are nested most deeply *)
   name : string;
   at : Span.t;
   from : t option;
@@ -80,7 +80,7 @@ let rec head (value : Value.t) =
   | Unspecified ->
       []
 
-(* The most recent earlier mode with this head, among at most [steps] modes. *)
+(* The most recent mode with this head: [t] or one of the [steps] modes before it. *)
 let rec before head t steps =
   match t with
   | None -> None
@@ -91,7 +91,7 @@ let rec before head t steps =
 let most_steps = 20
 
 (* The continuation that occurs most often among those that wait for the running task, if it occurs
-   often enough. If several of them occur equally often, the innermost one. *)
+   often enough. If several occur equally often, returns the innermost of them. *)
 let waiting (value : Value.t) =
   let rec all found (value : Value.t) =
     match value with

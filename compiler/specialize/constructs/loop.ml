@@ -70,7 +70,7 @@ let without_node caller ~span ~count parameters outputs tys =
   let found = List.map2 output outputs tys in
   if List.mem None found then None else Some (List.filter_map Fun.id found)
 
-(* Adds an equation for each output, for an iteration without equations. *)
+(* Adds a copy equation for each output of an iteration that has no equations. *)
 let define_outputs (c : Context.t) node ~span tys values =
   List.map2
     (fun ty value ->
@@ -143,7 +143,7 @@ let split_captured request inputs atoms =
   ( List.filteri (fun i _ -> is_captured i) atoms,
     List.filteri (fun i _ -> not (is_captured i)) atoms )
 
-(* Must the iteration copy a value although it has no equations of its own? In a loop with
+(* Whether an iteration that has no equations must copy a value to its outputs. In a loop with
    accumulators, it must copy every value; in any other loop, only the index. *)
 let only_hands_on (c : Context.t) node ~span request arguments results values =
   let atoms ty value = Leaves.atoms c.types node ~span ty value in

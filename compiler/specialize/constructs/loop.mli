@@ -7,7 +7,7 @@ type argument = {
   value : Value.t;
       (** the initial value of an accumulator, the array of the elements, or the number to count
           from; [Same] occurs only for captured values, see below *)
-  local : Core.Ir.Local.t;  (** the name of the argument for the node's inputs *)
+  local : Core.Ir.Local.t;  (** the argument's name, from which the node's inputs get their names *)
 }
 
 type request = {

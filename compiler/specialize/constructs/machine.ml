@@ -215,8 +215,8 @@ let statement m node (mode : mode) input primitive ~output ~result signal_functi
    task. *)
 let task_behaviour m node (mode : mode) ~(runs : Value.argument -> Value.t) (task : Value.argument)
     (input : Value.argument) =
-  (* A machine for a single task returns output and result separately; as a mode of a switch, a task
-     returns the same as [runTask]. *)
+  (* A machine for a single task returns the output and the result separately; a task that is a mode
+     of a switch returns the same as [runTask]. *)
   let output ~shown ~has_ended ~ended : Value.t =
     match m.result with
     | Tuple _ -> Product [| shown; Atom (Bool has_ended); ended |]

@@ -21,7 +21,7 @@ let power (p : position) target leaf x k =
   in
   power target k
 
-(* [min a b] is [if b < a then b else a], so the result is the first one if both are equal. *)
+(* [min a b] is [if b < a then b else a], which is [a] if both are equal. *)
 let extreme (p : position) target primitive ty a b =
   let less = Comparison.less p Node.Unnamed ty in
   let second = if primitive = Core.Primitive.Minimum then less b a else less a b in

@@ -119,7 +119,8 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* The key of the continuation and the result without their numbers, and these numbers. *)
+  (* The key of the continuation and the result without their numbers, and the numbers
+     themselves. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Specialization_key.walk c.keys node Holes in
     Specialization_key.add walk (unnamed span) rest.ty rest.value;
@@ -129,9 +130,10 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
     in
     (Specialization_key.key walk, numbers)
   in
-  (* Returns the extended chain, or [None] if the task must become a mode. If a step recurs with the
-     same numbers, or if the chain is too long, the cycle is endless. If a step recurs with other
-     numbers, whether the chain ends is known only at run time, so the task becomes a mode. *)
+  (* Returns the extended chain, or [None] if the task must become a mode. Reports an endless cycle
+     if a step recurs with the same numbers, or if the chain is too long. If a step recurs with
+     other numbers, it is known only at run time whether the chain ends, so the task becomes a
+     mode. *)
   let enter ~span ~ended ~by chain (rest : Value.argument) value =
     let key, numbers = key ~span rest value in
     let rec since found = function
