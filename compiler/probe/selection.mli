@@ -1,10 +1,9 @@
 (** Selects the probes that a user names.
 
     A name selects the signals whose path ends with it ([v], [wallFollow.v]), all signals of the
-    instances whose path ends with it ([wallFollow]), and the parts of a record ([follow.pose]).
-    The numbers in a path may be omitted. [all] selects everything, [assert] the verdicts of
-    assertions. A copy of the program's input is selected only if the user gives the signal's own
-    name. *)
+    instances whose path ends with it ([wallFollow]), and the parts of a record ([follow.pose]). The
+    numbers in a path may be omitted. [all] selects everything, [assert] the verdicts of assertions.
+    A copy of the program's input is selected only if the user gives the signal's own name. *)
 
 val claims : string
 (** The name [assert]. *)

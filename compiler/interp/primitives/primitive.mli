@@ -5,5 +5,5 @@ exception Foreign_code of string
 
 val apply : Basis.Real.t -> Core.Primitive.t -> Value.thunk list -> Value.t
 (** Applies a primitive to all its arguments, in the given precision. The number of arguments must
-    equal the primitive's arity. [&&] and [||] evaluate their second argument only if the first
-    does not determine the result. *)
+    equal the primitive's arity. [&&] and [||] evaluate their second argument only if the first does
+    not determine the result. *)

@@ -245,7 +245,10 @@ class Environment(unittest.TestCase):
     def test_mistakes(self):
         for text, options in [
             ("follow has no numeric column `out.left`", dict(action=["out.left"], limits={})),
-            ("limits: `in.x` is in neither `action` nor `observation`", dict(limits={"in.x": (0, 1)})),
+            (
+                "limits: `in.x` is in neither `action` nor `observation`",
+                dict(limits={"in.x": (0, 1)}),
+            ),
             ("the minimum is greater than the maximum", dict(limits={"out.turn": (1, -1)})),
             ("must each name at least one column", dict(action=[], limits={})),
             ("it has no parameter|follow has no parameter `far`", dict(params={"far": 1})),

@@ -133,9 +133,7 @@ main = proc e -> either (const 0) (\\w -> w.speed) e
             inputs,
             [0, 0],
         ):
-            with self.assertRaisesRegex(
-                frob.InputError, "out: expected a writable float64 array"
-            ):
+            with self.assertRaisesRegex(frob.InputError, "out: expected a writable float64 array"):
                 half.run(inputs, dt=1, out=wrong)
         with self.assertRaisesRegex(frob.InputError, "out: expected a writable float64 array"):
             program(ODD).run(np.zeros((2, 2)), dt=1, out=np.zeros((2, 2)))

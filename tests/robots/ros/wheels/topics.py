@@ -417,7 +417,11 @@ def test_refused_at_start():
     # The libraries of tf2_msgs are in the path of libraries, but not in AMENT_PREFIX_PATH.
     for type_, fields, expected in [
         ("no_msgs/msg/Odd", "x :: Int", "the ROS 2 message package no_msgs is not installed"),
-        ("tf2_msgs/msg/Odd", "x :: Int", "the package tf2_msgs of this ROS 2 installation has no message Odd"),
+        (
+            "tf2_msgs/msg/Odd",
+            "x :: Int",
+            "the package tf2_msgs of this ROS 2 installation has no message Odd",
+        ),
         (
             "tf2_msgs/msg/TFMessage",
             "transforms :: Int",
