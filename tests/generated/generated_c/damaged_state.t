@@ -117,7 +117,7 @@ run another step:
   > EOF
   $ printf 'time,in\n0,False\n0.5,False\n1,False\n1.5,False\n2,False\n2.5,False\n' > in.csv
   $ frobc trace runs.frob --with count.c --with count.h --input in.csv
-  error: in.csv:6:1: the state of runs is damaged: the number of a running mode is invalid; if the program calls functions in C, check that they write only to their own memory
+  error: in.csv:6:1: the state of runs is damaged: the number of a running mode is invalid; if the program calls C functions, check that they write only to their own memory
   time,out.1,out.2
   0.000000000,1,0
   0.500000000,2,0

@@ -26,7 +26,7 @@ is known before the program runs, and the stack that they need.
   >     turn f = 1[rad px/s] * edges f.image
   > EOF
   $ frobc report sees.frob --robot pioneer | grep -e 'calls of frob' -e '^  step' -e stack
-    calls of frob_find_blob   2  12800 pixels, 1 of them at most the whole image
+    calls of frob_find_blob   2  12800 pixels, at most the whole image in 1 of the calls
     calls of frob_find_blobs  2  13120 pixels
     calls of frob_find_edges  1  200 pixels
     calls of frob_image_lens  1

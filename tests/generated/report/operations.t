@@ -81,7 +81,7 @@ A program whose state exceeds the memory of any machine is rejected.
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
-      = hint: name the output of a signal function in an equation, so that you can use it twice and run the signal function only once
+      = hint: to run a signal function only once, name its output in an equation, and use that name wherever you need the output
   
   1 error
   [1]
@@ -119,7 +119,7 @@ cosines in each step of far, one sine in a step of near.
   > EOF
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    main, modes.frob:2: 2 modes (near, far), at most 3 run within one instant
+    main, modes.frob:2: 2 modes (near, far); maximum number of steps within one instant: 3
   
   switching events in the first instant of their mode
     from near to far    may occur             modes.frob:5

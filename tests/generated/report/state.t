@@ -48,7 +48,7 @@ Modes share memory, which has the size of the largest mode.
       (padding)    6
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    main, modes.frob:2: 2 modes (near, far), at most 3 run within one instant
+    main, modes.frob:2: 2 modes (near, far); maximum number of steps within one instant: 3
   
   switching events in the first instant of their mode
     from near to far    may occur             modes.frob:5

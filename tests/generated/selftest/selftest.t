@@ -68,7 +68,7 @@ A compiler that rejects some of the code, and one that warns:
   $ chmod +x strict-cc
   $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v ': correct'
   compiler: ./strict-cc -O1
-  warning: the compiler warns:
+  warning: the C compiler reports:
   time.c:2: mind the time
   tasks: incorrect
   error: `./strict-cc -O1` failed with status 7:
@@ -77,7 +77,7 @@ A compiler that rejects some of the code, and one that warns:
   $ sed -i /tasks/d strict-cc
   $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v ': correct'
   compiler: ./strict-cc -O1
-  warning: the compiler warns:
+  warning: the C compiler reports:
   time.c:2: mind the time
   verdict: fit, with warnings
 

@@ -104,7 +104,7 @@ A pattern must have as many elements as the array:
     |
     = hint: use `take` or `drop` to change the size of an array; the type of the result gives the new size
   
-  error[E0306]: the signature allows every size `n`, but the definition needs it to be `2`
+  error[E0306]: the signature allows any size `n`, but the definition needs it to be `2`
    --> size.frob:5:3
     |
   4 | k :: Array n Int -> Int

@@ -40,7 +40,7 @@ require one.
   7 | main = reactimateRobot (approach 0.3[m])
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout`, `create` and `ros` have everything that it needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
+    = hint: `pioneer`, `scout`, `create` and `ros` have everything that the program needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]
@@ -97,7 +97,7 @@ the library.
     |              ^^^^^^^^^^ `cliffAhead` needs it
     |
     = note: only `create` has this capability
-    = note: `main` is compiled for `scout`: there is no instance `HasCliffs ScoutInput`
+    = note: `main` is compiled for `scout`, but there is no instance `HasCliffs ScoutInput`
     = hint: compile it with `--robot create`
   
   1 error
@@ -109,7 +109,7 @@ the library.
   9 | main = reactimateRobot careful
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `create` has everything that it needs: compile it with `--robot create`
+    = hint: `create` has everything that the program needs: compile it with `--robot create`
   
   1 error
   [1]
@@ -157,7 +157,7 @@ A capability in a signature is required even if nothing uses it:
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ `main` needs it
     |
     = note: only `create` has this capability
-    = note: `main` is compiled for `pioneer`: there is no instance `HasBeacon PioneerInput`
+    = note: `main` is compiled for `pioneer`, but there is no instance `HasBeacon PioneerInput`
     = hint: compile it with `--robot create`
   
   1 error

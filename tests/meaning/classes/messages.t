@@ -213,7 +213,7 @@ Invalid instances, and instances that lack definitions:
      |
      = hint: start the instance of `Derived` with `Base a =>`, or add the constraint to the existing context: `(…, Base a) =>`
   
-  error[E0306]: the signature allows every unit `u`, but the definition needs it to be `1`
+  error[E0306]: the signature allows any unit `u`, but the definition needs it to be `1`
     --> declared.frob:22:14
      |
   21 | instance Base Float[u] where
@@ -393,7 +393,7 @@ The definitions of a method have the types that the class declares.
     = hint: if the factor `4` has a unit, write it: `4[m]`
     = hint: if this is the right result, write the signature as `area :: a -> Float[m]`
   
-  error[E0306]: the signature allows every type `b`, but the definition needs it to be `Square`
+  error[E0306]: the signature allows any type `b`, but the definition needs it to be `Square`
     --> bodies.frob:10:17
      |
    3 |     label :: a -> b -> b
@@ -404,7 +404,7 @@ The definitions of a method have the types that the class declares.
      |
      = hint: if the definition is right, write the signature as `a -> Square -> Square`
   
-  error[E0306]: the signature allows every type `a`, but the definition needs it to be `Float[m^2]`
+  error[E0306]: the signature allows any type `a`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:15:19
      |
   12 | instance Shape a => Shape (Maybe a) where
@@ -413,7 +413,7 @@ The definitions of a method have the types that the class declares.
   15 |         Just x -> x
      |                   ^
   
-  error[E0306]: the signature allows every type `b`, but the definition needs it to be `Float[m^2]`
+  error[E0306]: the signature allows any type `b`, but the definition needs it to be `Float[m^2]`
     --> bodies.frob:16:17
      |
    3 |     label :: a -> b -> b

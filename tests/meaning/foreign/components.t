@@ -74,7 +74,7 @@ A clash with names in the program's own C:
   2 | foreign sf filter :: SF Float (Int, Event Float) = "filter"
     |            ^^^^^^
     |
-    = note: both would have `struct filter_state`, `filter_reset` and `filter_step`
+    = note: both would define `struct filter_state`, `filter_reset` and `filter_step`
     = hint: rename the program's file
   
   1 error

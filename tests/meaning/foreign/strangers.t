@@ -49,13 +49,13 @@ A header must be in the folder of its module, or below it.
 
   $ named() { printf 'foreign f :: Float -> Float = "%s"\nmain :: SF Float Float\nmain = proc x -> f x\n' $1 > taken.frob; frobc check taken.frob 2>&1 | head -1; }
   $ for name in INFINITY __builtin_trap _Exit int32_t INT32_MAX frob_int_add main bool taken_step taken_reset; do named $name; done
-  error[E0232]: your function cannot be called `INFINITY` in C: that name is a keyword, or a macro or type in a C header
-  error[E0232]: your function cannot be called `__builtin_trap` in C: that name is reserved by the C standard
-  error[E0232]: your function cannot be called `_Exit` in C: that name is reserved by the C standard
-  error[E0232]: your function cannot be called `int32_t` in C: that name is a keyword, or a macro or type in a C header
-  error[E0232]: your function cannot be called `INT32_MAX` in C: that name is a keyword, or a macro or type in a C header
-  error[E0232]: your function cannot be called `frob_int_add` in C: that name is used by the generated C code and its runtime
-  error[E0232]: your function cannot be called `main` in C: that name is reserved for the entry point of a C program
+  error[E0232]: `INFINITY` cannot be the C name of your function: it is a keyword, or a macro or type in a C header
+  error[E0232]: `__builtin_trap` cannot be the C name of your function: it is reserved by the C standard
+  error[E0232]: `_Exit` cannot be the C name of your function: it is reserved by the C standard
+  error[E0232]: `int32_t` cannot be the C name of your function: it is a keyword, or a macro or type in a C header
+  error[E0232]: `INT32_MAX` cannot be the C name of your function: it is a keyword, or a macro or type in a C header
+  error[E0232]: `frob_int_add` cannot be the C name of your function: it is used by the generated C code and its runtime
+  error[E0232]: `main` cannot be the C name of your function: it is reserved for the entry point of a C program
   error[E0232]: `bool` is not a name in C
   error[E0431]: the generated C code already has a function `taken_step`
   error[E0431]: the generated C code already has a function `taken_reset`

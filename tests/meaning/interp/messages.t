@@ -50,7 +50,7 @@ Invalid rows; the rows before them are written.
   $ row '1,LeftSide,true,Just 3000000000\n'
   error: row.csv:3:17: column `in.2`: expected an integer from -2147483648 to 2147483647, found `Just 3000000000`
   $ row '1,LeftSide,true\n'
-  error: row.csv:3:1: this row has the wrong number of cells: the header has 4 columns, found 3
+  error: row.csv:3:1: wrong number of cells: the header has 4 columns, but this row has 3
   $ row '-1,LeftSide,true,\n'
   error: row.csv:3:1: the time goes backwards: `-1` comes after a later time
   $ row 'noon,LeftSide,true,\n'

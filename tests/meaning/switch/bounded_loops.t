@@ -2,7 +2,7 @@ A cycle of modes that ends within the instant is not an error. The compiler deri
 from the known ranges of the numbers that modes pass on, and of the input, which is the same for all
 of them. The report states the number of steps.
 
-  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cut -d, -f2- c.csv | xargs && frobc report "$1" | sed -n 's/.*, \(at most.*instant\)$/\1/p'; }
+  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cut -d, -f2- c.csv | xargs && frobc report "$1" | sed -n 's/.*; \(maximum number of steps.*\)$/\1/p'; }
   $ printf 'time,in\n0,0\n1,2\n2,-1\n3,4\n4,0\n5,1\n6,-2\n7,3\n' > in.csv
 
 Counters, up to a number and to exactly that number.
@@ -21,7 +21,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both counter.frob in.csv
   out Left 0 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 5 run within one instant
+  maximum number of steps within one instant: 5
   $ cat > equal.frob <<'EOF'
   > step :: Task Float Float ()
   > step = mkTask (proc x -> (x, when (x > 1)))
@@ -36,7 +36,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both equal.frob in.csv
   out Left 0 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100
-  at most 102 run within one instant
+  maximum number of steps within one instant: 102
   $ cat > without_time.frob <<'EOF'
   > go :: Int -> Task Float Float Int
   > go n = if n >= 3 then return n else do
@@ -49,7 +49,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both without_time.frob in.csv
   out Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 4 run within one instant
+  maximum number of steps within one instant: 4
   $ cat > modes.frob <<'EOF'
   > main :: SF Float Float
   > main = go 0 where
@@ -57,7 +57,7 @@ Counters, up to a number and to exactly that number.
   > EOF
   $ both modes.frob in.csv
   out 0 7 4 9 5 6 3 8
-  at most 6 run within one instant
+  maximum number of steps within one instant: 6
 
 A number that passes through a signal function keeps its known range.
 
@@ -78,7 +78,7 @@ A number that passes through a signal function keeps its known range.
   > EOF
   $ both through.frob in.csv
   out Left 1 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
-  at most 5 run within one instant
+  maximum number of steps within one instant: 5
 
 Repetitions of the library, with a constant number and with a bounded one.
 
@@ -91,7 +91,7 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both repeat.frob in.csv
   out Left 0 Right () Right () Right () Right () Right () Right () Right ()
-  at most 5 run within one instant
+  maximum number of steps within one instant: 5
   $ cat > limited.frob <<'EOF'
   > step :: Task Float Float ()
   > step = mkTask (proc x -> (x, when (x > 1)))
@@ -101,7 +101,7 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both limited.frob in.csv
   out Left 0 Right () Right () Right () Right () Right () Right () Right ()
-  at most 12 run within one instant
+  maximum number of steps within one instant: 12
   $ cat > for_each.frob <<'EOF'
   > visit :: Float -> Task Float Float ()
   > visit p = mkTask (proc x -> (x, when (x > p)))
@@ -113,17 +113,17 @@ Repetitions of the library, with a constant number and with a bounded one.
   > EOF
   $ both for_each.frob in.csv
   out Left 0 Left 2 Left (-1) Left 0 Left 0 Left 1 Left (-2) Left 3
-  at most 5 run within one instant
+  maximum number of steps within one instant: 5
 
 The maximum is a thousand steps.
 
   $ sed 's/repeatT 4/repeatT 1000/' repeat.frob > many.frob
-  $ frobc report many.frob | grep -o 'at most.*instant'
-  at most 1001 run within one instant
+  $ frobc report many.frob | grep -o 'maximum number of steps.*'
+  maximum number of steps within one instant: 1001
   $ sed 's/repeatT 4/repeatT 1001/' repeat.frob > too_many.frob
-  $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'no end within'
+  $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'finding an end'
   error[E0402]: `step → repeatT → step` may repeat endlessly within one instant
-      = note: frobc found no end within 1000 steps, the maximum for one instant
+      = note: frobc stopped after 1000 steps, the maximum for one instant, without finding an end
 
 The condition that ended one mode keeps the next one running.
 
@@ -136,7 +136,7 @@ The condition that ended one mode keeps the next one running.
   > EOF
   $ both hysteresis.frob in.csv
   out 0 1 0 1 1 1 0 1
-  at most 2 run within one instant
+  maximum number of steps within one instant: 2
 
 A task that measures the distance from the robot's own position starts with a distance of 0.
 
@@ -166,7 +166,7 @@ A task that measures the distance from the robot's own position starts with a di
   > EOF
   $ both square.frob in.csv
   out Left 1 Left 0 Left 1 Left 0 Left 1 Left 0 Left 1 Left 0
-  at most 2 run within one instant
+  maximum number of steps within one instant: 2
 
 The initial values of a repetition are also known if an event carries it, and if its cycle is in a
 mode that never starts.

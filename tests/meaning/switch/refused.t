@@ -139,7 +139,7 @@ cycle.
    --> round.frob:3:58
     |
   2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
-    |                                                        ----------------------- between the restarts, `back` starts here
+    |                                                        ----------------------- `back` starts here, between two restarts
   3 | back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
     |                                                          ^^^^^^^^^^^^^^^^ it restarts here, with one more `>>>`
     |

@@ -36,7 +36,7 @@ as signal functions.
   > m sf = timeOut sf 2[s]
   > EOF
   $ frobc check mistakes.frob
-  error[E0370]: the statements of a `do` are tasks, but this is `Float`
+  error[E0370]: each statement in a `do` must be a task, but this is `Float`
    --> mistakes.frob:5:5
     |
   1 | wait :: Task Float Float Float
@@ -70,7 +70,7 @@ as signal functions.
      |
      = hint: add an output: `sleepT 1[s] restingOutput` waits with the robot at rest
   
-  error[E0370]: the statements of a `do` are tasks, but this is a number
+  error[E0370]: each statement in a `do` must be a task, but this is a number
     --> mistakes.frob:11:5
      |
    7 | g :: Task Float Float Float
@@ -107,7 +107,7 @@ as signal functions.
      |      |
      |      argument 2 of `switch` is `SF a n[1]`
      |
-     = hint: `switch` continues with a signal function: to continue with a task, write a `do` with two lines: first `mkTask (…)` around the first argument of `switch`, then `g`; `reactimateTask` turns the `do` into a program
+     = hint: `switch` continues with a signal function: to continue with a task, use a `do` instead, with `mkTask (…)` around the first argument of `switch` on its first line and `g` on its second; `reactimateTask` turns the `do` into a program
   
   error[E0301]: expected a task that returns `()`, but this one returns a number in `m`
     --> mistakes.frob:22:17

@@ -47,7 +47,7 @@ A call inside a task that is still being watched.
   4 |     _ <- bug (goal + 1) `timeOut` 3[s]
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
     |
-    = note: a task may only restart itself as the last statement of its `do`, and nothing around the task may continue; otherwise each restart would need more memory
+    = note: a task may only restart itself as the last statement of its `do`, and nothing around that `do` may keep running; otherwise each restart would need more memory
     = hint: to repeat a task, write `repeatT 4 t`, `whileT condition t` or `forever t`, followed by the statements to run after all repetitions
   
   1 error
@@ -138,7 +138,7 @@ immediately …
     |                 ^^^^^^^^^^^^^ `snapT` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
-    = hint: add a task that takes time to the loop: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
+    = hint: to the loop, add a task that takes time: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
   
   1 error
 
@@ -167,7 +167,7 @@ immediately …
     |     ------- `go` may start itself again at its own first instant
     |
     = note: no time passes between these steps when `go` ends as soon as it starts
-    = note: frobc found no end within 1000 steps, the maximum for one instant
+    = note: frobc stopped after 1000 steps, the maximum for one instant, without finding an end
     = hint: use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at least one instant; `edge` would wait forever if the condition were true from the start
   
   warning[W0312]: this `return` has no effect: the statements after it still run
@@ -351,8 +351,8 @@ the program that calls it, with the part that takes time.
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
      = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
-     = note: frobc found no end within 1000 steps, the maximum for one instant
-     = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+     = note: frobc stopped after 1000 steps, the maximum for one instant, without finding an end
+     = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -379,7 +379,7 @@ the program that calls it, with the part that takes time.
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
       = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
-      = hint: add a task that takes time to the loop, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+      = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

@@ -79,8 +79,8 @@ The report states how many states can follow each other within an instant.
 
   $ frobc report bug.frob | sed -n '/^modes/,$p' | without_lines
   modes
-    main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 run within one instant
-    circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 run within one instant
+    main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT); maximum number of steps within one instant: 2
+    circle, bug.frob:11: 3 modes (sleepT, circle, ended); maximum number of steps within one instant: 2
   
   switching events in the first instant of their mode
     from driveTo to ended      cannot occur: `edge`     bug.frob:2

@@ -73,7 +73,7 @@ The names of kernels are reserved for the library: a user's program calls them t
   > main = arr mine
   > FROB
   $ frobc check own.frob 2>&1 | head -1
-  error[E0232]: your function cannot be called `frob_image_lens` in C: that name is used by the generated C code and its runtime
+  error[E0232]: `frob_image_lens` cannot be the C name of your function: it is used by the generated C code and its runtime
 
 A world without a camera, and hosts that do not support any.
 
@@ -83,7 +83,7 @@ A world without a camera, and hosts that do not support any.
   > y = 0
   > TOML
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has no camera: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot in this world has no camera: add a table [camera] to the world file
   [2]
   $ cat > named.toml <<'TOML'
   > [start]
@@ -96,7 +96,7 @@ A world without a camera, and hosts that do not support any.
   > name = "rear"
   > TOML
   $ frobc run sees.frob --world named.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has no camera of this name; it has `front`, `rear`: add `name = "camera"` to one of them in the world file, or write [[camera]] for each and add another one
+  error: the program uses a camera, `camera`, but the robot in this world has no camera with this name; it has `front`, `rear`: add `name = "camera"` to one of them in the world file, or write [[camera]] for each and add another one
   [2]
   $ cat > deep.frob <<'FROB'
   > import Robot
@@ -109,8 +109,8 @@ A world without a camera, and hosts that do not support any.
   >     middle = Region { x = 100[px], y = 60[px], width = 120[px], height = 60[px] }
   > FROB
   $ frobc run deep.frob --world dark.toml --robot pioneer --for 1s
-  error: the program uses a camera, `left`, but the robot of this world has no camera: add a table [stereo] to the world file
-  error: the program uses a camera, `right`, but the robot of this world has no camera: add a table [stereo] to the world file
+  error: the program uses a camera, `left`, but the robot in this world has no camera: add a table [stereo] to the world file
+  error: the program uses a camera, `right`, but the robot in this world has no camera: add a table [stereo] to the world file
   [2]
   $ frobc check deep.frob --robot create
   error[E0503]: `create` has no `HasStereo`
@@ -120,13 +120,13 @@ A world without a camera, and hosts that do not support any.
     |                                                              ^^^^^^^^^^^ `nearestSeen` needs it
     |
     = note: only `pioneer` has this capability
-    = note: `main` is compiled for `create`: there is no instance `HasStereo CreateInput`
+    = note: `main` is compiled for `create`, but there is no instance `HasStereo CreateInput`
     = hint: compile it with `--robot pioneer`
   
   1 error
   [1]
   $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
-  error: sees uses the camera `camera`, but only the simulator and Linux robots have cameras, not boards
+  error: sees uses the camera `camera`, but cameras are available only in the simulator and on Linux robots, not on boards
   [2]
   $ frobc run sees.frob --view --for 1s
   error: this program uses a camera, and the viewer reads its frames from a recording: add `--record LOG.csv` to `--view`

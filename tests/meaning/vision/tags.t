@@ -120,11 +120,11 @@ A program may examine the same frames itself. A world without a camera; a robot;
     camera tags    tags    both.frob:7
   $ sed '/^.camera/d; /^noise/d; /^rate/d' world.toml > dark.toml
   $ frobc run sees.frob --world dark.toml --for 1s
-  error: the program uses a camera, `camera`, but the robot of this world has no camera: add a table [camera] to the world file
+  error: the program uses a camera, `camera`, but the robot in this world has no camera: add a table [camera] to the world file
   [2]
   $ frobc build sees.frob --robot pioneer -o sees
   $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
-  error: sees uses the camera `camera`, but only the simulator and Linux robots have cameras, not boards
+  error: sees uses the camera `camera`, but cameras are available only in the simulator and on Linux robots, not on boards
   [2]
 
 Two controls of a console with the same label, one of which is a camera's tags.

@@ -28,7 +28,7 @@ The age of a frame is computed from the driver's timestamp.
 A requested size must be one of the camera's, and so must the format.
 
   $ see_warned 2 /dev/video7 --set camera.width=320 --set camera.height=240; cat messages
-  warning: camera `camera` (/dev/video7) delivers no frames: it does not deliver frames of 320 x 240, but of 64 x 48: set width and height to that size
+  warning: camera `camera` (/dev/video7) delivers no frames: it cannot deliver frames of 320 x 240, only of 64 x 48: set width and height to that size
   $ FAKE_FORM=H264; see_warned 2 /dev/video7; cat messages
   warning: camera `camera` (/dev/video7) delivers no frames: it supports none of the formats YUYV, MJPEG and grey; use ffmpeg to write its frames to a pipe as raw frames
 

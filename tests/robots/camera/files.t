@@ -104,7 +104,7 @@ ones.
 Wrong options are reported before anything moves.
 
   $ see 1 pictures --set camera.width=64; cat messages
-  error: camera `camera` has only a width or a height: set both, or neither
+  error: camera `camera` has only one of width and height: set both, or neither
   $ see 1 pictures --set camera.tilt=3; cat messages
   error: `tilt=3` is not a setting of a camera; write camera.NAME=VALUE with one of: width, height, grey, rate, latency, pair_within, frozen, field_of_view_deg, focal_x, focal_y, centre_x, centre_y, k1, k2, k3, p1, p2, ahead, left, up, yaw_deg, pitch_deg, roll_deg
   $ see 1 pictures --set camera.width=4000 --set camera.height=4000; cat messages

@@ -66,8 +66,8 @@ No robot of the library senses light.
   32 | brightness i = lightLeft i + lightRight i
      |                ^^^^^^^^^ `lightLeft` needs it
      |
-     = note: no robot of the library has this capability
-     = note: `main` is compiled for `create`: there is no instance `HasPhotocells CreateInput`
+     = note: no robot in the library has this capability
+     = note: `main` is compiled for `create`, but there is no instance `HasPhotocells CreateInput`
   
   1 error
   [1]

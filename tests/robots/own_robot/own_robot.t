@@ -145,7 +145,7 @@ The comment at the top of the C names the robot's file, whose name cannot end th
     |                                                        ^^^^^^ `bumped` needs it
     |
     = note: `pioneer`, `scout`, `create` and `ros` have this capability
-    = note: `main` is compiled for `rover`: there is no instance `HasBumpers RoverInput`
+    = note: `main` is compiled for `rover`, but there is no instance `HasBumpers RoverInput`
     = hint: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error

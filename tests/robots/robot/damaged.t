@@ -40,5 +40,5 @@ runs no other step, and the robot receives a stop.
   [4]
   $ until_stopped; tail -1 messages
   last speed: 0
-  error: the controller found its state damaged: the number of a running mode is invalid; if the program calls functions in C, check that they write only to their own memory; sent a stop command to the robot
+  error: the controller found its state damaged: the number of a running mode is invalid; if the program calls C functions, check that they write only to their own memory; sent a stop command to the robot
   $ end_robot

@@ -92,8 +92,8 @@ says how to get it, and the run continues.
   >   prlimit --rtprio=0 --memlock=65536 "$@"
   > }
   $ without_rights ./drive --device ./line --for 0.2 --priority 50 --lock-memory 2>&1 > summary | sed 's/: [^:;]*;/: REASON;/'
-  warning: cannot set real-time priority 50: REASON; the run continues without it. Run it as root, or add a line `YOU - rtprio 50` to /etc/security/limits.conf
-  warning: cannot lock memory: REASON; the run continues without it. Run it as root, or add a line `YOU - memlock unlimited` to /etc/security/limits.conf
+  warning: cannot set real-time priority 50: REASON; the run continues without it. Run the program as root, or add a line `YOU - rtprio 50` to /etc/security/limits.conf
+  warning: cannot lock memory: REASON; the run continues with unlocked memory. Run the program as root, or add a line `YOU - memlock unlimited` to /etc/security/limits.conf
   $ grep -c "connections: 1" summary
   1
   $ end_robot

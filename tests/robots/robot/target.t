@@ -23,5 +23,5 @@ says how to install one.
   $ mkdir tools; ln -s "$(command -v frobc)" tools/frobc
   $ export FROB_HOME=$(dirname "$(command -v frobc)")/..
   $ PATH=$PWD/tools frobc build drive.frob --target aarch64-linux
-  error: there is no C compiler `aarch64-linux-gnu-gcc`; on Debian: apt-get install gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+  error: there is no C compiler `aarch64-linux-gnu-gcc`; install it (on Debian: apt-get install gcc-aarch64-linux-gnu libc6-dev-arm64-cross)
   [2]

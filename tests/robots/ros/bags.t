@@ -51,7 +51,7 @@ late:
   5
   $ rm sent.*; record drive.frob $patient --for 0.3s --rate 25
   $ python3 bag.py one both /drive; python3 bag.py sent both /drive; frobc trace drive.frob --input both
-  error: cannot read the bag both: it has several runs of /drive: record each run into a separate bag
+  error: cannot read the bag both: it has several runs of /drive: record each run in a separate bag
   [2]
   $ python3 bag.py one several /drive; python3 bag.py other several /paced; frobc trace drive.frob --input several | wc -l >rows
   $ python3 bag.py one alone /drive; frobc trace drive.frob --input alone | wc -l | cmp - rows
@@ -74,5 +74,5 @@ late:
   [2]
   $ python3 bag.py one strangers /drive; sqlite strangers/bag_0.db3 "UPDATE topics SET name = '/chatter'"
   $ frobc trace drive.frob --input strangers
-  error: cannot read the bag strangers: it has no instants of a program: record the topics NODE/columns and NODE/instants
+  error: cannot read the bag strangers: it contains no recording of a program: record the topics NODE/columns and NODE/instants
   [2]

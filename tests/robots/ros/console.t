@@ -12,7 +12,7 @@ joystick moves at given times.
   > END
   $ turns_are() { awk '/^[0-9]/ { printf "%s%g", (n++ > 0 ? " " : ""), $2 }' velocities; }
   $ speeds="0 0 0"; faults="joy=9 press=0.6"; run_ros held.frob --for 1.5s; cat messages; turns_are
-  warning: nothing can press the button `drive`: add `--set "joy.drive=NUMBER"` for a button of the topic joy, or `--view --control`
+  warning: nothing can press the button `drive`: add `--set "joy.drive=NUMBER"` for a joystick button, or `--view --control`
   0 0.5 0
   $ joystick="--set joy.drive=1 --set joy.pace=0"
   $ speeds="0 0.4 0"; faults="joy=0.5"; run_ros held.frob $joystick --for 1.5s; cat messages
@@ -23,7 +23,7 @@ If the joystick is silent, all its buttons are released. Its messages can be unu
   $ faults="joy=0.5 joy_silent=1"; run_ros held.frob $joystick --for 3s; cat messages
   $ warned () { run_once held.frob $joystick --for 1s; cat messages; }
   $ faults="joy_small=0"; warned
-  warning: a message on /joy is ignored: `joy.drive=1` needs 2 buttons, and it has 1: change this setting
+  warning: a message on /joy is ignored: `joy.drive=1` needs 2 buttons, but the joystick has 1: change this setting
   $ faults="joy_nan=0"; warned
   warning: a message on /joy is ignored: an axis is not a finite number
 
@@ -36,13 +36,13 @@ A press before the program runs is ignored.
 Settings for other controls are refused, and so are buttons with the same topic.
 
   $ frobc run --ros2 held.frob --set joy.stop=1
-  error: a joystick cannot operate `stop`: held has no button or knob of this name; its buttons and knobs are `go left!`, `drive`, `pace`
+  error: a joystick cannot operate `stop`: held has no button or knob with this name; its buttons and knobs are `go left!`, `drive`, `pace`
   [2]
   $ frobc run --ros2 held.frob --set joy.drive=left
-  error: `joy.drive` is the number of a button of the joystick, from 0 to 63: write `--set "joy.drive=0"`
+  error: `joy.drive` must be the number of a button of the joystick, from 0 to 63: write `--set "joy.drive=0"`
   [2]
   $ frobc run --ros2 held.frob --set joy.pace=64
-  error: `joy.pace` is the number of an axis of the joystick, from 0 to 63: write `--set "joy.pace=0"`
+  error: `joy.pace` must be the number of an axis of the joystick, from 0 to 63: write `--set "joy.pace=0"`
   [2]
   $ cat >lamp.frob <<END
   > import Robot

@@ -27,10 +27,10 @@ A lidar may be at an unknown place, or tilted. Then the robot stands still.
 
   $ unplaced () { run_once seen.frob "$@"; cat messages; }
   $ faults="frame=0"; unplaced --for 5s; grep stale summary
-  warning: a message on /scan is ignored: no transform between its frame `laser` and `base_link` is known, and the robot stands still: start the node that publishes it on /tf_static or /tf, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: no transform between its frame `laser` and `base_link` is known, and the robot stands still: start the node that publishes it on /tf_static or /tf, or set the position of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   stale readings: 1
   $ faults="frame=0 frames=0 tilt=0"; unplaced --for 1s
-  warning: a message on /scan is ignored: its frame `laser` is tilted, so its rays are not parallel to the floor, and the robot stands still: correct the transform, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: its frame `laser` is tilted, so its rays are not parallel to the floor, and the robot stands still: correct the transform, or set the position of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   $ faults="frame=0 frames=0 bad_frames=0"; unplaced --for 1s | grep transform.from
   warning: the transform from `map` to `odom` on /tf is ignored: a rotation is not a quaternion of length 1
 
@@ -42,7 +42,7 @@ Not every installation has the package tf2_msgs.
 
   $ mv prefix/lib/libtf2_msgs__rosidl_typesupport_c.so hidden
   $ faults="frame=0"; unplaced --for 1s
-  warning: a message on /scan is ignored: it is in the frame `laser`, and /tf cannot be read, because the package tf2_msgs is not installed, and the robot stands still: install it, or set the place of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
+  warning: a message on /scan is ignored: it is in the frame `laser`, and /tf cannot be read, because the package tf2_msgs is not installed, and the robot stands still: install it, or set the position of the lidar with `--set lidar_x=...`, `lidar_y` and `lidar_heading`
   $ mv hidden prefix/lib/libtf2_msgs__rosidl_typesupport_c.so
 
 The measurements of an inertial unit are in the directions of its frame: here it looks back.
@@ -82,4 +82,4 @@ A click in rviz is a click on the map of the program's console.
   $ faults="click=0.3 nan_click=0"; clicks
   warning: a message on /clicked_point is ignored: its position is not a finite number
   $ faults="lossy=0"; clicks
-  warning: the node base publishes /clicked_point with the reliability `best effort`, so no message gets through: let it publish with `reliable`
+  warning: the node base publishes /clicked_point with the reliability `best effort`, so no message gets through: set the reliability of its publisher to `reliable`

@@ -32,5 +32,5 @@ If the node is configured again, the program starts again.
 The option is for nodes.
 
   $ frobc run drive.frob --lifecycle
-  error: --lifecycle only works with --ros2: add it
+  error: --lifecycle only works with --ros2: add --ros2, or remove --lifecycle
   [2]

@@ -44,8 +44,8 @@ A setting turns the markers off. The executable of `frobc build` has no drawing 
   $ frobc build --ros2 draws.frob --markers && ./draws --for 0.5 >summary && grep -c marker velocities
   10
   $ frobc build draws.frob --markers
-  error: --markers only works with --ros2: add it, or remove --markers
+  error: --markers only works with --ros2: add --ros2, or remove --markers
   [2]
   $ frobc export draws.frob --platformio out --markers
-  error: --markers only works with --ros2: add it, or remove --markers
+  error: --markers only works with --ros2: add --ros2, or remove --markers
   [2]

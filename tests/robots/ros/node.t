@@ -216,12 +216,12 @@ Conflicts with other nodes are reported:
 
   $ speeds="0 0.2 0"
   $ run_node 1.5s "other_type=0 wants_stamped=0 same_name=0"; cat messages
-  warning: /odom has two types, so no message gets through: the node base publishes geometry_msgs/msg/PoseStamped, and this program needs nav_msgs/msg/Odometry
-  warning: /cmd_vel has two types, so no message gets through: the node base subscribes to geometry_msgs/msg/TwistStamped, and this program needs geometry_msgs/msg/Twist; add `--set stamped=1`
+  warning: /odom has two types, so no message gets through: the node base publishes geometry_msgs/msg/PoseStamped, but this program needs nav_msgs/msg/Odometry
+  warning: /cmd_vel has two types, so no message gets through: the node base subscribes to geometry_msgs/msg/TwistStamped, but this program needs geometry_msgs/msg/Twist; add `--set stamped=1`
   warning: there is another node named /drive; rename this one with `--ros-args -r __node:=NAME`
 
   $ run_node 1.5s wants_old=0; cat messages
-  warning: the node base subscribes to /cmd_vel with the durability `transient local`, so no message gets through: old velocities are not kept. Let it subscribe with the durability `volatile`
+  warning: the node base subscribes to /cmd_vel with the durability `transient local`, so no message gets through: old velocities are not kept. Set the durability of its subscription to `volatile`
 
 The process of the node crashes. Another one is started, and stops the robot
 before the program continues.
@@ -271,7 +271,7 @@ Mistakes on the command line:
   $ sed -i 's/9.2.8/5.3.1/' prefix/share/rcl/package.xml
   $ speeds="0 0.2 0"
   $ run_node 0.1s ""; cat messages
-  warning: frobc is tested with ROS 2 Jazzy and Kilted, not with the one in this shell, whose rcl has version 5.3.1
+  warning: frobc is tested with ROS 2 Jazzy and Kilted, but not with the installation in this shell, which has rcl 5.3.1
   $ frobc run --ros2 --robot scout drive.frob
   error: --ros2 is for the robot `ros`, not for `scout`: remove --robot
   [2]
@@ -279,7 +279,7 @@ Mistakes on the command line:
   error: a robot cannot be both on a serial line and in ROS 2: remove --device or --ros2
   [2]
   $ frobc run drive.frob --ros-args -r odom:=odometry
-  error: --ros-args only works with --ros2: add it
+  error: --ros-args only works with --ros2: add --ros2, or remove --ros-args
   [2]
   $ frobc run --ros2 drive.frob --strict
   error: --strict only works in the simulator: remove it, or remove --ros2
@@ -302,7 +302,7 @@ Mistakes on the command line:
   > main = reactimateRobot (constant restingOutput)
   > END
   $ frobc run --ros2 pioneer.frob
-  warning: frobc is tested with ROS 2 Jazzy and Kilted, not with the one in this shell, whose rcl has version 5.3.1
+  warning: frobc is tested with ROS 2 Jazzy and Kilted, but not with the installation in this shell, which has rcl 5.3.1
   error[E0503]: `main` is a program for `pioneer`, not for `ros`
    --> pioneer.frob:3:1
     |

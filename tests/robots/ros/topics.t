@@ -174,7 +174,7 @@ Fields that are not topics are named.
   4 | data In = In { goal :: Maybe Pose, x' :: Int, odd :: Event Odd, cmdVel :: Int, cmd_vel :: Int, e :: () }
     |                        ^^^^^^^^^^
     |
-    = hint: messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
+    = hint: use Bool, Int, Float, an enumeration with an instance of `RosText`, or a record with an instance of `Message`, such as those in the module Ros; `frobc ros2 import PACKAGE/Type` writes the record for any other message
   
   error[E0509]: the field `x'` of `In` is not a topic: a topic's name cannot contain `'`
    --> wrong.frob:4:42
@@ -206,7 +206,7 @@ Fields that are not topics are named.
   5 | data Out = Out { vel :: Event (Counted Twist) }
     |                         ^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: messages are Bool, Int, Float, enumerations with an instance of `RosText`, and records with an instance of `Message`, such as those of the module Ros; `frobc ros2 import PACKAGE/Type` writes the record of any other message
+    = hint: use Bool, Int, Float, an enumeration with an instance of `RosText`, or a record with an instance of `Message`, such as those in the module Ros; `frobc ros2 import PACKAGE/Type` writes the record for any other message
   
   error[E0509]: the instance of `Odd` does not name a message type
    --> wrong.frob:6:10
@@ -380,13 +380,13 @@ definition is known: here those of common packages.
      |
      = hint: write `instance RosText Unnamed where`, with a string for each constructor
   
-  error[E0509]: two constructors of `Same` have the text "d"
+  error[E0509]: two constructors of `Same` have the string "d"
     --> unlike.frob:19:10
      |
   19 | instance RosText Same where
      |          ^^^^^^^^^^^^
      |
-     = hint: give each constructor a different text
+     = hint: give each constructor a different string
   
   error[E0509]: the instance of `Guarded` does not list its strings
     --> unlike.frob:24:10

@@ -101,11 +101,11 @@ Messages:
 
   $ room < /dev/null
   $ frobc run turn.frob --world room.toml --for 1s
-  error: the program uses an inertial measurement unit, `imu`, but the robot of this world has none: add a table [imu] to the world file
+  error: the program uses an inertial measurement unit, `imu`, but the robot in this world has none: add a table [imu] to the world file
   [2]
   $ printf '[[imu]]\nname = "a"\n[[imu]]\nname = "b"\n' | room
   $ frobc run turn.frob --world room.toml --for 1s
-  error: the program uses an inertial measurement unit, `imu`, but the robot of this world has none of this name; it has `a`, `b`: add `name = "imu"` to one of them in the world file, or write [[imu]] for each and add another one
+  error: the program uses an inertial measurement unit, `imu`, but the robot in this world has none with this name; it has `a`, `b`: add `name = "imu"` to one of them in the world file, or write [[imu]] for each and add another one
   [2]
   $ printf '[[imu]]\n[[imu]]\nrate = 300\ngyro_noise_deg = -1\n[[magnet]]\nstrength = 1\n' | room
   $ frobc run turn.frob --world room.toml --for 1s

@@ -148,14 +148,14 @@ Two lidars with names; the program reads one of them with two sizes:
 A world without the lidar, and mistakes in a world file:
 
   $ frobc run narrow.frob --world room.toml --for 1s
-  error: the program uses a lidar, `lidar`, but the robot of this world has none of this name; it has `front`, `rear`: add `name = "lidar"` to one of them in the world file, or write [[lidar]] for each and add another one
+  error: the program uses a lidar, `lidar`, but the robot in this world has none with this name; it has `front`, `rear`: add `name = "lidar"` to one of them in the world file, or write [[lidar]] for each and add another one
   [2]
   $ room < /dev/null
   $ frobc run narrow.frob --world room.toml --for 1s
-  error: the program uses a lidar, `lidar`, but the robot of this world has none: add a table [lidar] to the world file
+  error: the program uses a lidar, `lidar`, but the robot in this world has none: add a table [lidar] to the world file
   [2]
   $ frobc run two.frob --world room.toml --for 1s 2>&1 | head -1
-  error: the program uses a lidar, `front`, but the robot of this world has none: add a table [lidar] with name = "front" to the world file
+  error: the program uses a lidar, `front`, but the robot in this world has none: add a table [lidar] with name = "front" to the world file
   $ room <<TOML
   > [[lidar]]
   > rays = 0

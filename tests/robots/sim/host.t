@@ -94,7 +94,7 @@ Wrong use has exit status 2, with a message.
   error: --rate takes a number from 0.1 to 10000, not `fast`
   [2]
   $ sim ./wall_follower.so --world $world --speed 3
-  error: unknown option `--speed`; `frob-sim --help` lists them
+  error: unknown option `--speed`; `frob-sim --help` lists all options
   [2]
   $ sim ./wall_follower.so --world $world --record no/such/folder.csv
   error: cannot write no/such/folder.csv: No such file or directory

@@ -25,7 +25,7 @@ Mistakes in a plan are reported before the first run, with their places.
   > PLAN
   error: plan.toml:1:1: unknown key `programm`; did you mean `program`?
   error: plan.toml:2:9: the last seed is less than the first; write [1, 20]
-  error: plan.toml:3:10: `worlds` takes a list of strings, such as ["a", "b"]
+  error: plan.toml:3:10: `worlds` must be a list of strings, such as ["a", "b"]
   error: plan.toml:4:9: `lasts` must be more than zero
   error: plan.toml:5:12: `sampling` must be "grid", "random" or "latin"
   error: plan.toml:7:7: the number of steps is missing: write a range as "LOW to HIGH, N steps", such as "2[1/m] to 8[1/m], 7 steps"; with `sampling`, write "LOW to HIGH"
@@ -112,7 +112,7 @@ Mistakes in a plan are reported before the first run, with their places.
   7 | main = reactimateRobot (wallFollow1 gap)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: `pioneer`, `scout`, `create` and `ros` have everything that it needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
+    = hint: `pioneer`, `scout`, `create` and `ros` have everything that the program needs: compile it with `--robot pioneer`, `--robot scout`, `--robot create` or `--robot ros`
   
   1 error
   [1]
@@ -133,7 +133,7 @@ Mistakes in a plan are reported before the first run, with their places.
     = hint: remove it
   
   1 warning
-  error: plan.toml:1:11: bare.frob has no trial, but a sweep needs one to judge and measure the runs; write `trial "…" = Trial { … }`
+  error: plan.toml:1:11: bare.frob has no trial, but a sweep needs one to judge and measure the runs: write `trial "…" = Trial { … }`
   [2]
   $ frobc sweep none.toml
   error: there is no file none.toml

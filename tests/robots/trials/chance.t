@@ -12,9 +12,9 @@ decided, or until there are no more seeds; the outcome does not depend on how ma
   > trial "is soon decided" = Trial { world = "room.toml", lasts = 1[s], seeds = holdsWith 0.99 0.95 (5 `to` 24), judge = neverTouches }
   > FROB
   $ frobc test chance.frob --robot pioneer | grep '^[okFA0-9]'
-  ok    never touches: holds in at least 0.9 of runs, with confidence 0.95: held in 38 of 38 runs, so the true fraction is 0.9075 to 1.0000
-  FAIL  is there at once: does not hold in 0.9 of runs, with confidence 0.95: held in 0 of 3 runs, so the true fraction is 0.0000 to 0.7076; seed 1: failed at 0.000 s
-  FAIL  is soon decided: undecided whether it holds in at least 0.99 of runs, with confidence 0.95: held in 20 of 20 runs, so the true fraction is 0.8316 to 1.0000
+  ok    never touches: holds in at least 0.9 of runs, with confidence 0.95: held in 38 of 38 runs, so the true fraction is between 0.9075 and 1.0000
+  FAIL  is there at once: does not hold in 0.9 of runs, with confidence 0.95: held in 0 of 3 runs, so the true fraction is between 0.0000 and 0.7076; seed 1: failed at 0.000 s
+  FAIL  is soon decided: undecided whether it holds in at least 0.99 of runs, with confidence 0.95: held in 20 of 20 runs, so the true fraction is between 0.8316 and 1.0000
   3 tests: 2 failed
   $ frobc test chance.frob --robot pioneer --json -j 1 > one
   [1]
@@ -24,7 +24,7 @@ decided, or until there are no more seeds; the outcome does not depend on how ma
   "chance":{"share":0.9,"confidence":0.95,"decision":"fails","least":0,"most":0.707598}
   "chance":{"share":0.99,"confidence":0.95,"decision":"open","least":0.831566,"most":1}
   $ frobc test chance.frob --robot pioneer -k touches --seeds 10 | grep touches
-  FAIL  never touches: undecided whether it holds in at least 0.9 of runs, with confidence 0.95: held in 10 of 10 runs, so the true fraction is 0.6915 to 1.0000
+  FAIL  never touches: undecided whether it holds in at least 0.9 of runs, with confidence 0.95: held in 10 of 10 runs, so the true fraction is between 0.6915 and 1.0000
   $ sed 's/0.9 0.95/1.5 0.95/' chance.frob > wrong.frob
   $ frobc test wrong.frob 2>&1 | grep error
   error[E0392]: `holdsWith` needs a proportion between 0 and 1 and a confidence between 0.5 and 1, not 1.5 and 0.95
@@ -49,11 +49,11 @@ removed without which it still fails.
   $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9](-simpler)?\./-N\1./g; s/--seed [0-9]/--seed N/; s/--at [0-9.]*s/--at Ns/'
   FAIL  knows where it is: 3 of 3 seeds; seed N: failed at N s
         frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world noisy.toml --seed N --at Ns
-        a simpler run fails too, with only [drive] slip of the world's disturbances: seed N: failed at N s
+        a simpler run, with none of the world's disturbances except [drive] slip, also fails: seed N: failed at N s
           frobc view failed/knows-where-it-is-N-simpler.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N-simpler.toml --seed N --at Ns
   FAIL  keeps half a metre: 3 of 3 seeds; seed N: failed at N s
         frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world noisy.toml --seed N --at Ns
-        a simpler run fails too, without any of the world's disturbances: seed N: failed at N s
+        a simpler run, without any of the world's disturbances, also fails: seed N: failed at N s
           frobc view failed/keeps-half-a-metre-N-simpler.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N-simpler.toml --seed N --at Ns
   $ grep -n '#.*noise\|slip\|written' failed/knows-where-it-is-*.toml | sed 's/.*toml://'
   1:# written by frobc: noisy.toml, reduced to the disturbances without which the run does not fail

@@ -64,7 +64,7 @@ An existing file in the way is not changed. The report omits only what cannot be
   $ shown taken
         picture: taken/runs-1.png
         frobc run seeds.frob --robot pioneer --world room.toml --seed 1 --for 1s --rate 20
-        a simpler run fails too, without any of the world's disturbances: seed 1: failed at 0.550 s
+        a simpler run, without any of the world's disturbances, also fails: seed 1: failed at 0.550 s
           world: taken/runs-1-simpler.toml
           picture: taken/runs-1-simpler.png
           frobc view taken/runs-1-simpler.csv seeds.frob --robot pioneer --world taken/runs-1-simpler.toml --seed 1 --at 0.55s
@@ -76,9 +76,9 @@ An existing file in the way is not changed. The report omits only what cannot be
   [1]
   $ shown file
         frobc run seeds.frob --robot pioneer --world room.toml --seed 1 --for 1s
-        cannot create the folder file: a file has this name
+        cannot create the folder file: there is a file with this name
         frobc test seeds.frob --robot pioneer -k 'runs 1'
-        cannot create the folder file: a file has this name
+        cannot create the folder file: there is a file with this name
   $ eval "$(sed -n 's/^ *\(frobc run .*\)/\1/p' told | head -1)" | head -1
   time simulated: 1.000 s
 
@@ -107,7 +107,7 @@ seed, and has a command that repeats the run.
   $ frobc test crashing.frob --robot pioneer --with crash.h -j 1 > told
   [1]
   $ sed 's|world /[^ ]*/|world |' told
-  FAIL  a b: SIGKILL ended the simulator in the run with seed 2; `frobc run crashing.frob --robot pioneer --with crash.h --world room.toml --seed 2 --for 1s` repeats that run
+  FAIL  a b: SIGKILL ended the simulator during the run with seed 2; `frobc run crashing.frob --robot pioneer --with crash.h --world room.toml --seed 2 --for 1s` repeats that run
   1 test: 1 failed
   $ eval "$(sed -n 's/.*`\(frobc run .*\)`.*/\1/p' told)" | head -1
   time simulated: 1.000 s

@@ -113,7 +113,7 @@ refer to the test file.
   > main = constant 1
   > FROB
   $ frobc check slow.frob
-  error[E0237]: a test file cannot have `module` header
+  error[E0237]: a test file cannot have a `module` header
    --> slow.test.frob:1:8
     |
   1 | module Slow where
@@ -121,7 +121,7 @@ refer to the test file.
     |
     = hint: remove the header: the tests belong to the program's module
   
-  error[E0237]: a test file cannot have `main`
+  error[E0237]: a test file cannot define `main`
    --> slow.test.frob:3:1
     |
   3 | main = constant 1
@@ -217,7 +217,7 @@ Without its program, a test file is invalid, and it cannot be run as a program.
   1 | test "doubles a speed" = during 1[s] (proc () -> gentle 0.4[m/s] == 0.8[m/s])
     | ^
     |
-    = hint: this is a test file: name the program that it tests instead, slow.frob
+    = hint: this is a test file: instead, name the program that it tests, slow.frob
   
   1 error
   [2]

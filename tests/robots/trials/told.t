@@ -64,7 +64,7 @@ each seed. Each has a line of output, and details if it fails.
         probe.main.assert is slow, "always": Holds, then Holds
         picture: failed/goes-far-in-no-time-3.png
         frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3 --at Ns
-        a simpler run fails too, without any of the world's disturbances: seed 3: failed at N s
+        a simpler run, without any of the world's disturbances, also fails: seed 3: failed at N s
           world: failed/goes-far-in-no-time-3-simpler.toml
           x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
           collisions: 0
@@ -81,7 +81,7 @@ each seed. Each has a line of output, and details if it fails.
         probe.main.assert is slow, "always": Holds, then Holds
         picture: failed/is-never-near-the-wall-1.png
         frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world room.toml --seed 1 --at Ns
-        a simpler run fails too, without any of the world's disturbances: seed 1: `far from all` violated at N s
+        a simpler run, without any of the world's disturbances, also fails: seed 1: `far from all` violated at N s
           world: failed/is-never-near-the-wall-1-simpler.toml
           x N m, y N m, heading N rad, clearance N m, N m driven, odometry off by N m
           collisions: 0
@@ -181,7 +181,7 @@ run for tools.
         mean: 0.5 s
         none: not measured
         collisions: 0
-        a simpler run fails too, without any of the world's disturbances: seed 1: undecided at the end, after 1 s
+        a simpler run, without any of the world's disturbances, also fails: seed 1: undecided at the end, after 1 s
           world: failed/has-come-to-its-end-1-simpler.toml
           collisions: 0
   2 tests: 1 failed

@@ -154,7 +154,7 @@ The numbers of a knob.
   6 | …i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i the…
     |                                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = note: you can use literals, constants, parameters with a constant value, and operators on these
+    = note: you can use literals, constants, parameters with a constant value, and operators applied to these
     = hint: give the knob a fixed range, and scale its value
   
   error[E0441]: the initial position of this toggle must be known at compile time

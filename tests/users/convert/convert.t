@@ -72,7 +72,7 @@ The restored recording can be replayed.
   $ frobc trace $see --input back/ball.csv | cmp - traced.csv
   $ rm -r ball.frames/00000[1-4]*
   $ frobc convert ball.csv fewer.mcap
-  warning: 4 frames that ball.csv names are missing from ball.frames or are not frames; they were omitted
+  warning: 4 frames named in ball.csv are missing from ball.frames or are not valid; they were omitted
 
 Echoes of a Scout, whose sonars have other positions:
 
@@ -112,7 +112,7 @@ Not a recording:
   error: bad.csv:1: not a recording: the first column must be `time`, not `a`; to choose the column with the times, add `--time-column NAME`
   [2]
   $ bad 'time,in\n0,1\n0.1\n0.2,1\n'
-  error: bad.csv:3: this row has the wrong number of cells: the header has 2 columns, found 1
+  error: bad.csv:3: wrong number of cells: the header has 2 columns, but this row has 1
   [2]
   $ bad 'time,in\n0,1\nsoon,1\n'
   error: bad.csv:3: `soon` is not a time in seconds

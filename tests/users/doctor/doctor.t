@@ -25,11 +25,11 @@ Without a C compiler and without Python, frobc still works.
 
   $ look 'C compiler|Python|extras search|gzip|zstd' env PATH=$PWD/none "$frobc" doctor
   status 0
-  ok    C compiler       PREFIX/lib/frobc/frob-tcc, which comes with frobc, handles generated code correctly; programs with C files need another one: `sudo apt-get install gcc libc6-dev`
-  note  Python           for `frobc falsify` and notebooks: `sudo apt-get install python3-venv`
-  note  extras search    for frobc falsify: not installed: `frobc extras install search`
-  note  gzip             for recordings named .gz: `sudo apt-get install gzip`
-  note  zstd             for recordings named .zst: `sudo apt-get install zstd`
+  ok    C compiler       PREFIX/lib/frobc/frob-tcc, which comes with frobc, handles generated code correctly; programs with C files need another one: run `sudo apt-get install gcc libc6-dev`
+  note  Python           for `frobc falsify` and notebooks: run `sudo apt-get install python3-venv`
+  note  extras search    for frobc falsify: not installed: run `frobc extras install search`
+  note  gzip             for recordings named .gz: run `sudo apt-get install gzip`
+  note  zstd             for recordings named .zst: run `sudo apt-get install zstd`
 
 A C compiler that does not work:
 
@@ -42,7 +42,7 @@ Another frobc on the PATH:
   $ mkdir other; printf '#!/bin/sh\necho 9.9.9\n' > other/frobc; chmod +x other/frobc
   $ look 'frobc' env PATH="$PATH:$PWD/other" "$frobc" doctor
   status 0
-  note  frobc            this is VERSION, FROBC, but the PATH has another version: other/frobc is 9.9.9; remove one of them, or put the folder of the one that you want first in the PATH
+  note  frobc            this is frobc VERSION at FROBC, but the PATH has another version: other/frobc is 9.9.9; remove one of them, or put the folder of the one that you want first in the PATH
 
 A home folder that cannot be written:
 
@@ -84,13 +84,13 @@ A virtual environment whose Python was removed:
 
   $ look 'extras search' env VIRTUAL_ENV=$PWD/gone frobc doctor
   status 0
-  note  extras search    for frobc falsify: the active virtual environment gone is damaged, or its Python was removed: `deactivate`
+  note  extras search    for frobc falsify: the active virtual environment gone is damaged, or its Python was removed: run `deactivate`
 
 A desktop without a program that opens the browser:
 
   $ look 'browser' env PATH=$PWD/none DISPLAY=:9 "$frobc" doctor
   status 0
-  note  browser          for opening the page of `frobc view`: `sudo apt-get install xdg-utils`
+  note  browser          for opening the page of `frobc view`: run `sudo apt-get install xdg-utils`
   $ look 'browser' env -u DISPLAY -u WAYLAND_DISPLAY "$frobc" doctor
   status 0
   note  browser          there is no desktop: `frobc view` prints the address of the page; on another computer, type `ssh -L PORT:127.0.0.1:PORT THIS_COMPUTER` and open that address

@@ -7,30 +7,30 @@ test, a script stands in for Python, so that no network is needed.
 
   $ here frobc extras list
   search    frobc falsify
-            not installed: `frobc extras install search`
-  mcap      frobc convert of MCAP files of other programs
-            not installed: `frobc extras install mcap`
-  ros       frobc convert of ROS 2 bags in MCAP files
-            not installed: `frobc extras install ros`
+            not installed: run `frobc extras install search`
+  mcap      frobc convert with MCAP files from other programs
+            not installed: run `frobc extras install mcap`
+  ros       frobc convert with ROS 2 bags in MCAP files
+            not installed: run `frobc extras install ros`
   jupyter   notebooks
-            not installed: `frobc extras install jupyter`
+            not installed: run `frobc extras install jupyter`
   cluster   sweeps on a Dask cluster
-            not installed: `frobc extras install cluster`
+            not installed: run `frobc extras install cluster`
   $ here frobc extras install search
   Installing cma, numpy in data/frobc
   ok  search    frobc falsify
   $ here frobc extras list | head -n 4
   search    frobc falsify
             numpy 1.0, cma 1.0
-  mcap      frobc convert of MCAP files of other programs
-            not installed: `frobc extras install mcap`
+  mcap      frobc convert with MCAP files from other programs
+            not installed: run `frobc extras install mcap`
 
 Installing another group keeps the installed ones. The old environment is removed when the new one is complete.
 
   $ here frobc extras install mcap
   Installing cma, mcap, numpy in data/frobc
   ok  search    frobc falsify
-  ok  mcap      frobc convert of MCAP files of other programs
+  ok  mcap      frobc convert with MCAP files from other programs
   $ ls data/frobc | sed 's/[0-9-]*$//'; cat data/frobc/python/frobc-groups
   python
   python
@@ -42,7 +42,7 @@ Without names, the same groups are installed again.
   $ here frobc extras install
   Installing cma, mcap, numpy in data/frobc
   ok  search    frobc falsify
-  ok  mcap      frobc convert of MCAP files of other programs
+  ok  mcap      frobc convert with MCAP files from other programs
 
 The environment finds the Python package of this frobc.
 
@@ -61,7 +61,7 @@ If the installation fails or is interrupted, the old environment stays intact.
   mcap
   search    frobc falsify
             numpy 1.0, cma 1.0
-  mcap      frobc convert of MCAP files of other programs
+  mcap      frobc convert with MCAP files from other programs
             mcap 1.0
   $ here frobc extras install search > out; ls data/frobc | sed 's/[0-9-]*$//'
   python
@@ -72,11 +72,11 @@ A damaged environment is reported, with the command that replaces it.
   $ rm data/frobc/python/bin/python3
   $ here frobc extras list | head -n 2
   search    frobc falsify
-            the environment data/frobc/python is damaged, or its Python was removed: `frobc extras install search`
+            the environment data/frobc/python is damaged, or its Python was removed: run `frobc extras install search`
   $ here frobc extras install; here frobc extras list | head -n 2
   Installing cma, mcap, numpy in data/frobc
   ok  search    frobc falsify
-  ok  mcap      frobc convert of MCAP files of other programs
+  ok  mcap      frobc convert with MCAP files from other programs
   search    frobc falsify
             numpy 1.0, cma 1.0
 
@@ -93,10 +93,10 @@ Wrong usage, and systems on which the command cannot work:
   [2]
   $ touch no-venv; here frobc extras install; rm no-venv
   Installing cma, mcap, numpy in data/frobc
-  error: `frobc extras` needs Python with the module venv: on Debian, `sudo apt-get install python3-venv`
+  error: `frobc extras` needs Python with the module venv: on Debian, run `sudo apt-get install python3-venv`
   $ here env PATH= "$(command -v frobc)" extras install
   Installing cma, mcap, numpy in data/frobc
-  error: `frobc extras` needs Python with the module venv: on Debian, `sudo apt-get install python3-venv`
+  error: `frobc extras` needs Python with the module venv: on Debian, run `sudo apt-get install python3-venv`
   $ here env XDG_DATA_HOME=/dev/null "$(command -v frobc)" extras install search
   error: cannot create the folder /dev/null/frobc: Not a directory; set XDG_DATA_HOME to a folder of your own
   $ here env -u XDG_DATA_HOME -u HOME "$(command -v frobc)" extras install search
@@ -107,11 +107,11 @@ An active virtual environment is used instead.
   $ mkdir -p mine/bin; cp bin/python3 mine/bin; export VIRTUAL_ENV=$PWD/mine
   $ here frobc extras list | head -n 2
   search    frobc falsify
-            not in the active virtual environment: `pip install numpy cma`, or `deactivate` and `frobc extras install search`
+            not installed in the active virtual environment: run `pip install numpy cma`, or run `deactivate` and then `frobc extras install search`
   $ printf 'numpy\ncma\n' > mine/bin/packages
   $ here frobc extras list | head -n 2
   search    frobc falsify
             numpy 1.0, cma 1.0
   $ rm mine/bin/python3
   $ here frobc extras list | tail -n 1
-            the active virtual environment mine is damaged, or its Python was removed: `deactivate`
+            the active virtual environment mine is damaged, or its Python was removed: run `deactivate`

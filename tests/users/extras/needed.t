@@ -10,10 +10,10 @@ Here, Python has no third-party packages.
   >     assert "small" (x < 2)
   > END
   $ frobc falsify cruise.frob --input "in=0 to 3"
-  error: falsify needs numpy and cma, which are not installed: `frobc extras install search`; or search at random (`--method random`), which takes more runs and needs numpy only
+  error: falsify needs numpy and cma, which are not installed: run `frobc extras install search`; or search at random (`--method random`), which takes more runs and needs only numpy
   [2]
   $ frobc falsify cruise.frob --input "in=0 to 3" --method random
-  error: falsify needs numpy, which is not installed: `frobc extras install search`
+  error: falsify needs numpy, which is not installed: run `frobc extras install search`
   [2]
 
 An MCAP file of another program:
@@ -26,7 +26,7 @@ An MCAP file of another program:
 Without Python:
 
   $ PATH= "$(command -v frobc)" falsify cruise.frob
-  error: frobc falsify needs Python 3: on Debian, `sudo apt-get install python3-venv`, then `frobc extras install search`
+  error: frobc falsify needs Python 3: on Debian, run `sudo apt-get install python3-venv`, then `frobc extras install search`
   [2]
   $ PATH= "$(command -v frobc)" convert other.mcap other.csv
   error: cannot read other.mcap: it was written by another program, and reading it needs Python: on Debian, run `sudo apt-get install python3-venv`, then `frobc extras install mcap`

@@ -202,7 +202,7 @@ changed.
   x = 1
   640 2
   $ printf 'x  = 1\n' > locked.frob && chmod 444 locked.frob && frobc format locked.frob; cat locked.frob
-  error: cannot write locked.frob: it is read-only (`chmod u+w` changes that)
+  error: cannot write locked.frob: it is read-only; make it writable with `chmod u+w`
   x  = 1
   $ ls -A | grep -c '^.frobc'
   0

@@ -39,7 +39,7 @@ An array of a million signal functions, and of a thousand times a thousand funct
    --> parallel.frob:3:12
     |
   3 |     sfs = (generate (\_ -> delay 0) :: Array 1048576 (SF Float Float))
-    |            ^^^^^^^^^^^^^^^^^^^^^^^^ `generate` needs a separate copy of each of them here
+    |            ^^^^^^^^^^^^^^^^^^^^^^^^ `generate` needs a separate copy of each element here
     |
     = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
     = hint: make the array shorter, or run one signal function on an array of numbers: `mapSF f xs`
@@ -58,7 +58,7 @@ an array of   error[E0413]: 1048576 functions or signal functions is too large t
   3 |     fs = (generate (\_ -> generate (\_ -> step)) :: Array 1000 (Array 1000 (Float -> Float)))
     |           ----------------^^^^^^^^^^^^^^^^^^^^^-
     |           |               |
-    |           |               `generate` needs a separate copy of each of them here
+    |           |               `generate` needs a separate copy of each element here
     |           `main` is called here
     |
     = note: an array of numbers is computed in a loop, but each function or signal function in an array gets its own code
@@ -146,7 +146,7 @@ types that double:
      | ^^^^^^^^^^^^
      |
      = note: frobc evaluates a call at compile time if its result or an argument is a function or signal function; if each function calls the 
-     = hint: use fewer levels of calls, or name a result and use the name twice
+     = hint: nest the calls less deeply, or name a result and use the name twice instead of repeating the call
   
   1 error
   $ { echo 'f0 :: a -> Float'; echo 'f0 _ = 1'
@@ -193,7 +193,7 @@ Small code with a large state: forty nested levels of a signal function.
       |                          --- `>>>` contains 2 of `>>>`
       |
       = note: each use of a signal function has its own copy of the state, including the state of all signal functions inside it
-      = hint: name the output of a signal function in an equation, so that you can use it twice and run the signal function only once
+      = hint: to run a signal function only once, name its output in an equation, and use that name wherever you need the output
   
   1 error
 
@@ -242,7 +242,7 @@ Patterns with too many combinations. A last branch for everything makes them com
   $ colours=$(for i in $(seq 19); do printf 'C, '; done)C
   $ { echo 'data C = R | G | B'; echo "main :: SF ($colours) Float"; echo 'main = proc c -> case c of'; patterns; } > cases.frob
   $ refused patterns < cases.frob
-  error[E0413]: this `case` is too complex to check that it covers every value
+  error[E0413]: this `case` is too complex to check for missing branches
    --> patterns.frob:3:23
     |
   3 | main = proc c -> case c of

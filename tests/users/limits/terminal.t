@@ -69,15 +69,15 @@ A recording with one endless line, which is small when compressed, is rejected w
   >   'trace p.frob --input cells.csv.gz' 'trace p.frob --engine interp --input cells.csv.gz' 'convert cells.csv.gz out.mcap'; do
   >   python3 memory.py timeout 60 frobc $command
   > done
-  2 error: endless.csv.gz:1:1: the row has more than 16 MB or more than a million cells: this is not a recording 
-  2 error: endless.csv.gz:1:1: the row has more than 16 MB or more than a million cells: this is not a recording 
+  2 error: endless.csv.gz:1:1: the row is larger than 16 MB or has more than a million cells: this is not a recording 
+  2 error: endless.csv.gz:1:1: the row is larger than 16 MB or has more than a million cells: this is not a recording 
   2 error: endless.csv.gz:1: the row is longer than 16 MB: this is not a recording 
   2 error: endless.csv.gz:1: the row is longer than 16 MB: this is not a recording 
   2 error: cannot view endless.csv.gz: it is not a recording: the first column must be `time` 
   2 
   1 FAIL  golden: cannot read endless.csv.gz: it is larger than 16 MB 
-  2 error: cells.csv.gz:3:1: the row has more than 16 MB or more than a million cells: this is not a recording 
-  2 error: cells.csv.gz:3:1: the row has more than 16 MB or more than a million cells: this is not a recording 
+  2 error: cells.csv.gz:3:1: the row is larger than 16 MB or has more than a million cells: this is not a recording 
+  2 error: cells.csv.gz:3:1: the row is larger than 16 MB or has more than a million cells: this is not a recording 
   2 error: cells.csv.gz:3: the row is longer than 16 MB: this is not a recording 
   $ mkdir rows && head -c 60000000 /dev/zero | tr '\0' a > rows/x.rows
   $ printf 'program = "trial.frob"\nseeds = [1, 1]\n' > plan.toml

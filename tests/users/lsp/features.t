@@ -171,7 +171,7 @@ of a name is rejected.
   way
    -> x `x` already has a different meaning in drive.frob
   way
-   -> Way this name must begin with a small letter, unlike `Way`
+   -> Way this name must begin with a lower-case letter, unlike `Way`
   way
    -> where `where` is not a valid name
   kTurn * -> approach `approach` already has a different meaning in drive.frob

@@ -498,7 +498,7 @@ async def robot(frobc):
                 "a real robot is only looked at",
                 not page.state["sends"]
                 and not page.state["paces"]
-                and "only watch the run" in (await page.insist("key 119"))[0]
+                and "can only watch" in (await page.insist("key 119"))[0]
                 and await page.send("pause") != []
                 and await page.send("speed 2") != [],
             )

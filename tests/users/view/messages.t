@@ -114,7 +114,7 @@ A port that is in use, and an invalid one:
 `--print` has the same meaning for a live run:
 
   $ frobc run --print way.frob
-  error: --print only works with --view: add it
+  error: --print only works with --view: add --view, or remove --print
   [2]
 
 If the address cannot be printed:
