@@ -75,7 +75,8 @@ let create facts options ?(seeks = false) (program : Core.Ir.program) =
     (fun k (p : Core.Ir.param) -> Global_table.replace param_numbers p.param k)
     program.params;
   let definitions = Global_table.create 256 in
-  (* Code numbers are below the ids of all locals; unnamed locals have negative ids too. *)
+  (* Code numbers are smaller than the ids of all locals, including the negative ids of unnamed
+     locals. *)
   List.iteri
     (fun i (core : Core.Ir.definition) ->
       Free.expr free core.body;

@@ -174,7 +174,8 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   if not (is_first_order output) then refuse_interface c core Output output;
   let ended = ref None and drawings = ref [] and rate = ref None in
   (if not c.failed then
-     (* the root always chooses names first, even if its evaluation is restarted *)
+     (* if the root's evaluation is restarted, the root keeps the name that it chose the first
+        time *)
      let chosen = ref None in
      let unique name =
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);

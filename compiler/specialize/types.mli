@@ -29,7 +29,7 @@ and kind =
   | Array of int * Core.Ir.ty  (** size and element type *)
   | Opaque  (** functions, signal functions, labels, programs and sizes *)
 
-and part = { part : string;  (** the field name, or the position from 1 *) ty : Core.Ir.ty }
+and part = { part : string;  (** the field name, or the position, starting at 1 *) ty : Core.Ir.ty }
 
 and leaf = {
   path : string list;
@@ -44,7 +44,7 @@ exception Too_large of Core.Ir.ty
 val most_leaves : int
 
 exception Too_deep of Core.Ir.ty
-(** The {!type-layout.nesting} of this type would be more than {!deepest}. *)
+(** The {!type-layout.nesting} of this type would exceed {!deepest}. *)
 
 val deepest : int
 
@@ -72,10 +72,10 @@ val marks : table -> int option
 (** The maximum number of marks, as passed to {!table}. *)
 
 val marks_path : string
-(** The suffix of the path of a leaf that contains the marks of a drawing. *)
+(** The path suffix of a leaf that contains a drawing's marks. *)
 
 val paths_of_drawing : string list
-(** The suffixes of the paths of a drawing's leaves. *)
+(** The path suffixes of a drawing's leaves. *)
 
 val text : table -> string -> int
 (** The constructor that represents a label text. *)

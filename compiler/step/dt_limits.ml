@@ -31,7 +31,7 @@ let use_of (program : Ir.program) time (node : Ir.node) =
     | Loop { node; _ } when reads node ->
         itself := true;
         steps := node :: !steps
-    (* Such a machine has a time of its own. *)
+    (* A machine with a clock passes its modes a time of its own. *)
     | Run { clock = Some _; _ } -> itself := true
     | Step _ | Loop _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ()
   in
@@ -42,7 +42,7 @@ let use_of (program : Ir.program) time (node : Ir.node) =
   if List.exists is_foreign modes then itself := true;
   { itself = !itself; steps = !steps; modes; others = others <> [] }
 
-(* Whether the callees limit the time, rather than the step that uses it in this way. *)
+(* Whether a step that uses the time in this way passes it on, so that its callees limit it. *)
 let is_passed_on = function
   | { itself = false; steps = [] | [ _ ]; modes = []; others = _ } -> true
   | { itself = false; steps = []; modes = _ :: _; others } -> others

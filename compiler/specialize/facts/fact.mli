@@ -19,5 +19,5 @@ type t =
   | Of_the_instant of { at : Span.t; calls : Calls.t; ty : Flow.Ir.foreign_type }
       (** a value of this type would be stored, although it is valid for only one instant *)
 
-(** A name in the user's C that is also a name in the generated C. *)
+(** A name in the user's C code that also occurs in the generated C. *)
 and foreign_name = Function_or_component of Core.Primitive.foreign | Header of Core.Ir.header

@@ -15,7 +15,7 @@ type t =
       at : Span.t;
       name : string;
       is_task : bool;
-      added : string;  (** the function that is added with each restart; [if] for a choice *)
+      added : string;  (** each restart adds one more of this function; [if] for a choice *)
       is_choice : bool;
       way : (string * Span.t) list;
           (** the definitions outside the library that start between two restarts *)

@@ -91,7 +91,7 @@ let argument c known : argument -> argument = function
   | Counted e -> Counted (expr c known e)
 
 (* The statements of a branch that replaces its [If]. The variables that the [If] declares are
-   declared where this branch assigns them instead. [None] if the branch assigns some of them only
+   declared instead where this branch assigns them. [None] if the branch assigns some of them only
    inside other statements. *)
 let in_place (uninitialized : variable list) branch =
   let is_uninitialized (v : variable) =

@@ -2,7 +2,7 @@ open Basis
 module Flow = Flow.Ir
 open Fragment
 
-(* The innermost branch that contains all uses of a signal that have been visited so far. *)
+(* For a signal, the innermost branch that contains all its uses visited so far. *)
 type guard =
   | Nowhere
   | Under of int * bool  (** the condition's signal, and its value in this branch *)
