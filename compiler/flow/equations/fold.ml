@@ -36,7 +36,7 @@ let on_ints operator a b : Ir.atom option =
   | Truncate | Not | And | Or ->
       None
 
-(* A quiet NaN. Before OCaml 5.1, [Float.nan] was a signaling NaN, which [pow] and other functions
+(* A quiet NaN. Before OCaml 5.1, [Float.nan] was a signalling NaN, which [pow] and other functions
    treat differently. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
 

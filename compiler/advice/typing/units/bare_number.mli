@@ -30,7 +30,7 @@ val gain : Wording.t -> Resolve.Ir.expr -> (t * int) list
     [1/s] and [rad/(m s)]. The numbers may have names or be written in the expression. *)
 
 val is_per_millisecond : Wording.t -> Resolve.Ir.expr -> bool
-(** Is the expression a number in [[ms^-1]], probably intended as meters per second? *)
+(** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
 
 val own_function : Wording.t -> Resolve.Ir.expr -> Resolve.Ir.binding option
 (** The definition of a function that has parameters and no signature, if it is in the file of the
