@@ -228,8 +228,7 @@ let allowed_work t =
   let own = t.options.work + (steps_of_expression * t.size) in
   if t.options.limit > default.limit then own / default.limit * t.options.limit else own
 
-(* The innermost call that is in the same folder as the outermost call. That folder is the
-   program's. *)
+(* The innermost call in the program's folder, which is the folder of the outermost call. *)
 let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
   let folder (at : Span.t) = Filename.dirname at.file in

@@ -49,8 +49,8 @@ type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
 (** A type with many leaves, and the number of equations and calls that define a value of that
     type. *)
 
-(** The controls that the program requests from its operator: either this specialization collects
-    them, or an earlier one has collected them. *)
+(** The controls that the program requests from its operator, collected either by this
+    specialization or by an earlier one. *)
 type console =
   | Sought of { mutable found : Core.Ir.control list  (** newest first *) }
   | Declared of Core.Ir.control list
@@ -175,8 +175,8 @@ val stop : t -> Fact.t -> 'a
 (** Reports the fact and raises {!Stopped}. *)
 
 val report_control : t -> Control_fact.t -> unit
-(** Reports the fact unless it has already been reported, because the same place may be evaluated
-    many times. *)
+(** Reports the fact unless it has already been reported: the same place may be evaluated many
+    times. *)
 
 val report_stored : t -> trail -> span:Span.t -> Core.Ir.ty -> unit
 (** Reports a [delay] of a value of this type, which contains a function. *)

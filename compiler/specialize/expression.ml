@@ -534,8 +534,8 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
 
 (* Adds the equations of a proc to the node under construction, and returns the output. *)
 and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
-  (* Equations may refer to each other. If Flow can represent an equation, the others see a signal,
-     which is created in advance. Otherwise, they see a suspension. *)
+  (* Equations may refer to each other. If Flow can represent the value of an equation, the other
+     equations see a signal, which is created in advance. Otherwise, they see a suspension. *)
   let inside = ref s in
   let declare (locals, promises) (eq : Ir.equation) =
     let ty = Types.close s.types eq.binder.ty in

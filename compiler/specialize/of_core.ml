@@ -32,8 +32,8 @@ type in_program = {
   rate : (Value.t * Span.t) option;
 }
 
-(* If the program chooses between several programs at the start, the type of the result must be the
-   same for all of them. *)
+(* If `main` selects one of several programs at the start, all of them must have the same result
+   type. *)
 let rec in_program (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } ->

@@ -59,8 +59,8 @@ val join : string -> string -> string
 
 (** {1 Drawings}
 
-    Drawings of the library's module Display. A drawing consists of the number of marks and an array
-    of events, each with one mark as its value. *)
+    A drawing, from the library's module Display, consists of the number of marks and an array of
+    events, each with one mark as its value. *)
 
 val is_drawing : Core.Ir.ty -> bool
 val is_text : Core.Ir.ty -> bool
@@ -89,7 +89,7 @@ val shape_of_output : table -> Core.Ir.ty -> Flow.Ir.shape
 (** The shape of an output, without the drawings in it. *)
 
 val shape_of_marks : table -> Flow.Ir.shape
-(** The shape of the marks of a drawing. *)
+(** The shape of a drawing's marks. *)
 
 val of_the_instant : table -> Flow.Ir.ty -> Flow.Ir.foreign_type option
 (** A foreign type inside this type whose values are valid for only one instant, if there is one. *)

@@ -1,6 +1,6 @@
 open Ir
 
-(* [x] must be an integer, infinite or NaN. *)
+(* [x] must be an integer, an infinity or NaN. *)
 let saturate x =
   if Float.is_nan x then 0l
   else if x >= 2147483647. then Int32.max_int

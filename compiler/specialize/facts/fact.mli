@@ -11,7 +11,7 @@ type t =
   | Entry of Entry_fact.t
   | Foreign_name of foreign_name
   | Outside of { at : Span.t; calls : Calls.t; index : int; size : int }
-      (** the index is out of range for an array of this size, which depends on the call *)
+      (** the index is out of range for an array of this size; the size depends on the call *)
   | Stored of { at : Span.t; calls : Calls.t; ty : Core.Ir.ty; by : (string * Span.t) option }
       (** a [delay] of a value that contains a function. [by]: the call in the program's own folder
           that leads to this [delay], unless the [delay] itself is in that folder; [calls]: the

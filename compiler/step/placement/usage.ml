@@ -224,7 +224,7 @@ let find_branching t =
         charge_guard g a.weight;
         List.iter (under g) a.operands)
 
-(* Bounds the sizes of expressions, from the first item to the last. *)
+(* Limits the sizes of expressions. Goes from the first item to the last. *)
 
 let bound_sizes t =
   let sizes = Int_table.create 64 in

@@ -216,7 +216,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
       tell ctx (Not_a_signal_function { head; ty = found });
       erroneous ()
 
-(* {1 Explaining a mistake by the whole application} *)
+(* {1 Explaining a mistake in terms of the whole application} *)
 
 (* Does the fact concern the whole argument at this place, not only a part of it? *)
 let is_at (span : Span.t) (fact : Fact.t) =
@@ -325,7 +325,7 @@ let tell expressions ctx e ~head arguments ~types ~takes ~failed ty held =
           replace ctx (Misapplied { around = surroundings ctx; call; mistake = last })
       | None -> pass_on ctx held)
 
-(* `xs.map f`, an array function that is called like a method. *)
+(* Explains `xs.map f`, where an array function is called like a method. *)
 let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments held =
   match (head.desc, List.rev held) with
   | Field { record; field; _ }, last :: others -> (
@@ -340,8 +340,8 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
       | _ -> pass_on ctx held)
   | _ -> pass_on ctx held
 
-(* `foldl (\x n -> n + x) 0 xs`, whose function takes its parameters in the order used by some other
-   languages. Checks whether swapping them would fix the mistake. *)
+(* Recognizes `foldl (\x n -> n + x) 0 xs`, where the function takes its parameters in the order
+   that some other languages use. Checks whether swapping them would fix the mistake. *)
 let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
   | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
@@ -363,7 +363,7 @@ let is_mapped_range ~(head : Resolve.Ir.expr) arguments =
   | Global { name = "map"; module_ = "Prelude" }, [ _; _; _; _; _ ] -> true
   | _ -> false
 
-(* {1 Applying to one argument after the other} *)
+(* {1 Applying to one argument at a time} *)
 
 (* The operator that follows the application to this argument. *)
 let operator_after ctx (e : Resolve.Ir.expr) argument =
