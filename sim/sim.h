@@ -13,8 +13,8 @@
  *   }
  *
  * Times are nanoseconds since the start. The same world, seed, and commands at the same times
- * produce the same readings, bit for bit. Simulations share no data, so different threads may
- * use different simulations; only one thread at a time may use a given one. */
+ * produce the same readings, bit for bit. Simulations share no data, so different threads may use
+ * different simulations, but only one thread at a time may use each simulation. */
 #ifndef FROB_SIM_H
 #define FROB_SIM_H
 
@@ -34,13 +34,13 @@ struct frob_imu;   /* <frob/imu.h> */
 struct frob_sim_settings {
     const char *robot; /* the robot that the host supports ("pioneer", …); NULL: any */
     uint64_t seed;     /* seed for all noise */
-    /* If positive, the distance from a wall is measured, and this replaces `distance` in the world
-     * file's [measure]. If 0, the world file specifies the measurement. */
+    /* If positive, the distance from a wall is measured, and this value overrides `distance` in the
+     * world file's [measure]. If 0, the world file specifies the measurement. */
     double wall_distance_m;
     int picture; /* nonzero to record the data that frob_sim_picture draws */
     /* The body of the user-defined robot that `robot` names; NULL for any other robot. */
     const struct frob_body *body;
-    /* Nonzero if commands come from a firmware, which has already rounded them to whole steps. 0 if
+    /* Nonzero if commands come from firmware, which has already rounded them to whole steps. 0 if
      * the simulator must round them as the robot's driver does (drivers/steps.h). */
     int served;
 };
@@ -52,7 +52,8 @@ struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_set
 void frob_sim_close(struct frob_sim *sim);
 
 /* Sizes of the robot's input and output structs, which its header <frob/ROBOT.h> declares. The
- * robot is named in the world file or, if not there, in the settings; the default is a pioneer. */
+ * robot is the one that the world file names, otherwise the one in the settings, otherwise a
+ * Pioneer. */
 size_t frob_sim_input_size(const struct frob_sim *sim);
 size_t frob_sim_output_size(const struct frob_sim *sim);
 
@@ -74,8 +75,8 @@ size_t frob_sim_robots(const struct frob_sim *sim);
  * physics runs in steps of 5 ms; it stops at the last step that is not later than this time. */
 void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 
-/* Reads the sensors into the robot's input struct. An echo is an event in the first reading after
- * it arrives. */
+/* Reads the sensors into the robot's input struct. Each echo appears as an event in the first
+ * reading after it arrives. */
 void frob_sim_read(struct frob_sim *sim, void *input);
 void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
 
@@ -110,7 +111,7 @@ const struct frob_imu *frob_sim_imu(struct frob_sim *sim, size_t robot, int imu,
 
 /* The parts of a robot's surface that currently touch an object. */
 struct frob_sim_bumps {
-    int left, right; /* the halves of its front; a contact at the middle counts for both halves */
+    int left, right; /* the halves of its front; a contact in the middle counts for both */
     int back;
 };
 
@@ -136,9 +137,9 @@ struct frob_sim_place {
 
 struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t robot);
 
-/* The number of objects that can move, and the pose of one of them: first the world's boxes, then
- * its balls, in the order of the world file. `touches` is 0, and a ball's heading has no
- * meaning. */
+/* The number of movable objects, and the pose of the object with this index, counted from 0. The
+ * world's boxes come first, then its balls, each in the order of the world file. `touches` is 0,
+ * and a ball's heading has no meaning. */
 size_t frob_sim_objects(const struct frob_sim *sim);
 struct frob_sim_place frob_sim_place_object(const struct frob_sim *sim, size_t object);
 
@@ -152,7 +153,7 @@ struct frob_sim_summary {
     /* Number of collisions with fixed objects, boxes, balls and other robots. A collision ends
      * when the robot has not touched anything for half a second. */
     int collisions;
-    double odometry_error_m; /* distance between the true position and that of the odometry */
+    double odometry_error_m; /* distance between the true position and the odometry estimate */
     int measured;            /* nonzero if the distance from a wall was measured; the next three
                                 fields are valid only then */
     double wall_distance_m;  /* the distance that the robot should keep */

@@ -10,7 +10,7 @@
 namespace frob::sim {
 namespace {
 
-// The number of collisions that are stored for each robot; all are counted.
+// Maximum number of collisions stored for each robot. Further ones are only counted.
 constexpr std::size_t most_collisions = 5;
 
 const RobotKind &kind_of(const Scene &scene) {

@@ -28,7 +28,7 @@ val to_c :
     warnings. *)
 
 val robot_header : Resources.t -> Robots.t -> (string * string, string) result
-(** The name and text of the header, or an error text for the user. *)
+(** The name and text of the header. The error is a message for the user. *)
 
 val header_of : Resources.t -> Robots.t -> string option * Basis.Diagnostic.sink * Basis.Source.t
 (** The header's text, and the diagnostics for the robot's module. *)

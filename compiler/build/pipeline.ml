@@ -14,8 +14,8 @@ type front = {
 
 type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
 
-(* Name resolution reads and parses the modules itself. This function only parses the main module to
-   check and print its syntax tree, if the request asks for that. *)
+(* Name resolution reads and parses the modules itself. If the request asks for it, this function
+   parses the main module, but only to check and print its syntax tree. *)
 let parse (r : Request.t) sink sources =
   let { Common_options.dump; stop_after; _ } = r.options in
   let is_asked = dump = Some Parse || stop_after = Some Parse in

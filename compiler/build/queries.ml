@@ -87,7 +87,7 @@ let program sink sources (r : Request.t) =
   let { Pipeline.resolved; typed; margin; core = _ } = front in
   Some { resolved; typed; written; closed; flow; margin }
 
-(* Adds the probes and, if [asserts] is true, the data about assertions that hosts need. *)
+(* Adds the probes and, if [asserts] is true, the assertion data that hosts need. *)
 let observed (r : Request.t) sink p ~asserts names =
   let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
   let causal, hidden = Probes.causal p.flow (List.map fst probes) in

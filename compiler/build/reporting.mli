@@ -19,5 +19,5 @@ val report_bug : string -> string -> int
 (** [report_bug stage message] reports a bug in the compiler. *)
 
 val report_exception : exn -> int
-(** Reports the exception that ended the command: an error of the operating system, with the status
+(** Reports the exception that ended the command: an operating system error, with the status
     {!Exit_status.wrong_use}, or a bug in the compiler, with the status {!Exit_status.bug}. *)

@@ -26,7 +26,7 @@ val make :
 (** A request for the entry of a file, by default its [main]. *)
 
 val own_robot : t -> Cgen.Robot.t option
-(** The robot, if the user has defined it. *)
+(** The robot, if it is user-defined. *)
 
 val judges : t -> bool
 (** Whether the verdicts on assertions are part of the output, for hosts. *)
@@ -45,9 +45,9 @@ val stage :
   print:(Format.formatter -> 'a -> unit) ->
   'a ->
   'a option
-(** Finishes a stage. If the options request it, checks the invariants of the result, which hold for
-    programs without errors, and prints the result. Returns [None] if there were errors, or if the
-    options end the compilation after this stage. *)
+(** Finishes a stage. If the options request it, checks the invariants of the result (only if there
+    were no errors) and prints the result. Returns [None] if there were errors, or if the options
+    end the compilation after this stage. *)
 
 val each_pass : t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
 (** Prints the program after each pass that changes it, if the options request it. *)

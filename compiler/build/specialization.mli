@@ -15,7 +15,7 @@ val program :
   Flow.Ir.program option
 (** The program must have a bounded size, be causal and have no instantaneous loops; otherwise,
     reports errors that quote the sources, and returns [None]. If the request includes the drawing,
-    the result has room for all marks of the program. [written] is the entry as written in the
+    the result has room for all of the program's marks. [written] is the entry as written in the
     source. *)
 
 val lint : Flow.Ir.program -> unit

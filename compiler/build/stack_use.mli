@@ -3,5 +3,5 @@
 open Basis
 
 val guarded : Diagnostic.sink -> Source.t -> Request.t -> otherwise:'a -> (unit -> 'a) -> 'a
-(** Returns the result of the function. If the stack overflows, reports E0106 at the largest
+(** Calls the function and returns its result. If the stack overflows, reports E0106 at the largest
     definition of the request's file, and returns [otherwise]. *)

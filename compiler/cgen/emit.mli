@@ -9,8 +9,9 @@ type t = {
   robot : string option;  (** the name of the program's robot, if it has one *)
   node : Node_table.t option;  (** the topics, if the program is a ROS 2 node with its own topics *)
   robot_header : (string * string) option;
-      (** name and text of the header of the user's own robot, which [header] includes. {!program}
-          returns [None] here; {!Interface_header} generates the header from the robot's module *)
+      (** the header for the user's own robot, which [header] includes: its name and its text.
+          {!program} returns [None] here; {!Interface_header} generates the header from the robot's
+          module *)
   cameras : string list;  (** labels of the cameras that the program reads *)
   simulated : string list;  (** sensors that only the simulator has, such as "the lidar `lidar`" *)
   foreign : foreign;

@@ -64,7 +64,7 @@ let piece text =
   in
   { text; code; defines; is_function = (not is_directive) && before '(' < value }
 
-(* Splits a text at the blank lines outside braces. *)
+(* Splits C code at the blank lines outside braces. *)
 let pieces text =
   let depth text =
     let count sum = function '{' -> sum + 1 | '}' -> sum - 1 | _ -> sum in
@@ -125,7 +125,7 @@ let own pieces =
   in
   List.map renamed pieces
 
-(* The pieces that a text needs, directly or indirectly. *)
+(* The pieces that the C code in [text] needs, directly or indirectly. *)
 let needed pieces text =
   let wanted = Hashtbl.create 64 and taken = Hashtbl.create 16 in
   let want text = List.iter (fun name -> Hashtbl.replace wanted name ()) (identifiers text) in

@@ -52,8 +52,9 @@ let mode_numbers (v : Program_names.t) k (node : M.node) =
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
 (* Modes that exclude each other share memory in a union, and the step of each receives a pointer to
-   its own struct. gcc assumes that pointers to different structs do not alias, and then reads
-   values that the previous mode left (seen with gcc 12 -O2), unless the structs are marked. *)
+   its own struct. Unless the structs are marked [may_alias], gcc assumes that pointers to different
+   structs do not alias, and may then read stale values left by the previous mode (seen with gcc 12
+   -O2). *)
 let overlaid =
   {|/* Modes that exclude each other share memory. */
 #ifndef FROB_OVERLAID
@@ -95,7 +96,7 @@ let definitions (v : Program_names.t) =
   in
   Value_types.definitions v.types ~of_:ours @ of_foreign_code
 
-(* {1 The user's C} *)
+(* {1 The user's C code} *)
 
 let foreign_headers (v : Program_names.t) =
   List.sort_uniq String.compare

@@ -184,7 +184,7 @@ and bare b ~depth e =
       add "->";
       add name
 
-(* A chain of conditional expressions has one line for each condition and value. *)
+(* A chain of conditional expressions has one line for each condition with its value. *)
 and choices b ~depth e =
   match e with
   | Conditional (c, x, y) ->
@@ -234,9 +234,9 @@ let fits column text = column + String.length text <= width
 let is_comma piece = String.ends_with ~suffix:"," piece
 let is_choice piece = String.starts_with ~prefix:": " piece
 
-(* Writes a text that is too long for one line, and returns the column where it ends. Fills each
-   line with pieces that end with commas, or with operators of one level and their operands. But if
-   one of these operands needs more than one line, each operator of the level starts a new line.
+(* Writes text that is too long for one line, and returns the column where it ends. Fills each line
+   with pieces that end with commas, or with operators of one level and their operands. But if one
+   of these operands needs more than one line, each operator of the level starts a new line.
    Otherwise, the operator would be harder to see than the tighter-binding operators at which the
    operand is broken. Both branches of a conditional expression also start new lines. *)
 let rec fill out ~indent ~column text =

@@ -47,7 +47,7 @@ and param = {
       (** the definition of the value that overrides the default, if the command line sets one *)
   label : string;  (** its name for users: [k], or [M.k] *)
   ty : ty;  (** [Bool], [Int] or [Float] *)
-  unit_ : string;  (** the unit as written in brackets: [1/m]; [1]; [""] for a [Bool] *)
+  unit_ : string;  (** the unit as written in brackets, such as [1/m] or [1]; [""] for a [Bool] *)
   doc : string option;
   span : Span.t;  (** the span of its name *)
 }
@@ -77,7 +77,7 @@ and foreign = {
   headers : header list;
   types : foreign_type list;  (** including opaque types, which have no constructors *)
   values : (Primitive.foreign * ty) list;
-      (** [Function]s or a [Signal_function] over closed first-order types *)
+      (** each has a curried [Function] or [Signal_function] type over closed first-order types *)
 }
 (** Declarations of the user's own C code. *)
 

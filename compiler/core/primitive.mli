@@ -27,7 +27,7 @@ type t =
   | Floor
   | Ceiling
   | Truncate
-  (* structural, on any data without functions *)
+  (* structural comparison of any data without functions *)
   | Equal
   | Not_equal
   | Less
@@ -75,9 +75,9 @@ type t =
   | Reactimate  (** [SF i o -> Program i o] *)
   | Node  (** [Float -> SF i o -> Program i o]: a ROS 2 node with topics, and its rate *)
   | Ending  (** tells the program's host whether the program has ended, and with what result *)
-  (* controls of the operator's console, by label; see {!Console} *)
+  (* controls on the operator's console, by label; see {!Console} *)
   | Console of console
-  (* drawings of the library's module Display *)
+  (* drawings, for the library's Display module *)
   | Text_of
   | Blank
   | Drawn
@@ -93,8 +93,8 @@ and elementary =
   | Floor_float
   | Ceiling_float
   | Nanoseconds
-      (** converts seconds, in the precision of Float, to nanoseconds, rounded to an integer, ties
-          to even; 0 for a negative number, NaN for NaN *)
+      (** converts seconds to whole nanoseconds in Float's precision, rounding ties to even; a
+          negative number becomes 0, and NaN remains NaN *)
   | Hypot
   | Exp
   | Log

@@ -10,18 +10,18 @@ val either : Ir.ty -> Ir.ty -> Ir.ty
 (** [Either a b] *)
 
 val frame : Ir.ty
-(** [Frame] of the library's module Vision *)
+(** [Frame] from the library's Vision module *)
 
 val tag_frame : Ir.ty
-(** [TagFrame] of the library's module Tags *)
+(** [TagFrame] from the library's Tags module *)
 
 val scan : Ir.ty -> Ir.ty
-(** [Scan] of the library's module Lidar, with this size *)
+(** [Scan] from the library's Lidar module, with this size *)
 
 val imu : Ir.ty
-(** [Imu] of the library's module Imu *)
+(** [Imu] from the library's Imu module *)
 
-(** {1 Types and functions of the library's module Display} *)
+(** {1 Types and functions of the library's Display module} *)
 
 val mark : Ir.ty
 val text : Ir.ty

@@ -18,7 +18,7 @@ type ty =
   | Int
   | Float
   | Sum of int  (** index into [program.sums] *)
-  | Array of int * ty  (** size, at least 1, and element *)
+  | Array of int * ty  (** size (at least 1) and element type *)
   | Foreign of foreign_type
 
 and foreign_type = {
@@ -115,7 +115,7 @@ and rhs =
   | Delay of { init : atom; next : atom }
       (** [init] in the first instant, afterwards the previous value of [next]; [init] is static *)
   | Elements of atom list  (** an array with these elements *)
-  | Fill of atom  (** an array of equal elements *)
+  | Fill of atom  (** an array whose elements all have this value *)
   | Index of atom * int  (** the index is within bounds *)
   | At of { array : atom; index : atom; default : atom }
       (** [default] if the index is out of bounds *)
@@ -129,9 +129,9 @@ and rhs =
           them without a conversion *)
   | Step_time  (** seconds since the previous instant; 0 in the first instant *)
   | Ticks of atom
-      (** true if a multiple of this static number of nanoseconds lies after the local time of the
-          previous instant and not after the current local time. The number is truncated to an
-          integer. Always true if it is below 1, never if it is NaN *)
+      (** true if a multiple of this static number of nanoseconds lies after the previous instant's
+          local time and at or before the current local time. The number is truncated to an
+          integer. Always true if the number is below 1, and never true if it is NaN *)
   | Integral of atom
       (** 0 in the first instant; each later instant adds dt times the previous value of the
           argument *)
@@ -160,8 +160,8 @@ and loop = {
 
 and argument =
   | Accumulator
-      (** the given value in the first iteration, then the node's output with the same index;
-          accumulators come first *)
+      (** the given value in the first iteration, then the previous iteration's output with the same
+          index; accumulators come first *)
   | Element  (** the next element of the given array in each iteration *)
   | Same  (** the same value in each iteration *)
   | Counter  (** an Int that increases by one in each iteration, starting with the given value *)
@@ -305,8 +305,8 @@ type program = {
       (** the controls on the operator's console, which is a record somewhere in [input] *)
   output : shape;
   ends : bool;
-      (** if true, the last part of the output is an event with the program's result, which occurs
-          when the program ends and in all later instants *)
+      (** if true, the last part of the output is an event that carries the program's result and
+          occurs when the program ends and in all later instants *)
   rate : float option;
       (** the steps per second of a ROS 2 node with topics of its own; [None] for other programs *)
   probes : (string * shape) list;

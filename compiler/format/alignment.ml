@@ -9,8 +9,8 @@ type line = {
   sign : Syntax.Grammar.token;
   at : int;  (** the index of the word that is aligned, such as [=] *)
   wanted : int;
-      (** the column that the sign has without additional spaces, counted from the line's first word
-      *)
+      (** the column that the sign would have without extra spaces, counted from the line's first
+          word *)
   written : int;  (** column of the sign in the source *)
   padded : bool;  (** whether several spaces precede the sign *)
   line : int;

@@ -189,7 +189,7 @@ let place state (words : Word.t array) i ~column =
       | _ -> ())
   | _ -> ()
 
-(* Opens the frame that a word at [column] starts, if there is one. *)
+(* Opens the frame that a word at [column] starts, if any. *)
 let enter state (words : Word.t array) i ~column =
   let w = words.(i) in
   let frame = inside state and first = i = 0 || w.starts in

@@ -139,8 +139,8 @@ let groups lines =
 
 let least_distance = 2
 
-(* A single comment is aligned with a neighbouring group if this moves it by at most this many
-   columns. *)
+(* The maximum number of columns by which a single comment may move to align with a neighbouring
+   group. *)
 let most_joining = 6
 
 let column_of_group lines members =

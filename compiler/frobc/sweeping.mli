@@ -1,4 +1,5 @@
-(** The command that runs a trial with many parameters: its options and help texts. *)
+(** The command that performs many runs of a trial, with different worlds, robots, parameters and
+    seeds: its options and help texts. *)
 
 open Cmdliner
 

@@ -41,7 +41,7 @@ let enter nesting value input =
   let instance = started nesting value in
   { instance; output = instance.output Clock.first input }
 
-(* [active] runs until [next], which is computed in each instant, replaces it. *)
+(* [active] runs until [next] replaces it. [next] is computed in each instant. *)
 type running = {
   mutable active : Value.instance;
   mutable switched : bool;

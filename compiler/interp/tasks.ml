@@ -1,7 +1,6 @@
 let bug what = Basis.Diagnostic.bug ~stage:"Interp.Tasks" "%s" what
 
-(* Inspects the output of a [mkTask]: a pair of an output and an event, whose second constructor is
-   [Event]. *)
+(* Inspects the output of a [mkTask]: a pair of an output and an event. Constructor 1 is [Event]. *)
 let by_event output : (Value.thunk, Value.thunk) Either.t =
   match Thunk.force output with
   | Value.Tuple [| shown; event |] -> (

@@ -4,8 +4,8 @@ type 'a t = { mutable state : 'a state; name : string; nesting : nesting option 
 
 exception Postponed of (unit -> unit)
 
-(* Maximum nesting of evaluations. An equation takes a few hundred bytes of stack, a long one
-   somewhat more. *)
+(* Maximum nesting of evaluations. Evaluating an equation takes a few hundred bytes of stack, or
+   somewhat more if the equation is long. *)
 let deepest = 400
 let nesting () = { depth = 0 }
 let known value = { state = Known value; name = ""; nesting = None }

@@ -27,4 +27,4 @@ val demand : 'a t -> 'a
 (** The value. Must be called outside of any evaluation. *)
 
 val afresh : nesting -> (unit -> 'a) -> 'a
-(** Runs a function that calls {!demand} although an evaluation is in progress. *)
+(** Runs a function that calls {!demand} while another evaluation is still in progress. *)

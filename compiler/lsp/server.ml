@@ -369,7 +369,7 @@ let handle t message =
       answer id (Error (request_cancelled, "cancelled"))
   | Some method_, id -> ask t message id method_ params
   | None, Null -> answer Null (Error (invalid_request, "no method"))
-  | None, _ -> () (* a response to a request of the server *)
+  | None, _ -> () (* a response to a request from the server *)
 
 let cancel t id =
   let is_it waiting = member "id" waiting = id in

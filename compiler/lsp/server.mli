@@ -3,7 +3,7 @@
     The server processes one message after another. It checks changed texts only when no message is
     waiting, so after several changes in a row, it checks only the latest text. Long computations
     run in separate processes ({!Worker}), which are killed when an edit makes their results
-    useless. Responses may therefore arrive in a different order than the requests. If a request is
+    useless. Responses may therefore arrive in a different order from the requests. If a request is
     cancelled before its turn, the response says so. Only [exit] or the end of the input stops the
     server. *)
 

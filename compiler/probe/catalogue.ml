@@ -172,8 +172,8 @@ let own equations program (node : Ir.node) ~is_given ~source =
 
 (* {1 All signals} *)
 
-(* Counts the instances in each node, including the node itself. Returns whether the root has more
-   than {!most}. *)
+(* For each node, counts the node itself and all the instances inside it. Returns whether the root's
+   count exceeds {!most}. *)
 let are_too_many (program : Ir.program) =
   let counts = Array.make (Array.length program.nodes) 1 in
   Array.iteri

@@ -10,7 +10,7 @@ type t
 val of_program : Core.Ir.program -> t
 
 val mem : t -> Span.t -> bool
-(** Whether this is the place of the signal's name in an equation. *)
+(** Whether an equation names its signal at this place. *)
 
 val whole : t -> Span.t -> Span.t option
-(** The span of the whole equation whose signal is named at this place. *)
+(** The span of the whole equation that names its signal at this place. *)

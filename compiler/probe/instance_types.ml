@@ -55,7 +55,7 @@ let types_at t (d : Ir.definition) ~only_head (place, around) =
   |> List.sort_uniq compare
 
 (* Like {!types_at}, but searches the definitions that a place uses: for example, the definition
-   [f = lowPass 1[s]] for a place with [f x]. *)
+   [f = lowPass 1[s]] for a place that contains [f x]. *)
 let rec types_behind t d ~depth (place, around) =
   let behind ((name : Ir.Global.t), span, ty) =
     if not (is_inside span place) then []
@@ -74,9 +74,9 @@ let rec types_behind t d ~depth (place, around) =
     List.concat_map behind (Hashtbl.find_all t.all_uses place.Span.file) |> List.sort_uniq compare
 
 (* The values of the type variables inside a node. [places]: the places where the node and the
-   instances around it run, innermost first, each with the values there. The use of the node is at
-   an outer place if the node is an argument of a function, such as the first argument of [>>>]. If
-   the uses of a node have different types, the variables have no values. *)
+   instances around it run, innermost first, each with the values of the type variables there. If
+   the node is an argument of a function, such as the first argument of [>>>], it is used at an
+   outer place. If the uses of a node have different types, its variables have no values. *)
 let entered t (node : Flow.Ir.node) ~only_head places =
   let around = match places with (_, values) :: _ -> values | [] -> Substitution.empty in
   let rec types d ~only_head = function

@@ -96,7 +96,8 @@ let root t = { number = 0; node = Array.length t.program.nodes - 1; around = Non
    represents the whole value. *)
 type part =
   | Element of int  (** an element of an array *)
-  | Leaf of int * int  (** a leaf of this constructor, if the sum has this constructor *)
+  | Leaf of int * int
+      (** a constructor and the index of its leaf; matters only if the sum has this constructor *)
   | Tag  (** the tag of a sum *)
 
 (* When a signal's value matters: how many instants ago, and in which mode of a machine. *)

@@ -22,9 +22,9 @@ type source = {
   column : string;
   back : back;
   where_ : (string * int) option;
-      (** the innermost mode in which the source matters: the column of its machine, and its number.
-          For [Entry], this is the previous mode: {!any}, or {!before} if the machine itself was
-          starting *)
+      (** the innermost mode in which the source matters: the column of its machine, and the mode's
+          number. For [Entry], this is the mode that was left: {!any} if the machine's input caused
+          the transition, or {!before} if the machine was starting *)
 }
 
 val any : int

@@ -10,7 +10,7 @@ val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
     compiler introduced. *)
 
 val type_of_signal : t -> name:string -> Basis.Span.t -> Typing.Ir.ty option
-(** Like {!type_of}, for a signal of Flow. [name] includes the path of a leaf; the span is the
+(** Like {!type_of}, but for a signal of Flow. [name] includes the path to a leaf; the span is the
     signal's place in the source. *)
 
 val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option
@@ -18,7 +18,8 @@ val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option
     column's name. *)
 
 val times_seconds : int -> Typing.Ir.ty -> Typing.Ir.ty
-(** The type of a number after multiplication by this power of a second. *)
+(** [times_seconds k ty]: the type of a number of type [ty] multiplied by the [k]th power of a
+    second. *)
 
 val unit_ : Typing.Ir.ty -> string option
 (** Unit of a number, or of an event that carries one: [m/s], and [N] instead of [kg m/s^2]. [None]

@@ -7,7 +7,7 @@ type t
 val empty : t
 
 val matching : Ir.ty -> Ir.ty -> t
-(** [matching general specific] returns the values of variables that turn [general] into [specific].
+(** [matching general specific] returns the substitution that turns [general] into [specific].
     Variables that cannot be determined have no value. *)
 
 val apply : t -> Ir.ty -> Ir.ty

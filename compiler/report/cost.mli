@@ -1,14 +1,14 @@
 (** Counts operations by kind. *)
 
 type kind =
-  | Additions  (** additions, including subtractions and changes of sign *)
+  | Additions  (** additions, including subtractions and negations *)
   | Multiplications
   | Divisions  (** including remainders *)
   | Choices  (** comparisons, logic, and all branches *)
   | Conversions  (** conversions between integers, floats and nanoseconds *)
   | Calls of string
-      (** calls of this function: an elementary function, a kernel, [fabs], or a C function of the
-          user *)
+      (** calls of this function: an elementary function, a kernel, [fabs], or one of the user's C
+          functions *)
   | Pixels of string  (** pixels that this kernel reads, if their number is known *)
   | Images of string  (** calls of this kernel that may read a whole image *)
   | Loads  (** loads of a scalar from the state *)

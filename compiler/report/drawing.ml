@@ -53,7 +53,7 @@ let in_lanes lines =
 
 let lanes lines = List.fold_left (fun most line -> max most (line.lane + 1)) 0 lines
 
-(* An upper bound on the width of a text: 7.5 pixels for each UTF-8 character. *)
+(* An upper bound on the width of a UTF-8 string: 7.5 pixels per character. *)
 let width_of text =
   let starts count c = if Char.code c land 0xC0 = 0x80 then count else count + 1 in
   15 * String.fold_left starts 0 text / 2

@@ -1,5 +1,5 @@
-(** The cost of checking a program's assertions. It is the difference in cost between the program
-    with checks and the version without checks, which runs on the robot. *)
+(** The cost of checking a program's assertions: the difference between the version with checks and
+    the version without, which runs on the robot. *)
 
 type t = {
   count : int;  (** number of assertions *)

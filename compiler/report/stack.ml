@@ -169,8 +169,8 @@ and choice c (e : M.expr) =
   | At { element; _ } -> room c element
   | Index { array; _ } -> choice c array
 
-(* Adds the arguments that are not passed in registers: values of sum types, and all arguments after
-   the first few. *)
+(* Adds the stack space for the arguments that are not passed in registers: values of sum types, and
+   all arguments after the first few. *)
 and arguments c frame ~calling es =
   List.iteri
     (fun i (e : M.expr) ->
@@ -256,8 +256,7 @@ let statement c frame (s : M.statement) =
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
-(* Whether the function reads the fields of its input record where it uses them, and copies only
-   arrays. *)
+(* Whether the function reads the fields of its input record in place and copies only arrays. *)
 let in_place (program : M.program) k =
   k = Array.length program.nodes - 1
   &&

@@ -15,7 +15,7 @@ val in_use : t -> int list
     from the root, without duplicates. *)
 
 val padding : bytes:int -> member list -> int
-(** The number of bytes in a struct that do not belong to any member. *)
+(** The number of padding bytes in a struct of [bytes] bytes with these members. *)
 
 val foreign : Step.Ir.program -> string list
 (** The user's C structs that are part of the state. No size in this module includes them. *)

@@ -1,4 +1,4 @@
-(** The report as text for people, in aligned columns. *)
+(** The report as human-readable text in aligned columns. *)
 
 val to_string : ?judged:Judged.t -> ?wire:Wire.t -> Bounds.t -> string
 (** Pass [judged] if the program contains assertions, and [wire] if the resolution of the robot's

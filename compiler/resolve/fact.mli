@@ -59,7 +59,8 @@ type in_modules =
   | Other_file_name of { module_ : name; file : string }  (** [file] has no extension *)
   | Two_files of { target : name; earlier : string; later : string }
   | No_program of { tests : string; program : string; reason : string option }
-      (** The program of a test file cannot be read for this reason; [None] if it does not exist. *)
+      (** [reason]: why the program of the test file cannot be read; [None] if the program does not
+          exist. *)
   | Header_in_tests of Span.t
   | Main_in_tests of Span.t
   | Primitive_outside_library of name

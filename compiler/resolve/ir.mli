@@ -139,7 +139,8 @@ and class_ = {
 and method_ = {
   name : Global.t;  (** usable in expressions like any other value *)
   scheme : scheme;
-      (** the class variable is free in the scheme, and the class itself is not in its context *)
+      (** the class variable is free in the scheme, and the scheme's context does not contain the
+          class itself *)
   default : binding option;  (** its binder is the method's name *)
   doc : string option;
   span : Span.t;
@@ -152,7 +153,7 @@ and instance = {
   definitions : (Global.t * binding) list;
       (** the methods that it defines, without duplicates; the binders are generated names that
           cannot occur in source code *)
-  span : Span.t;  (** from the class to the head *)
+  span : Span.t;  (** from the start of the class name to the end of the head *)
 }
 
 (** {1 Bindings} *)
@@ -176,7 +177,7 @@ and binder =
   | Inner of Local.t
   | Destructure of pattern
       (** [(x, y) = e]; it has neither parameters nor a signature, but its variables may have
-          entries in the [signatures] of their declarations *)
+          signatures, which are in {!declarations} *)
 
 and right = { guards : guarded list; where : declarations }
 (** A plain right-hand side is one [guarded] with [condition = None]. *)
@@ -212,7 +213,7 @@ and expr_desc =
   | Sequence of { statements : statement list; result : expr }
       (** tasks that run one after the other *)
   | Record of { constructor : Global.t; fields : (Syntax.Ir.name * expr) list }
-      (** all fields of the constructor, in the order of the source *)
+      (** all fields of the constructor, in source order *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
   | Field of { record : expr; field : Syntax.Ir.name; candidates : Global.t list }
       (** [candidates]: the record types in scope that have a field of this name *)

@@ -1,4 +1,4 @@
-/* Types of the functions in foreign.frob. The header generated from it needs them. */
+/* Types for the functions in foreign.frob. The header generated from that file needs them. */
 #ifndef CALLS_H
 #define CALLS_H
 

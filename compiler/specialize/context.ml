@@ -75,7 +75,8 @@ let create facts options ?(seeks = false) (program : Core.Ir.program) =
     (fun k (p : Core.Ir.param) -> Global_table.replace param_numbers p.param k)
     program.params;
   let definitions = Global_table.create 256 in
-  (* Code numbers are below the ids of all locals; unnamed locals have negative ids too. *)
+  (* Code numbers are smaller than the ids of all locals, including the negative ids of unnamed
+     locals. *)
   List.iteri
     (fun i (core : Core.Ir.definition) ->
       Free.expr free core.body;
@@ -227,8 +228,7 @@ let allowed_work t =
   let own = t.options.work + (steps_of_expression * t.size) in
   if t.options.limit > default.limit then own / default.limit * t.options.limit else own
 
-(* The innermost call that is in the same folder as the outermost call. That folder is the
-   program's. *)
+(* The innermost call in the program's folder, which is the folder of the outermost call. *)
 let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
   let folder (at : Span.t) = Filename.dirname at.file in

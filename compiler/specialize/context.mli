@@ -6,7 +6,8 @@ type options = {
   limit : int;  (** maximum number of specializations of one definition *)
   nesting : int;  (** nesting depth beyond which a node is {!Postponed} *)
   depth : int;  (** maximum nesting depth of calls that create no nodes *)
-  work : int;  (** base limit of {!Work} steps, which grows with the length of the program *)
+  work : int;
+      (** base limit on {!Work} steps; {!allowed_work} raises it with the length of the program *)
   marks : int option;  (** maximum number of marks in a drawing; [None] disables drawing *)
 }
 
@@ -45,10 +46,11 @@ and callee =
   | Nothing of Flow.Ir.signal list  (** a node without equations; its statics and inputs *)
 
 type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
-(** A type with many leaves, and the number of equations and calls that define a value of it. *)
+(** A type with many leaves, and the number of equations and calls that define a value of that
+    type. *)
 
-(** The controls that the program requests from its operator: either this specialization collects
-    them, or an earlier one has collected them. *)
+(** The controls that the program requests from its operator, collected either by this
+    specialization or by an earlier one. *)
 type console =
   | Sought of { mutable found : Core.Ir.control list  (** newest first *) }
   | Declared of Core.Ir.control list
@@ -102,12 +104,12 @@ val in_prelude : t -> Span.t -> bool
 val in_library : t -> Span.t -> bool
 
 exception Stopped
-(** Raised after reporting an error after which specialization cannot continue. *)
+(** Raised after reporting an error that prevents further specialization. *)
 
 exception Postponed of (unit -> unit)
-(** Raised if the stack has become too deep. Its argument is a function that evaluates the part that
-    was too deep, and must be called on a fresh stack. Afterwards, the evaluation that raised the
-    exception is repeated and finds the result. *)
+(** Raised if the stack has become too deep. Its argument evaluates the part that was too deep and
+    must be called on a fresh stack. The evaluation that raised the exception is then repeated and
+    finds the result. *)
 
 val settle : (unit -> unit) -> unit
 (** Calls the function, then every function that was postponed during the call. *)
@@ -116,7 +118,7 @@ val nests_deeply : t -> trail -> bool
 
 (** {1 Causes of excessive work}
 
-    These functions collect data for {!Used_up}, which reports the cause when the limit of steps is
+    These functions collect data for {!Used_up}, which reports the cause when the step limit is
     reached. *)
 
 type expansion = {
@@ -128,7 +130,7 @@ type expansion = {
 type machine = { of_ : string; place : Span.t; mutable modes : int }
 
 val expanding : t -> trail -> by:string -> elements:int -> span:Span.t -> trail
-(** Enters the expansion of the elements of an array. May raise {!Work.Used_up}. *)
+(** Enters an array whose elements are being expanded. May raise {!Work.Used_up}. *)
 
 val defining : t -> trail -> Core.Ir.ty -> unit
 (** Records that an equation or a call defines a value of this type, for {!widest}. *)
@@ -173,8 +175,8 @@ val stop : t -> Fact.t -> 'a
 (** Reports the fact and raises {!Stopped}. *)
 
 val report_control : t -> Control_fact.t -> unit
-(** Reports the fact unless it has already been reported, because the same place may be evaluated
-    many times. *)
+(** Reports the fact unless it has already been reported: the same place may be evaluated many
+    times. *)
 
 val report_stored : t -> trail -> span:Span.t -> Core.Ir.ty -> unit
 (** Reports a [delay] of a value of this type, which contains a function. *)

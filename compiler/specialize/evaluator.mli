@@ -14,9 +14,10 @@ type position = {
 
 type t = {
   run : position -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t;
-      (** Runs a signal function and returns its output. For a proc, adds the equations to the node
-          of the position. *)
+      (** Runs a signal function and returns its output. Adds the equations of a proc directly to
+          the position's [node]. *)
   apply : position -> result:Core.Ir.ty -> Value.t -> Value.argument list -> Value.t;
   static : position -> Value.closure -> Core.Ir.expr -> Value.t;
-      (** Evaluates an expression of a proc that mentions no signal of the proc. *)
+      (** Evaluates an expression in a proc. The expression must not mention any of the proc's
+          signals. *)
 }

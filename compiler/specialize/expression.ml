@@ -276,7 +276,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       _ ) ->
       bug "an applied value is not a function"
 
-(* Binds the arguments one by one, as many as the code has nested lambdas. *)
+(* Binds the arguments one by one, up to the number of nested lambdas in the code. *)
 and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
     (first : Value.argument) others =
   let locals =
@@ -295,7 +295,7 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
       in
       let value =
         if not (Types.layout c.types ty).first_order then
-          (* the resulting function is named after this function, not after its use *)
+          (* the resulting function is named after this function, not after [target] *)
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
         else if is_trivial body then
           expr c (inside (trail_of_trivial c s ~span closure body)) whole body
@@ -312,7 +312,8 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
 and is_first (closure : Value.closure) (binder : Ir.binder) =
   match closure.code with Lambda (first, _) -> first.local.id = binder.local.id | _ -> false
 
-(* A trivial body needs a trail only if it is an index, which may be out of range. *)
+(* A trivial body needs a trail only if it indexes an array, because the index may be out of
+   range. *)
 and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
   match body.desc with Index _ -> Context.enter c s.trail ~name:closure.name ~span | _ -> s.trail
 
@@ -433,8 +434,8 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
       in
       apply c s target ~span ~result value others
 
-(* Adds the equations of a proc to the position's own node; evaluates everything else in new
-   nodes. *)
+(* Adds the equations of a proc directly to the position's [node], and evaluates everything else in
+   new nodes. *)
 and evaluator s : Evaluator.t =
   let scope ({ node; trail; _ } : Evaluator.position) =
     { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
@@ -533,8 +534,8 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
 
 (* Adds the equations of a proc to the node under construction, and returns the output. *)
 and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
-  (* Equations may refer to each other. If Flow can represent an equation, the others see a signal,
-     which is created in advance. Otherwise, they see a suspension. *)
+  (* Equations may refer to each other. If Flow can represent the value of an equation, the other
+     equations see a signal, which is created in advance. Otherwise, they see a suspension. *)
   let inside = ref s in
   let declare (locals, promises) (eq : Ir.equation) =
     let ty = Types.close s.types eq.binder.ty in

@@ -30,5 +30,5 @@ val run :
 (** Runs an instance of a signal function on its input. [result]: the closed type of its output. *)
 
 val proc_body : Context.t -> scope -> Core.Ir.proc -> Value.t
-(** The output of a proc whose input is already bound. Adds the proc's equations to the node of the
-    scope. *)
+(** The output of a proc whose input is already bound. Adds the proc's equations to the scope's
+    [node]. *)

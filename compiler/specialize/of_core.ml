@@ -32,8 +32,8 @@ type in_program = {
   rate : (Value.t * Span.t) option;
 }
 
-(* If the program chooses between several programs at the start, the type of the result must be the
-   same for all of them. *)
+(* If `main` selects one of several programs at the start, all of them must have the same result
+   type. *)
 let rec in_program (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } ->
@@ -174,7 +174,8 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
   if not (is_first_order output) then refuse_interface c core Output output;
   let ended = ref None and drawings = ref [] and rate = ref None in
   (if not c.failed then
-     (* the root always chooses names first, even if its evaluation is restarted *)
+     (* if the root's evaluation is restarted, the root keeps the name that it chose the first
+        time *)
      let chosen = ref None in
      let unique name =
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);

@@ -33,8 +33,8 @@ module Types = Hashtbl.Make (struct
 
   and equal_all a b = List.compare_lengths a b = 0 && List.for_all2 equal a b
 
-  (* A type may share its parts, so it may have far more paths than parts. Hashing visits every
-     path, so it counts as work. *)
+  (* A type may contain the same part many times. Hashing visits each occurrence, so it counts as
+     work. *)
   let rec hash (ty : t) =
     Work.step ();
     match ty with

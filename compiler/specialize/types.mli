@@ -29,7 +29,7 @@ and kind =
   | Array of int * Core.Ir.ty  (** size and element type *)
   | Opaque  (** functions, signal functions, labels, programs and sizes *)
 
-and part = { part : string;  (** the field name, or the position from 1 *) ty : Core.Ir.ty }
+and part = { part : string;  (** the field name, or the position, starting at 1 *) ty : Core.Ir.ty }
 
 and leaf = {
   path : string list;
@@ -44,7 +44,7 @@ exception Too_large of Core.Ir.ty
 val most_leaves : int
 
 exception Too_deep of Core.Ir.ty
-(** The {!type-layout.nesting} of this type would be more than {!deepest}. *)
+(** The {!type-layout.nesting} of this type would exceed {!deepest}. *)
 
 val deepest : int
 
@@ -59,8 +59,8 @@ val join : string -> string -> string
 
 (** {1 Drawings}
 
-    Drawings of the library's module Display. A drawing consists of the number of marks and an array
-    of events, each with one mark as its value. *)
+    A drawing, from the library's module Display, consists of the number of marks and an array of
+    events, each with one mark as its value. *)
 
 val is_drawing : Core.Ir.ty -> bool
 val is_text : Core.Ir.ty -> bool
@@ -72,10 +72,10 @@ val marks : table -> int option
 (** The maximum number of marks, as passed to {!table}. *)
 
 val marks_path : string
-(** The suffix of the path of a leaf that contains the marks of a drawing. *)
+(** The path suffix of a leaf that contains a drawing's marks. *)
 
 val paths_of_drawing : string list
-(** The suffixes of the paths of a drawing's leaves. *)
+(** The path suffixes of a drawing's leaves. *)
 
 val text : table -> string -> int
 (** The constructor that represents a label text. *)
@@ -89,7 +89,7 @@ val shape_of_output : table -> Core.Ir.ty -> Flow.Ir.shape
 (** The shape of an output, without the drawings in it. *)
 
 val shape_of_marks : table -> Flow.Ir.shape
-(** The shape of the marks of a drawing. *)
+(** The shape of a drawing's marks. *)
 
 val of_the_instant : table -> Flow.Ir.ty -> Flow.Ir.foreign_type option
 (** A foreign type inside this type whose values are valid for only one instant, if there is one. *)

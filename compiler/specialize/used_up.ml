@@ -1,5 +1,5 @@
-(* Reports the fact at a place in the program rather than the library, with the calls that lead to
-   it. *)
+(* Reports the fact at a place in the program rather than in the library, with the calls that lead
+   there. *)
 let report (c : Context.t) trail ~span excess =
   let at = Context.own_place c trail ~span in
   Context.report c (Limit { at; calls = Context.calls trail; excess })

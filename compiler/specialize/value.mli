@@ -24,9 +24,9 @@ type t =
               library *)
     }  (** a partial application, or a signal function *)
   | Choice of { condition : Flow.Ir.atom; then_ : t; else_ : t }
-      (** an [if] whose condition is known only at run time, on values that Flow cannot select from
-      *)
-  | Program of t  (** a [Program i o], as its signal function *)
+      (** an [if] with a condition that is known only at run time, between values that Flow cannot
+          represent *)
+  | Program of t  (** a [Program i o], represented by its signal function *)
   | Unspecified
       (** an arbitrary value, for the payload of another constructor or for an expression that was
           reported as an error *)

@@ -19,7 +19,7 @@ let of_alternatives blocks =
 let scalar bytes = { bytes; alignment = bytes }
 let foreign = { bytes = 0; alignment = 8 }
 
-(* The given number of equal members, one after another. *)
+(* A block of this many identical members, one after another. *)
 let run count member = { member with bytes = Basis.Saturating_int.times count member.bytes }
 
 let rec of_value real sums (ty : Ir.ty) =

@@ -18,7 +18,7 @@ val numbers : Flow.Ir.sum array -> Ir.ty -> int
 (** The number of scalars that are Floats. *)
 
 val run : int -> t -> t
-(** The given number of equal members, one after another. *)
+(** A block of this many identical members, one after another. *)
 
 val of_members : t list -> int list * t
 (** The offsets of a struct's members, and the size and alignment of the whole struct. *)

@@ -8,14 +8,14 @@ let nanoseconds t = Array.get t.nanoseconds
 type time = {
   expr : Ir.expr;
   is_read : Ir.node -> bool;  (** whether the step or one of its callees reads it *)
-  is_safe : Ir.node -> bool;  (** whether the step's own code limits the time wherever it uses it *)
+  is_safe : Ir.node -> bool;  (** whether the step's own code limits the time at each use *)
 }
 
 (* How a step uses one of its two times. *)
 type use = {
   itself : bool;
       (** whether it needs the limited time, for its own code or for everything that it calls *)
-  steps : int list;  (** nodes to whose steps it passes the time, except modes *)
+  steps : int list;  (** nodes, other than modes, whose steps receive the time from it *)
   modes : int list;  (** modes of its machine that read the time *)
   others : bool;  (** whether there are modes that do not read it *)
 }
@@ -31,7 +31,7 @@ let use_of (program : Ir.program) time (node : Ir.node) =
     | Loop { node; _ } when reads node ->
         itself := true;
         steps := node :: !steps
-    (* Such a machine has a time of its own. *)
+    (* A machine with a clock passes its modes a time of its own. *)
     | Run { clock = Some _; _ } -> itself := true
     | Step _ | Loop _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ()
   in
@@ -42,7 +42,8 @@ let use_of (program : Ir.program) time (node : Ir.node) =
   if List.exists is_foreign modes then itself := true;
   { itself = !itself; steps = !steps; modes; others = others <> [] }
 
-(* Whether the callees limit the time, rather than the step that uses it in this way. *)
+(* Whether a step that uses the time in this way passes it on unlimited, so that limiting it is left
+   to the callees. *)
 let is_passed_on = function
   | { itself = false; steps = [] | [ _ ]; modes = []; others = _ } -> true
   | { itself = false; steps = []; modes = _ :: _; others } -> others

@@ -15,8 +15,8 @@ type t
 type seconds =
   | Unlimited  (** not at all, because the caller has limited dt *)
   | Where_used
-      (** to at most 1e9 s at each use, because the step either uses dt only if it is positive or
-          does not use it itself *)
+      (** to at most 1e9 s at each use, because the step itself does not use dt, or uses it only if
+          it is positive *)
   | Both_ways  (** at its start *)
 
 val of_program : Ir.program -> t

@@ -15,7 +15,7 @@ let reads_dt body =
   Walk.expressions note (List.filter (fun s -> not (is_integral s)) body);
   !found
 
-(* The modes that may take a step with the caller's dt in the node's first instant. *)
+(* The modes that can take a step with the caller's dt in the node's first instant. *)
 let first_modes (node : node) run =
   let numbers = ref [] in
   let note = function Enter { entry; _ } -> numbers := entry.mode :: !numbers | _ -> () in

@@ -100,8 +100,8 @@ type expr =
   | Reached of { time : expr; period : expr }
       (** whether the [Nanoseconds] are at least this Float, truncated to an integer *)
   | Rest of { time : expr; period : expr }
-      (** the [Nanoseconds] modulo the period, which they have [Reached]; 0 if the period is less
-          than 1 *)
+      (** the [Nanoseconds] modulo the period, used only if they have [Reached] it; 0 if the
+          period is less than 1 *)
 
 type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 
@@ -211,8 +211,8 @@ type node = {
   state : field list;  (** {!State_struct} chooses the place of each field in memory *)
   modes : mode list;  (** the modes of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
-      (** if present, step and reset are in the user's C: [reset] and [step] have no body, and the
-          state, if there is any, is one [Component] *)
+      (** if present, step and reset are in the user's C code: [reset] and [step] have no body, and
+          the state, if there is any, is one [Component] *)
   reset : code;  (** empty if there is no state, or the reset is never called *)
   step : code;
   outputs : (string * ty) list;
@@ -239,7 +239,7 @@ type program = {
   sums : Flow.Ir.sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   imports : Flow.Ir.import list;
-  headers : Flow.Ir.header list;  (** headers of the user's C *)
+  headers : Flow.Ir.header list;  (** headers of the user's C code *)
   input : Flow.Ir.shape;
   console : Core.Ir.control list;  (** as in {!Flow.Ir.program} *)
   output : Flow.Ir.shape;

@@ -37,7 +37,7 @@ let field_type c (f : Ir.field) =
   match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
   | Some (Value ty) -> ty
   | Some (State_of _ | States_of _ | Running_mode | Modes _ | Component _) ->
-      bug "field `%s` of `%s` is read as a value" f.name c.node.name
+      bug "field `%s` of `%s` is read but is not a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
 (* The result type of an operation, whose arguments must all have the same type. *)
@@ -356,7 +356,7 @@ let code c (code : Ir.code) =
   List.iter (declare c) code.parameters;
   let known = block c 0 (List.fold_left readable start code.parameters) code.body in
   if not (Known.is_empty known.pending) then
-    bug "a variable of `%s` never gets its value" c.node.name;
+    bug "a variable of `%s` is never assigned" c.node.name;
   known
 
 (* Rejects fields for values whose memory C owns, because these values are valid only within an

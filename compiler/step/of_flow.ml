@@ -22,7 +22,7 @@ let stepped body modes =
   List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
   nodes
 
-(* {!Cgen} generates the call to the user's C and the conversion of the leaves. *)
+(* {!Cgen} generates the call to the user's C code and the conversion of the leaves. *)
 let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
   let stateful = node.kind = Signal_function in
   let state : Ir.field =
@@ -31,7 +31,7 @@ let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
       name = "state";
       content = Component foreign.import.symbol;
       bound = None;
-      purpose = "of the user's C";
+      purpose = "state of the user's C component";
       origin = None;
       span = node.span;
     }

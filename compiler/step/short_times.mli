@@ -9,8 +9,8 @@ val program : Ir.program -> Ir.program
 (** Sets the bounds of the fields. *)
 
 val reached : Basis.Real.t -> Ir.node -> Ir.field list
-(** The fields that the outermost statements of the node's step advance and that later statements
-    compare with their bounds. *)
+(** The fields that the node's step advances at top level and compares with their bounds in a later
+    statement. *)
 
 val only_advances : Ir.program -> Ir.node -> bool
 (** Whether the node's step, without its callees, uses dt in nanoseconds only to advance bounded

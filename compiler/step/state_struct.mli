@@ -8,7 +8,7 @@
     nodes in deeply nested modes.
 
     Members with the largest alignment come first, so that no padding is needed between them. Among
-    members of the same alignment, times come last: compilers copy two adjacent floats with one
+    members with the same alignment, times come last: compilers copy two adjacent floats with one
     instruction if no time is between them.
 
     The modes of a machine share memory in unions. The first union contains the members with the

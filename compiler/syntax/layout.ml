@@ -123,8 +123,8 @@ let rec pop_until t found =
 let is_block = function Block _ -> true | Paren | Bracket | Brace | If | Then | Case -> false
 let is_bracket = function Paren | Bracket | Brace -> true | Block _ | If | Then | Case -> false
 
-(* Starts a new item of the innermost block. Pops the openers that the old item contains, except
-   blocks. These openers remain unmatched. *)
+(* Starts a new item in the innermost block. Pops the openers that the old item contains, except
+   blocks, and leaves them unmatched. *)
 let separate t =
   let rec blocks = function
     | entry :: rest when not (is_block entry.opener) -> blocks rest
@@ -221,8 +221,8 @@ let emit_doc t (token : Lexer.token) =
         t.ready
   | _ -> ()
 
-(* Pushes an entry if the token is an opener. Called after the token has been emitted. [if_]: the
-   [if] that a [then] belongs to. *)
+(* Pushes an entry if the token is an opener. Called after the inserted tokens before it have been
+   emitted. [if_]: the [if] that a [then] belongs to. *)
 let opens t (token : Lexer.token) ~if_ =
   let column = block_column t in
   match token.token with

@@ -409,7 +409,7 @@ let symbols =
       |> List.sort_uniq String.compare |> List.stable_sort longest_first
       |> List.map (fun symbol -> (symbol, punctuation symbol)))
 
-(* Does the text here match the symbol, starting at the symbol's byte [i]? *)
+(* Does the text at the current position match the symbol from its byte [i] onwards? *)
 let rec stands_here t symbol i =
   i = String.length symbol || (peek t i = symbol.[i] && stands_here t symbol (i + 1))
 

@@ -7,7 +7,7 @@ type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
-  column : int;  (** column of the token's start, counted in characters from 1 (not in bytes) *)
+  column : int;  (** column of the token's start, in characters (not bytes), counted from 1 *)
   first : bool;  (** whether the token is the first one on its line *)
   doc : string option;  (** the text of the [-- |] comment before the token *)
 }

@@ -21,5 +21,5 @@ val children : t -> t list
 val of_right : Ir.right -> t list
 
 val depth_exceeds : int -> t -> Span.t option
-(** The place of a node below this depth, if there is one. This function does not use the call
-    stack, because it protects the recursive passes from a stack overflow. *)
+(** The place of a node that is nested more deeply than this, if there is one. This function does
+    not use the call stack, because it protects the recursive passes from a stack overflow. *)

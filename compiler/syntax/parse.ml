@@ -116,7 +116,7 @@ let explained reader =
 
 exception Bad_token
 
-(* Parses an item with the parser that menhir generates as code. It is several times as fast as the
+(* Parses an item with menhir's code back end. This parser is several times as fast as the
    automaton, but does not provide information about an error. Its actions have no side effects, so
    the automaton can parse a faulty item again from its first character. The lexer then finds each
    error twice, but it is reported only once (see {!Diagnostic.all}). *)
@@ -147,8 +147,8 @@ let item reader =
 let levels_of_a_token = 4
 
 (* Layout limits the nesting of brackets and blocks, but operators, arrows and other constructs can
-   be nested, too. A token adds only a few levels, so an item with few tokens cannot be nested too
-   deeply. *)
+   be nested, too. Each token adds only a few levels, so an item with few tokens cannot be nested
+   too deeply. *)
 let check_depth reader declaration =
   if levels_of_a_token * reader.tokens > Layout.deepest then
     Option.iter

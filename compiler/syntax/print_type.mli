@@ -31,7 +31,7 @@ val infix : Buffer.t -> qualified -> unit
 val unit_to : Buffer.t -> unit_ -> unit
 
 val factor : Buffer.t -> unit_ -> unit
-(** Prints a unit, in parentheses if it needs them as a factor of a product. *)
+(** Prints a unit as a factor of a product, in parentheses if necessary. *)
 
 val in_brackets : Buffer.t -> unit_ list -> unit
 (** Prints the units of a number or a type in brackets: [[m/s]]. *)
@@ -39,7 +39,7 @@ val in_brackets : Buffer.t -> unit_ list -> unit
 val type_to : Buffer.t -> ty -> unit
 
 val simple_type : Buffer.t -> ty -> unit
-(** Prints a type, in parentheses if it needs them as an argument of a type. *)
+(** Prints a type as a type argument, in parentheses if necessary. *)
 
 val context : Buffer.t -> (qualified * ty) list -> unit
 (** Prints the constraints of a signature and the double arrow. *)

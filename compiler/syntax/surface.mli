@@ -27,7 +27,7 @@ and term_desc =
     or a minus sign. *)
 type step = Operand of { operand : term; operator : Ir.qualified } | Minus of Span.t
 
-(** A statement of a [do] that has not been processed yet. *)
+(** A statement of a [do] block, before {!Build} converts it. *)
 type statement =
   | Arrow_bind of { left : term; right : Ir.expr }  (** [p <- e] *)
   | Command_bind of { left : term; command : Ir.command }  (** [p <- sf -< e] *)

@@ -193,7 +193,7 @@ and binding = {
   pattern : pattern;  (** [Bound] for a plain name or a function *)
   scheme : scheme;  (** polymorphic only for local functions with a signature *)
   value : expr;
-  recursive : bool;  (** refers to itself, directly or through other bindings of its list *)
+  recursive : bool;  (** refers to itself, directly or through other bindings in the same list *)
   level : level;
   span : Span.t;
 }

@@ -147,7 +147,7 @@ let bind s (x : Local.t) scheme entered =
 
 let leave s entered = List.iter (fun (x : Local.t) -> Hashtbl.remove s.locals x.id) entered
 
-(* The element type of an array with this number of elements. *)
+(* The element type of the array, which must have this number of elements. *)
 let element span (array : ty) parts =
   match array with
   | Data { arguments = [ Size n; element ]; _ } when n = List.length parts -> element

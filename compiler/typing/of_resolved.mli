@@ -8,5 +8,5 @@ val program :
     errors. *)
 
 val partial : real:Real.t -> Resolve.Ir.program -> Ir.program
-(** The definitions of an erroneous program that could be typed, for editors. May raise
+(** For editors: the definitions in a program with errors, as far as they could be typed. May raise
     {!Basis.Diagnostic.Bug}, because such a program does not satisfy the invariants of {!Ir}. *)

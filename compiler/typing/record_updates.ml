@@ -3,7 +3,7 @@ open Ir
 
 let most_fields = 1_000_000
 
-(* The updates of one type so far. *)
+(* A record type, and the number of its updates found so far. *)
 type of_type = { record : constructor; mutable updates : int }
 
 let size (c : constructor) = List.length c.fields

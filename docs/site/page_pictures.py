@@ -75,7 +75,7 @@ class Run:
                 Keys.SHIFT
             ).perform()
             self.page.at(k)
-        time.sleep(0.5)  # gives the frame time to arrive
+        time.sleep(0.5)  # allows time for the frame to arrive
 
     def seen(self, instant, path):
         self.go(instant)

@@ -47,7 +47,7 @@ def entries(text):
 
 
 def names_of(declaration):
-    """Returns the names that a declaration declares; a signature may have several."""
+    """Returns the names that a declaration declares; a signature may declare several."""
     keyword = re.match(
         r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]
     ).group(1)
@@ -60,7 +60,7 @@ def names_of(declaration):
 
 
 def entry(module, comment, declaration, depth):
-    """Returns the entry of a declaration; for a class, the entries of its methods follow."""
+    """Returns the entry for a declaration and, for a class, the entries for its methods."""
     names = names_of(declaration)
     heading = ", ".join(f"`{name}`" for name in names)
     # callers do not need the name of the C function

@@ -1,7 +1,7 @@
 /* blob.h -- finds a bright blob in small pictures and tracks it.
  *
- * A picture has BLOB_HEIGHT rows of BLOB_WIDTH pixels, row by row, each from 0 (black) to 255.
- * The functions do not allocate memory; each instance has its own state.
+ * A picture is stored row by row: BLOB_HEIGHT rows of BLOB_WIDTH pixels. A pixel is a number from 0
+ * (black) to 255. The functions do not allocate memory; each instance has its own state.
  *
  * This code is for blob_tracker.frob, whose generated header declares the structs and the
  * functions; this header contains the definitions that the generated one needs. */

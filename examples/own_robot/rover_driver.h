@@ -6,7 +6,7 @@
  * answer is late or invalid, the driver sends `b` and drops everything up to the answer 57600,
  * which no other command produces.
  *
- * Only `m` resets the board's watchdog, and the driver sends `m` only for commands of the host:
+ * Only `m` resets the board's watchdog, and the driver sends `m` only for commands from the host:
  * if the host stops commanding the robot, the board stops it. */
 #ifndef ROVER_DRIVER_H
 #define ROVER_DRIVER_H
@@ -53,13 +53,13 @@ struct rover {
     int64_t sent_ns;                 /* time of the last command sent */
     int64_t heard_ns;                /* time of the last answer or, before the first one, of the
                                       * start */
-    int64_t sensed_ns;               /* time of the last counts that were accepted */
+    int64_t sensed_ns;               /* time of the last accepted counts */
     bool speed_waits;                /* whether this speed has yet to be sent: */
     double forward_m_s, turn_rad_s;  /* this speed */
     struct frob_wire_numbers speeds; /* the wheels' speeds as last sent, in counts per 1/30 s */
     unsigned turn;                   /* which sensor to query next */
     unsigned asked;                  /* the ranger that is being queried */
-    bool fresh[ROVER_SONARS];        /* new echoes, which the program has not received yet */
+    bool fresh[ROVER_SONARS];        /* new echoes that the program has not received yet */
     double echo_m[ROVER_SONARS];
     double battery_v;
     struct rover_receiver receiver;

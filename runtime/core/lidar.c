@@ -51,8 +51,8 @@ static void offer(void *input, const struct frob_value *maybe, double distance)
     frob_camera_set_number(input, number, distance);
 }
 
-/* Applies the distance of a ray to the direction in whose sector the ray lies, and to the
- * directions whose bearings are at most half a step away. */
+/* Applies the distance of a ray to the direction in whose sector the ray lies, and to all
+ * directions within `half_step` of its bearing. */
 static void spread(void *input, const struct frob_constructor *ranges, double bearing,
                    double half_step, double distance)
 {

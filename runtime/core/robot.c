@@ -85,8 +85,8 @@ static void become_stale(struct frob_robot *robot)
 }
 
 /* Handles a gap between two polls. After a gap, the age of the readings on the line is unknown, and
- * more old ones may follow. The driver's poll would begin by sending a pending command, so this
- * function stops the robot first. */
+ * more outdated readings may follow. The driver's poll would begin by sending a pending command, so
+ * this function stops the robot first. */
 static enum frob_status note_gap(struct frob_robot *robot)
 {
     int64_t now = frob_now_ns(&robot->clock);

@@ -62,14 +62,14 @@ struct frob_robot {
     int64_t halted_ns;       /* time of the last frob_robot_halt */
     int64_t polled_ns;       /* time of the last frob_robot_poll; INT64_MIN if there was none yet */
     int64_t counts_from_ns;  /* readings that arrived before this time are considered too old */
-    int64_t given_ns;        /* arrival time of the reading for the next command; INT64_MAX if
-                              * unknown */
+    int64_t given_ns;        /* arrival time of the reading on which the next command is based;
+                              * INT64_MAX if unknown */
     uint32_t connections;
     uint32_t stale; /* number of times that readings became too old */
     union {
         double aligned;
         unsigned char bytes[FROB_OUTPUT_MOST];
-    } limited; /* a copy of the last output, with its drives limited */
+    } limited; /* a copy of the last output, after frob_robot_limit */
 };
 
 /* Starts to connect. Copies what `serial` and `clock` point to; `settings` must stay valid.
@@ -96,7 +96,7 @@ enum frob_status frob_robot_command(struct frob_robot *robot, const void *output
 /* Stops the robot immediately and keeps it stopped until the next command. */
 enum frob_status frob_robot_halt(struct frob_robot *robot);
 
-/* Returns whether sensor readings have shown the robot at rest since it was halted. */
+/* Returns whether sensor readings have shown the robot to be at rest since it was halted. */
 bool frob_robot_stands(const struct frob_robot *robot);
 
 /* Stops the robot and ends its session. The caller must close the line. */

@@ -110,8 +110,8 @@ static void double_quotes(struct frob_text *text, size_t start)
     }
 }
 
-/* Cells do not contain line feeds, so a cell needs quotes only if it contains a comma, or a label
- * that contains a quote. */
+/* Cells do not contain line feeds, so a cell must be quoted only if it contains a comma or, in a
+ * label, a quotation mark. */
 static void add_cell(void *context, const char *name, const struct frob_value *value)
 {
     struct row *row = (struct row *)context;

@@ -71,8 +71,8 @@ struct frob_driver {
 
     /* Reads the bytes that have arrived, and sends the commands that are due. Returns
      * FROB_BUSY_CONNECTING until the robot can be commanded, and then FROB_OK. Returns FROB_TIMEOUT
-     * if no robot answers (start again or give up), and FROB_LOST and FROB_REFUSED as defined in
-     * status.h. */
+     * if no robot answers (call start again, or give up), and FROB_LOST and FROB_REFUSED as defined
+     * in status.h. */
     enum frob_status (*poll)(void *device);
 
     /* Returns when to poll the driver next, even if no byte arrives. INT64_MAX: only when a byte
@@ -90,8 +90,8 @@ struct frob_driver {
     /* Sends the commanded values to the robot. Each is a finite number within the limits. */
     enum frob_status (*command)(void *device, const void *output);
 
-    /* Sends the robot's strongest stop command, in any state of the connection. May be called at
-     * any time after start. */
+    /* Sends the robot's strongest stop command, whatever the state of the connection. May be called
+     * at any time after start. */
     enum frob_status (*stop)(void *device);
 
     /* Ends the session with the robot at rest. The line belongs to the caller and stays open. */

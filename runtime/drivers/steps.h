@@ -1,6 +1,6 @@
 /* drivers/steps.h -- rounds speeds to the whole steps of a robot's protocol.
  *
- * A protocol sends a speed as a whole multiple of some unit: a Pioneer receives mm/s and deg/s, a
+ * A protocol sends a speed as an integer multiple of a unit: a Pioneer receives mm/s and deg/s, a
  * Scout tenths of an inch per second. Rounding each command separately would lose speeds below half
  * a step, however long they are commanded. So each command carries over the rounding error of the
  * previous ones (a first-order sigma-delta modulator), and the mean of the sent numbers is the
@@ -11,8 +11,8 @@
  * driver also drops it (all zero) when it stops the robot or connects. So the accumulated error
  * never moves a robot that should be at rest.
  *
- * Drivers and the simulator both use this header, so that a program drives the same path on a robot
- * and in the simulator. It has no casts, because C++ compiles it too. */
+ * Drivers and the simulator both use this header, so that a program drives a real robot and a
+ * simulated one along the same path. It has no casts, because C++ compiles it too. */
 #ifndef FROB_DRIVERS_STEPS_H
 #define FROB_DRIVERS_STEPS_H
 
@@ -33,12 +33,12 @@ extern "C" {
 struct frob_steps {
     double sent;    /* the current number, sent at `since_s`, in whole steps */
     double missing; /* the commanded number minus `sent` */
-    double owed;    /* accumulated error before `since_s`, in steps times seconds */
+    double owed;    /* error accumulated before `since_s`, in steps times seconds */
     double since_s;
 };
 
-/* Computes the number to send now, and updates the accumulated error. `most` is the
- * maximum number of steps, whole or not, in either direction. */
+/* Computes the number to send now, and updates the accumulated error. `most`, which need not be a
+ * whole number, is the maximum number of steps in either direction. */
 static inline struct frob_steps frob_steps_next(const struct frob_steps *before, double wanted,
                                                 double most, double now_s)
 {
@@ -52,7 +52,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
     }
     if (passed_s <= FROB_STEPS_PAUSE_S)
         next.owed = before->owed + before->missing * passed_s;
-    /* Compensates for the error over a period as long as that of the last command. */
+    /* Spreads the correction over a period as long as the last command lasted. */
     if (next.owed != 0.0 && passed_s > 0.0)
         share = next.owed / passed_s;
     next.sent = fmin(fmax(round(wanted + share), floor(wanted)), ceil(wanted));
@@ -62,7 +62,7 @@ static inline struct frob_steps frob_steps_next(const struct frob_steps *before,
 
 /* Range and resolution of the two numbers in a robot's speed command. */
 struct frob_wire {
-    bool wheels;         /* true: speeds of the left and right wheel; false: forward speed and turn
+    bool wheels;         /* true: speeds of the left and right wheels; false: forward speed and turn
                           * rate */
     double step[2];      /* unit of each number: m/s, or rad/s for a turn rate */
     double most[2];      /* maximum of each number, in the same unit */

@@ -33,9 +33,9 @@ static inline struct frob_wheels frob_wheels_of(double forward_m_s, double turn_
     return wheels;
 }
 
-/* Implements `most` in a driver's table, for wheels with a maximum speed of `most_m_s`. Returns the
- * maximum forward speed without turning, in m/s, if i is 0, and the maximum turn rate on the spot,
- * in rad/s, if i is 1. */
+/* Implements `most` in a driver's table, for wheels with a maximum speed of `most_m_s`. If i is 0,
+ * returns the maximum forward speed without turning, in m/s; if i is 1, the maximum turn rate on
+ * the spot, in rad/s. */
 static inline double frob_wheels_most(size_t i, double separation_m, double most_m_s)
 {
     return i == 0 ? most_m_s : 2.0 * most_m_s / separation_m;

@@ -20,8 +20,8 @@ static const uint32_t two_over_pi[40] = {
 static struct angle reduce_any(double x)
 {
     int const whole = exponent_of(x);
-    /* |x| = significand 2^exponent. The lower bound keeps the table index valid; it has no effect,
-     * because |x| is at least 1/2. */
+    /* |x| = significand 2^exponent. Because |x| is at least 1/2, the lower bound never applies; it
+     * only shows that the table index is valid. */
     int const exponent = (whole > -1 ? whole : -1) - 52;
     uint64_t const significand = (bits_of(x) & 0xfffffffffffffu) | 0x10000000000000u;
 

@@ -48,7 +48,8 @@ static inline double exp_of_pair(struct pair x)
         { 0x1.ea4afa2a490dap+0, -0x1.e9c23179c2893p-54 },
         { 0x1.f50765b6e4540p+0, 0x1.9d3e12dd8a18bp-54 },
     };
-    /* log(2)/32 in two parts: 36 bits, so that the product with k is exact, and the remainder */
+    /* log(2)/32 in two parts: the first 36 bits, whose product with k is exact, and the
+     * remainder */
     static const double step_high = 0x1.62e42fefap-6;
     static const double step_low = 0x1.cf79abc9e3b3ap-45;
 

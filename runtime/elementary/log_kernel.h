@@ -1,8 +1,8 @@
 /* The natural logarithm to about 66 bits, shared by log and pow.
  *
  * Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
- * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a c close to 1/m that has few
- * bits, log(x) = k log(2) - log(c) + log(1 + r), r = m c - 1, |r| < 2^-6.9. */
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m. Given a c with few bits that is close
+ * to 1/m, log(x) = k log(2) - log(c) + log(1 + r), where r = m c - 1 and |r| < 2^-6.9. */
 #ifndef FROB_ELEMENTARY_LOG_KERNEL_H
 #define FROB_ELEMENTARY_LOG_KERNEL_H
 
@@ -178,7 +178,7 @@ static inline struct pair log_pair(double x)
                             z * (-0x1.00062c7f4017fp-3 + z * 0x1.c9702691a72d9p-4)))));
     struct pair const square = product(z, z);
 
-    /* k log(2) - log(c), whose high part is exact; then add r, then -r^2/2. */
+    /* Starts with k log(2) - log(c), whose high part is exact, then adds r and -r^2/2. */
     double const whole = k * 0x1.62e42fefa38p-1 + table[i].minus_log.high;
     struct pair const linear = sum(whole, z);
     struct pair const quadratic = sum(linear.high, -0.5 * square.high);

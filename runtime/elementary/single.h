@@ -1,10 +1,10 @@
 /* Shared by the single-precision functions. Internal to the runtime; not installed.
  *
- * These functions compute with integers, which is the only fast and exact arithmetic on a small
- * processor. An integer of 32 bits has room for a float's 24 bits and eight more, and one
- * instruction multiplies two such integers. A result is rounded to a float once, at the end, so its
- * error is only slightly more than half a unit in the last place, and its bits are the same on
- * every machine.
+ * These functions use integer arithmetic, because no other is both fast and exact on a small
+ * processor. A 32-bit integer has room for a float's 24 bits and eight more, and one instruction
+ * multiplies two such integers. A result is rounded to a float once, at the end, so its error is
+ * only slightly more than half a unit in the last place, and its bits are the same on every
+ * machine.
  *
  * "Qn" in a comment means that an integer represents its value times 2^-n. */
 #ifndef FROB_ELEMENTARY_SINGLE_H
@@ -106,7 +106,7 @@ struct logarithm {
 /* The base-2 logarithm of a positive finite number, with a relative error below 2^-35. */
 struct logarithm frob_log2_of(struct scaled x);
 
-/* 2^t, or 2^-t if `negative`, with the sign `negative_sign`; t is Q32 and below 2^41. */
+/* 2^t, or 2^-t if `negative`; with a minus sign if `negative_sign`. t is Q32 and below 2^41. */
 float frob_power_of_two(bool negative_sign, bool negative, uint64_t t);
 
 #endif

@@ -17,8 +17,8 @@ uint32_t frob_root_of_integer(uint64_t n)
 #define HALF_PI INT64_C(0x1921fb54442d1847)
 #define PI INT64_C(0x3243f6a8885a308d)
 
-/* 1 - atan(q)/q as a function of z = q^2, which is below 1/16; both are Q32. The polynomial is
- * near-minimax, from interpolation at Chebyshev points; its error is below 2^-36. */
+/* 1 - atan(q)/q as a function of z = q^2, which is below 1/16; z and the result are Q32. The
+ * polynomial is near-minimax, from interpolation at Chebyshev points; its error is below 2^-36. */
 static uint32_t less_than_slope(uint32_t z)
 {
     return high(
@@ -40,7 +40,7 @@ static float first_quadrant(bool negative, bool behind, struct scaled y, struct 
     struct scaled const below = steep ? y : x;
     struct scaled const above = steep ? x : y;
     int const smaller = below.e - above.e;
-    /* Both in the same units: the quotient is a / b. */
+    /* a and b are in the same units, so the quotient is a / b. */
     uint32_t const a = smaller < 4 ? above.m >> smaller : 0;
     uint32_t const b = below.m;
     int64_t angle; /* Q60 */
@@ -164,7 +164,7 @@ float frob_hypotf(float x, float y)
         struct scaled const l = scaled_of_single(larger);
         struct scaled const s = scaled_of_single(smaller);
         int const drop = 2 * (l.e - s.e);
-        uint64_t n; /* a quarter of the sum of squares, in units of l's exponent */
+        uint64_t n; /* a quarter of the sum of squares, in units of 2^(2 l.e) */
         struct scaled root;
         if (drop > 32)
             return larger; /* the result is too small by less than 1/32 of a unit */

@@ -4,8 +4,8 @@
 
 #include "single.h"
 
-/* 2^f - 1; both are Q32. The polynomial approximates (2^f - 1)/f. It is near-minimax, from
- * interpolation at Chebyshev points; its error is below 2^-31. */
+/* 2^f - 1; f and the result are Q32. The polynomial approximates (2^f - 1)/f. It is near-minimax,
+ * from interpolation at Chebyshev points; its error is below 2^-31. */
 static uint32_t power_less_one(uint32_t f)
 {
     static const uint32_t c[7] = { 0xb17217f9u, 0x3d7f7ba6u, 0x0e3589f8u, 0x02763464u,
@@ -53,8 +53,8 @@ float frob_expf(float x)
 }
 
 /* Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm function in IEEE
- * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and with a c close to 1/m that has few
- * bits, log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
+ * floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m. Given a c with few bits that is close
+ * to 1/m, log2(x) = k - log2(c) + log2(1 + r), where r = m c - 1. */
 struct logarithm frob_log2_of(struct scaled x)
 {
     /* For each value of the five leading bits of m: 512 c, and -log2(c) as Q62. From the 15th

@@ -1,8 +1,8 @@
 /* hal/serial.h -- the serial line that a port supplies.
  *
- * A driver accesses a line only through this table, so the same driver runs on a terminal device, a
- * TCP connection, a microcontroller's UART and bytes in memory. Each port opens and closes lines in
- * its own way (devices are named differently), and owns the memory of `port`.
+ * A driver accesses a line only through this table, so the same driver works with a terminal
+ * device, a TCP connection, a microcontroller's UART or bytes in memory. Each port opens and closes
+ * lines in its own way (devices are named differently), and owns the memory of `port`.
  *
  * A line is raw: eight bits, no parity, one stop bit, no flow control, no translation. Only one
  * thread at a time may use it. After a port has lost its device, all calls return FROB_LOST. */
@@ -33,7 +33,7 @@ struct frob_serial_operations {
 
     /* Changes the bit rate after all written bytes have been transmitted. Returns FROB_UNSUPPORTED
      * and does nothing if the port cannot change the rate, because it is fixed or because another
-     * device sets it, such as a bridge behind TCP. */
+     * device, such as a TCP bridge, sets it. */
     enum frob_status (*set_rate)(void *port, uint32_t bits_per_s);
 
     /* Discards the bytes that have arrived but have not been read. */

@@ -1,9 +1,9 @@
 /* components.c -- finds the largest connected sets of pixels in a colour range.
  *
  * It processes the image row by row. If a run of such pixels touches runs in the row above, it
- * joins their component; if they have several components, these are merged. Only the row above is
- * kept. A component without a run in the current row is complete: it is kept if it is among the
- * eight largest so far, and discarded otherwise. */
+ * joins their component; if those runs belong to several components, the components are merged.
+ * Only the row above is kept. A component without a run in the current row is complete: it is kept
+ * if it is among the eight largest so far, and discarded otherwise. */
 #include "colour.h"
 #include "moments.h"
 

@@ -71,8 +71,8 @@ static void scores_of(const struct sums *sums, int32_t left, int32_t right, doub
 
 /* Refines a corner by the method of Foerstner and Guelch: each pixel defines a line along its edge,
  * and the result is the position closest to all these lines, by least squares of the distances,
- * weighted by the gradients. Uses the pixels around (x, y), whose neighbours must all be in the
- * image. Returns false if the result is not near (x, y). */
+ * weighted by the gradients. Uses the pixels around (x, y); all neighbours of these pixels must be
+ * in the image. Returns false if the result is not near (x, y). */
 static bool refine(const struct frob_image *image, int32_t x, int32_t y, struct frob_corner *corner)
 {
     double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;
@@ -134,7 +134,8 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
                 result->score = scores[x];
             }
     }
-    /* Repeats this with the window centred on the corner, to see more of the corner. */
+    /* Refines the position up to three times, each time with the window centred on the latest
+     * result, so that it covers more of the corner. */
     for (int32_t i = 0; i < 3 && result->score > 0; i++) {
         const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
         if (x < margin || y < margin || x >= image->width - margin || y >= image->height - margin ||

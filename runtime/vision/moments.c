@@ -48,8 +48,8 @@ void frob_add_moments(struct frob_moments *moments, const struct frob_moments *o
     moments->bottom = others->bottom > moments->bottom ? others->bottom : moments->bottom;
 }
 
-/* Computes the ellipse with the same area moments: its axes have lengths 4 sqrt(eigenvalue). Each
- * pixel is a square, which contributes 1/12 to its own second moments. */
+/* Computes the ellipse with the same second moments: its axes have lengths 4 sqrt(eigenvalue). Each
+ * pixel is a unit square, not a point, so 1/12 is added to the variances of x and y. */
 void frob_blob_of(const struct frob_moments *moments, struct frob_blob *result)
 {
     memset(result, 0, sizeof *result);

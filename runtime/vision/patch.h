@@ -8,13 +8,13 @@
  * itself. A colour image is converted once, into the buffer `room`. */
 struct frob_greys {
     const struct frob_image *image;
-    int32_t left, top, width, height; /* the part that is available as bytes */
+    int32_t left, top, width, height; /* the part of the image in `pixels` */
     const uint8_t *pixels;
     ptrdiff_t stride;
     uint8_t room[160 * 160];
 };
 
-/* Prepares for cutting patches whose centres are at most `reach` pixels from this position. Returns
+/* Prepares to cut patches whose centres are at most `reach` pixels from this position. Returns
  * false if there can be no patches: the image has no pixels, or the placement is invalid. */
 bool frob_greys_around(struct frob_greys *greys, const struct frob_image *image,
                        const struct frob_placement *place, double reach);

@@ -172,7 +172,8 @@ static double move(const struct model *t, const double step[FREEDOMS],
     place->scale = scale < from->scale / 2   ? from->scale / 2
                    : scale > from->scale * 2 ? from->scale * 2
                                              : scale;
-    /* Converts the turn and the growth to the motion of a sample at the rim of the patch. */
+    /* Converts the rotation and the growth to the distance that a sample at the edge of the patch
+     * moves. */
     return fabs(x) + fabs(y) + SIDE / 2 * (fabs(turn) + fabs(growth - 1));
 }
 

@@ -15,8 +15,8 @@
 
 enum { ROUNDS = 20, FREEDOM = 6 };
 
-/* Corner positions in units of half a side, x to the right and y down when facing the tag; in the
- * order of struct frob_tag. */
+/* Corner positions in units of half a side, in the order of struct frob_tag. For a viewer who faces
+ * the tag, x is to the right and y down. */
 static const double corner_x[4] = { -1, 1, 1, -1 }, corner_y[4] = { 1, 1, -1, -1 };
 
 struct vector {
@@ -63,7 +63,7 @@ static void straighten(struct pose *p)
 }
 
 /* Computes the pose from the homography that maps the square to the corners, in normalized image
- * coordinates. Returns false if there is none. */
+ * coordinates. Returns false if there is no such pose. */
 static bool first_guess(const double x[4], const double y[4], struct pose *p)
 {
     /* Heckbert's homography from the unit square, with its corners in the order 3, 2, 1, 0,
@@ -131,10 +131,10 @@ static bool solve(double a[FREEDOM][FREEDOM], double b[FREEDOM])
     return true;
 }
 
-/* Returns the sum of the squared distances of the corners, in normalized image coordinates;
- * infinite if a corner is not in front of the camera. If a matrix is passed, also computes the
- * normal equations for a step: rotations about the camera's three axes, and translations along
- * them. */
+/* Returns the sum of the squared distances between the observed and the predicted corners, in
+ * normalized image coordinates; infinity if a corner is not in front of the camera. If a matrix is
+ * passed, also computes the normal equations for a step, which consists of rotations about the
+ * camera's three axes and translations along them. */
 static double misfit(const struct pose *p, const double x[4], const double y[4],
                      double a[FREEDOM][FREEDOM], double b[FREEDOM])
 {
@@ -172,7 +172,7 @@ static double misfit(const struct pose *p, const double x[4], const double y[4],
 }
 
 /* The Levenberg-Marquardt method: steps that do not reduce the error are made shorter and closer to
- * the steepest descent. */
+ * the direction of steepest descent. */
 static double improve(struct pose *p, const double x[4], const double y[4])
 {
     double a[FREEDOM][FREEDOM], b[FREEDOM], damping = 0;

@@ -22,7 +22,7 @@ struct cells {
 /* A cell of the template; its position is relative to the middle cell. */
 struct part {
     int32_t column, row;
-    int32_t value; /* brightness in 1/16, minus the mean */
+    int32_t value; /* brightness minus the mean, in units of 1/16 */
 };
 
 static void reduce(const struct frob_image *image, const struct frob_view *view, double size,

@@ -10,7 +10,7 @@ struct frob_view {
     int32_t left, top, right, bottom;
 };
 
-/* Returns the part of the region within the image; empty if the image is not sound. */
+/* Returns the part of the region within the image; empty if frob_image_is_sound returns false. */
 struct frob_view frob_view_of(const struct frob_image *image, const struct frob_region *roi);
 
 /* Returns the brightness of the columns left … right - 1 of a row of a grey or colour image: a

@@ -39,7 +39,7 @@ class OwnRobot : public Robot {
     Photocells photocells_;
 };
 
-// Makes a kind of robot with this body. The body must outlive all robots of this kind.
+// Creates a robot kind with this body. The body must outlive all robots of this kind.
 RobotKind own_robot_kind(const OwnBody &body);
 
 } // namespace frob::sim

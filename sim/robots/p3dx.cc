@@ -33,8 +33,8 @@ const Chassis &chassis() {
     return chassis;
 }
 
-// Two arrays, whose transducers fire in turn. Neighbours never fire directly after each other, so
-// that no transducer hears its neighbour's ping.
+// Two arrays, whose transducers fire in turn. Neighbours never fire one directly after the other,
+// so that no transducer hears its neighbour's ping.
 const SonarRing &ring() {
     static const SonarRing ring = {
         40'000'000,

@@ -14,7 +14,7 @@ constexpr double body_length = 0.511;          // m, bumpers included
 constexpr double body_width = 0.425;           // m
 constexpr double body_center = -0.0445;        // m; the body extends farther to the rear than to
                                                // the front
-constexpr double corner_cut = 0.115;           // m cut off at each corner of the outline
+constexpr double corner_cut = 0.115;           // m, cut off each corner of the outline
 constexpr double wheel_radius = 0.09;          // m
 constexpr double wheel_separation = 2.0 / 5.6; // m, effective distance: 2 / DiffConvFactor
 constexpr double wheel_force = 20.0;           // N, the maximum force of a wheel on the floor

@@ -9,7 +9,7 @@ namespace frob::sim {
 namespace {
 
 constexpr double gravity = 9.80665; // m/s^2
-constexpr double closest = 0.05;    // m; within this distance of a magnet, its field falls linearly
+constexpr double closest = 0.05;    // m; closer to a magnet than this, its field decreases linearly
                                     // to zero
 constexpr std::size_t most_waiting = 10000; // measurements that have not arrived yet
 

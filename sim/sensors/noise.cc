@@ -10,14 +10,14 @@ Noise::Noise(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
 }
 
 std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot) {
-    // Larger than the number of any sensor's stream.
+    // Larger than any sensor's stream number.
     constexpr std::uint64_t streams_of_robots = 1u << 20;
     return robot == 0 ? seed : Noise(seed, streams_of_robots + robot).next();
 }
 
 double Noise::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
-// The sum of eight uniform numbers is close to a normal distribution up to 3 standard deviations
+// The sum of eight uniform numbers is approximately normal up to 3 standard deviations
 // (Irwin-Hall). The eight numbers are the 16-bit quarters of two draws: mean 8 * 65535 / 2,
 // variance 8 (65536^2 - 1) / 12.
 double Noise::normal() {

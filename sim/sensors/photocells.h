@@ -1,4 +1,4 @@
-// Photocells, which measure the light of lamps and of the room.
+// Photocells, which measure the light from lamps and the ambient light of the room.
 #pragma once
 
 #include <cstdint>

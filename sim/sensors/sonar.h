@@ -24,8 +24,7 @@ class Sonar {
     // Fires and listens. Must be called after each physics step, with the time since the start.
     void advance(std::int64_t time_ns, const Body &body);
 
-    // Returns the echo of this transducer that has arrived since the last call, if there is
-    // one.
+    // Returns the echo that this transducer has received since the last call, if any.
     std::optional<double> take(std::size_t transducer);
 
     // Turns the echoes that `take` returns for all transducers into events of a robot's input.

@@ -99,7 +99,7 @@ void CameraPort::Client::flush() {
     if (leaves) close();
 }
 
-// Only the path of a request matters. Everything that the client sends after it is ignored.
+// Only the path of a request matters. Anything else that the client sends is ignored.
 void CameraPort::Client::receive(const CameraPort &port) {
     char some[4096];
     for (;;) {

@@ -20,7 +20,7 @@ class Firmware {
     // Runs the robot up to this time, which must not be earlier than in the previous call.
     virtual void advance(std::int64_t time_ns) = 0;
 
-    // Receives a byte. The caller must have called `advance` with the time of its arrival.
+    // Receives a byte. The caller must first call `advance` with the byte's arrival time.
     virtual void receive(std::uint8_t byte) = 0;
 
     // Drops a partially received command, because the client has left or paused.

@@ -1,7 +1,7 @@
 // frob-serve -- simulates a robot at the other end of a serial line.
 //
-// Exit status: 0 when the duration is over or after SIGINT or SIGTERM, after printing a summary
-// like that of frob-sim; 2 for usage errors.
+// Exit status: 0 if it ended after its duration or on SIGINT or SIGTERM (it then prints a summary
+// like that of frob-sim); 2 for usage errors.
 #include <cerrno>
 #include <csignal>
 #include <cstdio>

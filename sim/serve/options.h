@@ -17,7 +17,7 @@ struct Options {
     int camera_port = -1;    // port that serves the world's cameras; negative: none
     double duration_s = 0.0; // 0: until interrupted
     std::uint32_t rate = 0;  // the line's initial rate; 0: the robot's usual rate
-    bool paced = true;       // whether bytes take as long as on a real line
+    bool paced = true;       // whether bytes are sent as slowly as on a real line
     std::string log;         // file for the log of commands; empty if there is none
     std::string link;        // symbolic link to the device; empty if there is none
     double wall_distance_m = 0.0;

@@ -34,7 +34,7 @@ class OwnFirmware : public Firmware {
     std::uint32_t rate() const override { return rate_; }
 
   private:
-    static constexpr std::int64_t period_ns = 5'000'000; // how often the body is read
+    static constexpr std::int64_t period_ns = 5'000'000; // interval between reads of the body
 
     void look(std::int64_t time_ns);
     void pass_on(const frob_answer &answer);

@@ -1,5 +1,5 @@
-// The packets of Pioneer robots, from the robot's side. This code was written from the manuals and
-// independently of the driver, so that each of them tests the other.
+// The packets of Pioneer robots, from the robot's side. This code was written from the manuals,
+// independently of the driver, so that the two test each other.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ class PacedLine {
     // Sends bytes at this time, after those in transit.
     void push(const Bytes &bytes, std::int64_t time_ns, std::uint32_t rate);
 
-    // Takes the next byte that has arrived by this time, with its time of arrival; false if there
-    // is none.
+    // Removes the next byte that has arrived by this time, and stores it with its arrival time.
+    // Returns false if there is none.
     bool take(std::int64_t time_ns, std::uint8_t &byte, std::int64_t &arrived_ns);
 
     // The time at which the next byte arrives; INT64_MAX if none is in transit.

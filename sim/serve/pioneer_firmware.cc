@@ -336,7 +336,7 @@ void PioneerFirmware::send_encoders() {
     if (encoders_ == Asked::once) encoders_ = Asked::no;
 }
 
-// The number of digital inputs, digital outputs and analog ports, each followed by the values.
+// The numbers of digital inputs, digital outputs and analog ports, each followed by the values.
 // Nothing is connected to the inputs.
 void PioneerFirmware::send_io() {
     P2osBody body(0xF0);

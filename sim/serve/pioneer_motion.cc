@@ -14,7 +14,7 @@ constexpr double braking = 0.2, turn_braking = 1.0; // m/s^2, rad/s^2
 constexpr double move_speed = 0.3, head_turn = 1.0;
 constexpr double there = 0.002, faces = 0.004; // m, rad
 
-// The largest speed from which the robot can still brake before the goal: v^2 = 2 a d. Near the
+// The highest speed at which the robot can still stop before the goal: v^2 = 2 a d. Near the
 // goal the speed is even lower, because speeds are updated in steps.
 double towards(double way, double most, double brake) {
     const double speed =

@@ -25,8 +25,8 @@ class RosCameras {
     // The arguments for the node. They contain file descriptors that the node inherits.
     std::vector<std::string> arguments() const;
 
-    // Writes the images that have arrived by now to the shared memory, and passes the messages for
-    // the node to `send`. Their timestamps are in simulated time.
+    // Writes the images that have arrived by now to the shared memory, and calls `send` with the
+    // messages for the node. Their timestamps are in simulated time.
     void advance(std::int64_t time_ns, const std::function<void(ros_image &)> &send);
 
   private:

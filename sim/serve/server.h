@@ -1,4 +1,4 @@
-// Connects a firmware to a line, in real time.
+// Connects a robot's firmware to a line, in real time.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ class Server {
     // Advances the robot and the bytes in transit to this time.
     void advance(std::int64_t time_ns);
 
-    // The time of the next event, at which the robot acts or a byte arrives.
+    // The next time at which the robot acts or a byte arrives.
     std::int64_t due_ns() const;
 
     // Waits until a byte arrives, an event is due, or a signal interrupts the wait.

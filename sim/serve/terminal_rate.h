@@ -5,8 +5,8 @@
 
 namespace frob::serve {
 
-// Returns 0 if the rate is unknown. Linux only. This function has its own file because its header
-// conflicts with <termios.h>.
+// Returns 0 if the rate is unknown. Linux only. This function is in its own file because the header
+// that it needs conflicts with <termios.h>.
 std::uint32_t terminal_rate(int descriptor);
 
 } // namespace frob::serve

@@ -1,8 +1,8 @@
 // The robot's end of the serial line of a simulated Create 2: the Open Interface, for any body that
 // uses the structs of <frob/create.h>.
 //
-// This code was written from the protocol's description and independently of the driver, so that
-// each of them tests the other. It accepts every command in that description; lights, songs,
+// This code was written from the protocol's description, independently of the driver, so that the
+// two test each other. It accepts every command in that description; lights, songs,
 // brushes and schedules have no effect. There is no watchdog: the last drive command stays in
 // effect.
 //
@@ -36,18 +36,18 @@ class CreateWire {
     // Drops an incomplete command.
     void forget() { command_.clear(); }
 
-    // Sets the body's sensor readings at `now_ns`. Leaves Safe mode at a cliff while moving, at a
-    // wheel drop, and on a charger.
+    // Sets the body's sensor readings at `now_ns`. Safe mode ends if the robot detects a cliff
+    // while moving (except backwards), if a wheel drops, or if the robot is on a charger.
     void sense(const frob_create_input &input, std::int64_t now_ns);
 
     // Sends everything that is due by `now_ns`: answers, and a stream frame every 15 ms. Does not
-    // send frames that take longer than 15 ms on the line.
+    // send frames that would take longer than 15 ms to transmit.
     void advance(std::int64_t now_ns);
 
     // Bytes for the client. The caller clears them after sending.
     std::vector<std::uint8_t> to_client;
 
-    // Called for each command with its name and numbers.
+    // Called for each command with its name and arguments, as text.
     std::function<void(const std::string &)> log;
 
     Mode mode() const { return mode_; }

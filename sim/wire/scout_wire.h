@@ -1,8 +1,8 @@
 // The robot's end of the serial line of a simulated Scout, for any body that uses the structs of
 // <frob/scout.h>.
 //
-// This code was written from the protocol's description (Nomadics' Ndirect) and independently of
-// the driver, so that each of them tests the other. The robot sends one answer to each command, and
+// This code was written from the protocol's description (Nomadics' Ndirect), independently of the
+// driver, so that the two test each other. The robot sends one answer to each command, and
 // nothing else. It refuses the commands of other models. The watchdog stops the motion if no
 // command arrives for the number of seconds that CONF_TM sets.
 #pragma once
@@ -36,7 +36,7 @@ class ScoutWire {
     // Bytes for the client. The caller clears them after sending.
     std::vector<std::uint8_t> to_client;
 
-    // Called for each command with its name and numbers, and when the watchdog acts.
+    // Called for each command with its name and arguments, as text, and when the watchdog trips.
     std::function<void(const std::string &)> log;
 
     // Wheel speeds, in 0.1 inch/s.
@@ -71,7 +71,7 @@ class ScoutWire {
     double left_way_ = 0, right_way_ = 0;      // total distances that the wheels have travelled, in
                                                // 0.1 inch
     double left_goal_ = 0, right_goal_ = 0;
-    // The body's odometry when the client defined the pose, and the pose that it defined.
+    // The body's odometry when the client last defined the robot's pose, and that pose.
     frob_pose origin_{};
     Place defined_{0, 0, 0};
     bool waits_ = false; // whether the answer to WS is pending

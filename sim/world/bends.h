@@ -9,7 +9,7 @@
 namespace frob::sim {
 
 // Returns the first corner at which an arc of this radius does not fit, or no value if it fits
-// everywhere. It does not fit if two arcs need more space than the segment between them, if it
+// everywhere. It does not fit if two arcs need more space than the segment between them has, if it
 // would extend past a free end, or if the line turns back on itself.
 std::optional<Vec> corner_without_room(const std::vector<Vec> &points, bool closed, double radius);
 

@@ -6,7 +6,7 @@
 namespace frob::sim {
 namespace {
 
-// Reads the ranges of bearings that parts of the robot hide: `[[from, to], …]`, in degrees.
+// Reads the ranges of bearings that parts of the robot block: `[[from, to], …]`, in degrees.
 std::vector<Vec> read_masks(TomlReader &reader) {
     std::vector<Vec> masks;
     const toml::node *node = reader.any("masked_deg");

@@ -1,4 +1,4 @@
-// The tables of a world file that describe the lidars and inertial measurement units of its robots.
+// Reads the tables for the robots' lidars and inertial measurement units from a world file.
 #pragma once
 
 #include "scene.h"

@@ -1,4 +1,4 @@
-// The floor as sensors that look down see it: its reflectance, and its holes.
+// The reflectance and the holes of the floor, as seen by downward-facing sensors.
 #pragma once
 
 #include <vector>

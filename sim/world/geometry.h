@@ -25,7 +25,7 @@ constexpr double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec a) { return std::sqrt(dot(a, a)); }
 inline Vec direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-// `v` turned by a small angle, such as the robot's turn in a step of the physics. Sums the series
+// `v` turned by a small angle, such as the robot's turn in a physics step. Sums the series
 // for sine and cosine up to e^4, which is accurate to 3e-10 for |e| <= 0.03. This function runs in
 // every step, and is several times faster than the library's functions.
 constexpr Vec turned_a_little(Vec v, double e) {

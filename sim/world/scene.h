@@ -18,7 +18,7 @@ struct Wall {
     bool closed = false; // whether the last point is joined to the first
     double thickness = 0.1;
     Look look = {{0.78, 0.75, 0.69}, Texture::plaster, 2.5};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
 // An immovable solid. Its outline is simple (the edges do not cross), counter-clockwise, and not
@@ -26,24 +26,24 @@ struct Wall {
 struct Polygon {
     std::vector<Vec> points;
     Look look = {{0.56, 0.60, 0.66}, Texture::plaster, 0.8};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
 struct Circle {
     Vec center;
     double radius = 0.0;
     Look look = {{0.56, 0.60, 0.66}, Texture::plaster, 0.8};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
-// A rectangular box that the robot can push over the floor.
+// A rectangular box that the robot can push across the floor.
 struct Box {
     Pose pose;             // pose of its centre
     Vec size;              // size along the box's x and y axes
     double mass = 2.0;     // kg
     double friction = 0.5; // friction coefficient between box and floor
     Look look = {{0.70, 0.53, 0.30}, Texture::plaster, 0.3};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
 // A ball on the floor. It rolls along a path, or lies still until it is pushed.
@@ -55,7 +55,7 @@ struct Ball {
     double radius = 0.1;
     double mass = 0.2; // kg
     Tint tint = {0.95, 0.42, 0.06};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
 // An immovable cone, such as a traffic cone.
@@ -63,10 +63,10 @@ struct Cone {
     Vec center;
     double radius = 0.15; // at the floor
     Look look = {{0.95, 0.42, 0.06}, Texture::stripes, 0.45};
-    std::string place; // place in the file, as in Start
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
-// A picture that hangs in the room, on a wall or freely, and is visible from one side.
+// A picture that hangs on a wall or freely in the room. It is visible from one side only.
 struct Poster {
     Pose pose;           // position of the picture's centre, and the direction in which it faces
     double middle = 0.5; // m, height of the centre above the floor
@@ -92,7 +92,7 @@ struct CameraSettings {
     double dropout = 0.0;      // fraction of frames that are lost
     double noise = 0.0;        // standard deviation of a pixel's value, on the scale from 0 to 255
     double exposure = 1.0;     // brightness
-    double blur = 0.0;         // pixels, radius of the square blur
+    double blur = 0.0;         // pixels, radius of the box blur
     double k1 = 0.0, k2 = 0.0; // radial distortion
     bool grey = false;
     // Position and direction on the robot. If there is no value, the robot's default applies (see
@@ -151,10 +151,10 @@ struct Magnet {
     double strength = 0.0; // its field at 1 m, relative to the Earth's horizontal field
 };
 
-// The pose in which a robot starts.
+// A robot's starting pose.
 struct Start {
     Pose pose;
-    std::string place; // place in the file, FILE:LINE:COLUMN, for messages
+    std::string place; // FILE:LINE:COLUMN in the world file, for messages
 };
 
 struct DriveSettings {
@@ -164,14 +164,14 @@ struct DriveSettings {
     std::optional<double> acceleration;      // m/s^2, when speeding up and braking
     std::optional<double> turn_acceleration; // rad/s^2
     double slip = 0.0;                       // mean fraction of a wheel's travel that is lost
-    bool behind_wire = false; // whether commands come from a firmware, which has already rounded
+    bool behind_wire = false; // whether commands come from firmware, which has already rounded
                               // them; not a setting in the world file
 };
 
 struct OdometrySettings {
     double distance_error = 0.0; // relative error: 0.01 means a reading that is 1 % too large
     double turn_error = 0.0;     // relative
-    double veer = 0.0;           // rad/m, the turn that the odometry adds while driving straight
+    double veer = 0.0;           // rad/m, the turn that odometry wrongly reports on a straight line
     double heading_noise = 0.0;  // rad per square root of a metre
 };
 
@@ -210,8 +210,8 @@ struct Hole {
     std::vector<Vec> points;
 };
 
-// Tape on the floor: a polyline with a width; its corners and free ends are round. Only cameras
-// and sensors that look down see it.
+// Tape on the floor: a polyline with a width; its corners and free ends are round. Only cameras and
+// downward-facing sensors see it.
 struct Tape {
     std::vector<Vec> points; // including the arcs at its corners
     bool closed = false;     // whether the last point is joined to the first
@@ -236,7 +236,7 @@ struct FloorSettings {
     Texture texture = Texture::plaster;
 };
 
-// A lamp above the floor that shines in all directions and is not an obstacle.
+// A lamp above the floor. It shines in all directions and is not an obstacle.
 struct Lamp {
     Vec position;
     double height = 0.3;     // m, height above the photocells or, for cameras, above the floor

@@ -18,7 +18,7 @@ struct OnTape {
 // The scene must contain a tape.
 OnTape nearest_on_tape(const Scene &scene, Vec point);
 
-// Measurements of a run.
+// Accumulates the measurements of a run.
 class TapeDistance {
   public:
     // The scene must contain a tape, and must outlive this object.

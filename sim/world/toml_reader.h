@@ -20,7 +20,7 @@ class Mistakes {
     void add(const toml::source_region &where, const std::string &message);
     bool any() const { return !found_.empty(); }
 
-    // One line for each mistake, in the order of the file.
+    // One line for each mistake, in file order.
     std::string text() const;
 
     // `FILE:LINE:COLUMN`.

@@ -41,7 +41,7 @@ std::string_view value_at(std::string_view line, std::size_t column) {
     return trimmed(line.substr(start, stop - start));
 }
 
-// The digits, sign, point and exponent at the start of a text.
+// The digits, sign, point and exponent at the start of a string.
 std::string_view leading_number(std::string_view s) {
     std::size_t n = 0;
     if (n < s.size() && (s[n] == '+' || s[n] == '-')) ++n;

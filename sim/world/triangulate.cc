@@ -59,8 +59,8 @@ std::vector<Triangle> triangulate(std::vector<Vec> outline) {
     std::vector<Triangle> triangles;
     while (outline.size() > 3) {
         const std::size_t n = outline.size();
-        // A simple polygon has at least two ears. Points along a straight edge form a corner of
-        // zero area, which is removed without adding a triangle.
+        // A simple polygon has at least two ears. A point on a straight edge forms a corner of zero
+        // area, which is removed without adding a triangle.
         std::size_t i = 0;
         while (i < n && !is_ear(outline, i) &&
                turn(outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]) != 0.0)

@@ -10,7 +10,7 @@ namespace frob::sim {
 
 using Triangle = std::array<Vec, 3>;
 
-// The signed area of a polygon, half the sum of the cross products along the outline; positive if
+// The signed area of a polygon: half the sum of the cross products along the outline. Positive if
 // the outline runs counter-clockwise.
 double signed_area(const std::vector<Vec> &outline);
 

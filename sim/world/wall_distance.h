@@ -13,7 +13,7 @@ namespace frob::sim {
 // infinite if there are no objects. Boxes do not count, because they can be pushed away.
 double clearance(const Scene &scene, Vec point);
 
-// The errors of a run.
+// Accumulates the distance errors of a run.
 class WallDistance {
   public:
     // The scene and the chassis must outlive this object.

@@ -1,4 +1,4 @@
-// The physical world, which Box2D simulates as a top view, without gravity.
+// The physical world, which Box2D simulates in two dimensions, seen from above and without gravity.
 #pragma once
 
 #include <string>
@@ -34,8 +34,8 @@ class World {
     std::vector<Pose> box_poses() const;
     std::vector<Vec> ball_places() const;
 
-    // The number of boxes and balls, and the pose of one of them: first the boxes, then the balls,
-    // in the scene's order. A ball's heading has no meaning.
+    // The number of boxes and balls, and the pose of the one with this index. The boxes come first,
+    // then the balls, each in the scene's order. A ball's heading has no meaning.
     std::size_t objects() const { return boxes_.size() + balls_.size(); }
     Pose object(std::size_t number) const;
 

@@ -24,8 +24,9 @@ constexpr int most_robots = 10'000;
 constexpr std::size_t most_bytes = 4 << 20; // maximum size of the file
 constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
 
-// Reads the start of one robot, or of `count` robots, `spacing` apart, in rows of `columns` robots:
-// the first row runs from (x, y) along x, and the following rows are offset along y.
+// Reads the starting pose of one robot, or of `count` robots placed `spacing` apart in rows of
+// `columns` robots: the first row runs from (x, y) along x, and the following rows are offset along
+// y.
 void read_start(TomlReader reader, std::vector<Start> &starts) {
     Pose pose;
     pose.position.x = reader.needed_number("x", Range::any);
@@ -124,7 +125,7 @@ Box read_box(TomlReader reader) {
     return box;
 }
 
-// Reads a ball that rests at a place or rolls along a path.
+// Reads a ball that lies still or rolls along a path.
 Ball read_ball(TomlReader reader, bool has_way) {
     Ball ball;
     if (has_way) {

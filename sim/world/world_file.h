@@ -18,8 +18,8 @@ class WorldFileError : public std::runtime_error {
 // Reads a world file. Throws a WorldFileError that lists all mistakes found.
 Scene read_world_file(const std::string &path);
 
-// Parses the text of a world file and throws like read_world_file. Messages name the file `path`,
-// and relative paths of pictures are relative to the folder of `path`.
+// Parses the text of a world file and throws like read_world_file. Messages refer to the file as
+// `path`, and relative paths of pictures are relative to the folder of `path`.
 Scene parse_world(const std::string &text, const std::string &path);
 
 } // namespace frob::sim

@@ -1,4 +1,4 @@
-(** Turns the facts of Core into diagnostics. *)
+(** Translates Core's facts into diagnostics. *)
 
 open Basis
 

@@ -24,8 +24,8 @@ let takes_a_number (d : Ir.definition) =
 let vertex (d : Ir.definition) =
   { name = d.name.name; span = d.span; task = gives_task d.ty; function_ = is_function d.ty }
 
-(* Maximum number of steps in a message. If the cycle is longer, the message shows the first ones
-   and the last one. *)
+(* Maximum number of steps in a message. If the cycle is longer, the message omits steps just before
+   the last one. *)
 let longest_shown = 12
 
 let shorten steps =

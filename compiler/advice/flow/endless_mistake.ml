@@ -3,8 +3,8 @@ open Flow
 
 let map = Long_list.map
 
-(* The hint depends on the source of the event. A time-out of the library has the prelude's [after]
-   or [elapsed] as its source. For other events inside the library, which the user cannot change,
+(* The hint depends on the source of the event. The source of a library time-out is the prelude's
+   [after] or [elapsed]. The user cannot change the other events inside the library, so for those
    the hint is about the loop. *)
 let hint ~entry ~(by : Ir.follower) sources =
   match (List.map fst sources, by) with
@@ -30,7 +30,7 @@ let circle hops =
   in
   Enumeration.circle (List.concat_map names hops)
 
-(* A note that says when no time passes between the modes. *)
+(* A note that states in which case no time passes between the modes. *)
 let note modes =
   let at_which what = Printf.sprintf "no time passes between these steps when %s" what in
   match List.sort_uniq compare modes with

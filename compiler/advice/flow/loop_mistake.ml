@@ -12,8 +12,9 @@ let through = function
       in
       ", through " ^ String.concat " and " (List.map name via)
 
-(* The outputs in other files that depend on an input in the same instant. If the library closes the
-   loop around a signal function of the program, as [loop] does, such an output is the only place
+(* The outputs that depend on an input in the same instant and are defined in another file than the
+   hop. If the library closes the loop around one of the program's signal functions, as [loop]
+   does, such an output is the only place
    that the user can change. *)
 let elsewhere (hop : Fact.hop) =
   List.filter_map
@@ -60,8 +61,8 @@ let initial sums (signal : Ir.signal) =
       | _ -> "x0")
   | Array _ | Foreign _ -> "x0"
 
-(* The hint for a loop that is closed by an equation on one line: it suggests the equation with the
-   previous value, or an integral. *)
+(* The hint for a loop that is closed by an equation on one line. It suggests the same equation with
+   the previous value, or an integral. *)
 let of_equation sources sums (first : Fact.hop) (last : Fact.hop) =
   let read = last.read in
   let start = initial sums read in
@@ -105,7 +106,7 @@ let hint_here sums (first : Fact.hop) (last : Fact.hop) =
       name
   else whose ^ ", with `delay`"
 
-(* Maximum number of hops in a message. If the loop is longer, the message shows the first ones and
+(* Maximum number of hops in a message. If the loop is longer, the message omits hops just before
    the last one. *)
 let longest_shown = 12
 

@@ -1,4 +1,4 @@
-(** Turns the facts of Flow into diagnostics. *)
+(** Translates Flow's facts into diagnostics. *)
 
 open Basis
 

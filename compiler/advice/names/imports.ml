@@ -26,11 +26,11 @@ let add program declaration =
 type absent = {
   imports : string list;  (** any one of them would bring the name into scope *)
   listed : Syntax.Ir.import option;
-      (** an import of the name's module with a list of names that does not contain this name *)
+      (** an import of the name's module whose list lacks the name *)
   unknown : Unknown.t;
 }
 
-(* An import of a module that exports the name, with a list of names that does not contain it. *)
+(* An import whose list lacks the name, although the module exports it. *)
 let incomplete_import (t : Unknown.t) =
   let visible = t.module_.visible in
   let lacks (import : Syntax.Ir.import) =

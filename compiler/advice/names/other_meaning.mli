@@ -8,5 +8,5 @@ val diagnostic : Unknown.t -> Diagnostic.t
 
 val spelling : Unknown.t -> string option
 (** A known name that differs from the unknown one only in spelling. For values and constructors,
-    the first letter may be in the other case ([true], [Speed]). Units may be spelled out instead of
+    the first letter may differ in case ([true], [Speed]). Units may be spelled out instead of
     written as symbols. *)

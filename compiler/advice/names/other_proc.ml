@@ -25,7 +25,7 @@ let with_hint ({ text; edits } : Ended_proc.hint) diagnostic =
 
 let of_an_input t = Option.map (fun hint -> with_hint hint (Other_meaning.diagnostic t)) (ended t)
 
-(* Whether the name is used in an equation in the `where` of its definition. *)
+(* Whether the name is used in an equation in the `where` of the enclosing definition. *)
 let is_in_a_where (t : Unknown.t) =
   let text = Unknown.text t in
   match (Name_in_text.assigned ~text t.name.span, Name_in_text.definition ~text t.name.span) with

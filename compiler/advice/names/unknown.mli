@@ -10,7 +10,7 @@ type t = {
   locals : string list Lazy.t;
   signals : Proc_signals.t list Lazy.t;
       (** the signals of all [proc]s in the definition; those in scope are also in [locals] *)
-  is_in : Resolve.Interface.names -> bool;  (** Is the unknown name one of these? *)
+  is_in : Resolve.Interface.names -> bool;  (** whether these names include the unknown name *)
 }
 
 val create :

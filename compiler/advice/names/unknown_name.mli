@@ -6,7 +6,7 @@ open Basis
 
 type outcome =
   | Report of Diagnostic.t
-  | Import of Imports.absent  (** to be reported together with other names of the same import *)
+  | Import of Imports.absent  (** to be reported together with other names from the same import *)
   | Class_as_type  (** reported once for each line *)
   | Silent  (** another diagnostic explains the problem *)
 

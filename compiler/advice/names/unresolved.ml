@@ -55,12 +55,12 @@ let add_name found (fact : Fact.unresolved) =
   | Not_in_import { name; module_; known } ->
       add found (Qualified_name.absent suggestions ~module_ ~known ~to_:"import" name)
 
-(* {1 All places of a name} *)
+(* {1 All occurrences of a name} *)
 
 let most_places = 4
 
-(* Merges diagnostics with the same wording: shows their places in the first one, and applies its fix
-   there too. *)
+(* Merges diagnostics with the same wording: the first one also shows the places of the others, and
+   its fix includes their edits. *)
 let also_there (first : Diagnostic.t) (others : Diagnostic.t list) =
   let label d (other : Diagnostic.t) = Diagnostic.label ~at:other.at "and here" d in
   let shown = List.filteri (fun i _ -> i < most_places) others in
@@ -100,7 +100,7 @@ let rec neighbours : Diagnostic.t list -> Diagnostic.t list = function
 let merged diagnostics =
   let by_place (a : Diagnostic.t) (b : Diagnostic.t) = Span.compare a.at b.at in
   let told = Hashtbl.create 16 in
-  (* the hint for an unknown unit may contain the number before it *)
+  (* the hint for an unknown unit may contain the number before the unit *)
   let key d = Diagnostic.wording ~without_hints:(is_of (Namespace.unknown Units) d) d in
   let all = List.sort_uniq by_place diagnostics in
   let add d =

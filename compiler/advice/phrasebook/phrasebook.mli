@@ -1,4 +1,4 @@
-(** Words of other languages, from the table [words.txt]. The head of that file explains the rows.
+(** Words from other languages, from the table [words.txt]. The head of that file explains the rows.
 *)
 
 val rows : Phrase.t list Lazy.t

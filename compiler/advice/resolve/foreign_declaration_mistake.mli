@@ -1,4 +1,5 @@
-(** Messages about declarations of foreign code whose names cannot be used in C. *)
+(** Messages about foreign declarations: names that are not valid in C, and headers that are missing
+    or in the wrong folder. *)
 
 open Basis
 

@@ -85,8 +85,8 @@ let advice text =
       let n = String.length text in
       Other (if String.ends_with ~suffix:"." text then String.sub text 0 (n - 1) else text)
 
-(* Is the name written without a qualifier, so that its span has the length of the name? With a
-   qualifier, the new name might need a different one. *)
+(* Is the name written without a qualifier, so that its span has the length of the name? A qualified
+   name is not plain, because the new name might need a different qualifier. *)
 let is_plain (name : Ir.Global.t) (span : Span.t) =
   Span.line span.start = Span.line span.stop
   && Span.column span.stop - Span.column span.start = String.length name.name

@@ -1,4 +1,4 @@
-(** Turns the facts of name resolution into diagnostics. *)
+(** Translates the facts that name resolution reports into diagnostics. *)
 
 open Basis
 

@@ -1,4 +1,4 @@
-(** Turns the facts of specialization into diagnostics. *)
+(** Translates the facts that specialization reports into diagnostics. *)
 
 open Basis
 

@@ -80,7 +80,7 @@ let inside_itself ~at:span ~name ~is_task ~goes_on (calls : Calls.t) =
   in
   let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
   let own (place : Span.t) = String.equal place.file at.file in
-  (* does it restart itself directly, not inside calls to other functions? *)
+  (* does it restart itself directly, rather than inside calls to other functions? *)
   let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
   let place = if by_itself then span else at in
   let label d (text, where) =

@@ -125,8 +125,7 @@ let at_offset (by : Layout.origin) first last =
   let place offset = { by.by.start with pos_cnum = offset } in
   Build.span (place first, place last)
 
-(* The line's code with the missing bracket inserted, starting at the word before the opening
-   bracket. *)
+(* The line's code from the word before the opening bracket, with the missing bracket inserted. *)
 let with_bracket found place opening =
   let text = found.text in
   let rec word i =
@@ -201,7 +200,7 @@ let matrix found (by : Layout.origin) =
         let place = found.token.start in
         Diagnostic.error ~code:"E0111"
           ~at:(Build.span (place, { place with pos_cnum = place.pos_cnum + 1 }))
-          "a `;` does not separate the elements of an array"
+          "array elements are not separated by `;`"
         |> Diagnostic.hint "%s"
              (if String.starts_with ~prefix:"[[" text then
                 Printf.sprintf "the rows of a matrix are arrays: write `%s`" text

@@ -1,4 +1,4 @@
-(** Turns the facts of the parser into diagnostics. *)
+(** Translates the parser's facts into diagnostics. *)
 
 open Basis
 

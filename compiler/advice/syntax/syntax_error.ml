@@ -63,7 +63,7 @@ let text_alone found =
     Some "write a comment as `-- …`, or as `-- | …` to document the definition below"
   else None
 
-(* A declaration as in C, without a value, such as `Velocity v`. *)
+(* A C-style declaration without a value, such as `Velocity v`. *)
 let type_before_name found =
   let bol = found.token.start.pos_bol in
   Option.map
@@ -420,7 +420,7 @@ let explained ~told:earlier found =
   let is_a_call = List.exists (is_about d) [ Shared No_effect; Shared Waiting ] in
   let of_block = is_a_call && was_told Block_in_braces in
   let ends_function = is_about d (Shared End_of_block) && was_told Function_keyword in
-  (* the closing brace of a record copy that was already reported, `{ p with x = 1; y = 2 }` *)
+  (* the closing brace of a record update that was already reported, `{ p with x = 1; y = 2 }` *)
   let ends_copy = found.token.token = RBRACE && d.code = "E0111" && was_told Changed_copy in
   if of_block || ends_function || ends_copy || List.exists repeats (Diagnostic.topics d) then None
   else Some d

@@ -7,8 +7,8 @@ open Basis
 open Syntax
 
 val command : text:string -> command:Span.t -> block:Lexing.position -> Layout.token -> Diagnostic.t
-(** The error for a command in the [do] at [block], which is a [do] of tasks. The token is the first
-    one after the part of the [do] that contains the command. *)
+(** The error for a command in a [do] of tasks or in a branch of a [proc]. [block]: the position of
+    the [do]. The token is the first one after the part of the [do] that contains the command. *)
 
 val unexpected :
   told:Diagnostic.t list ->
@@ -18,4 +18,4 @@ val unexpected :
   Layout.token ->
   Diagnostic.t option
 (** [before]: the preceding token, if it belongs to the same item. [told]: the earlier diagnostics
-    of the file; the result is [None] if one of them explains this token. *)
+    for the file; the result is [None] if one of them explains this token. *)

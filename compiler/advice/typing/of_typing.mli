@@ -1,4 +1,4 @@
-(** Turns the facts of typing into diagnostics. *)
+(** Translates the type checker's facts into diagnostics. *)
 
 open Basis
 

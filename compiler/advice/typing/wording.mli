@@ -88,4 +88,4 @@ val measure : t -> Units.t -> string
 val representation : t -> Type.representation -> string
 
 val parameters : Type.t -> Type.t list
-(** The types of the parameters of a function, or the type of the input of a signal function. *)
+(** The parameter types of a function, or the input type of a signal function. *)

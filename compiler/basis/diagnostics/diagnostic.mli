@@ -7,10 +7,11 @@
 type severity = Error | Warning
 
 type text
-(** Text for users. Code that needs to know what a message says uses its topics instead. *)
+(** Text for users. Code that needs to know what a message says uses the message's topics
+    instead. *)
 
 val for_display : text -> string
-(** Only renderers and the language server call this function; a test checks this. *)
+(** A test checks that only renderers and the language server call this function. *)
 
 type topic = ..
 (** The subject of a message or of a hint, for the rules that need to know whether it has been
@@ -95,7 +96,7 @@ val wording : ?without_hints:bool -> t -> wording
 (** {1 Collecting} *)
 
 type sink
-(** Collects diagnostics; it has no other state. *)
+(** Collects diagnostics. A sink has no other state. *)
 
 val sink : unit -> sink
 val emit : sink -> t -> unit

@@ -13,7 +13,7 @@ val into : Diagnostic.sink -> ('fact -> Diagnostic.t) -> 'fact t
 (** Emits the diagnostic of each fact into the sink. *)
 
 val into_several : Diagnostic.sink -> ('fact -> Diagnostic.t list) -> 'fact t
-(** Like {!into}, for facts about several places, such as all unknown names of a module. *)
+(** Like {!into}, but for facts about several places, such as all unknown names of a module. *)
 
 val ignored : unit -> 'fact t
 (** Discards all facts. *)
@@ -27,17 +27,16 @@ val report : 'fact t -> 'fact -> unit
 
 val report_warning : 'fact t -> 'fact -> unit
 (** Reports a warning. Warnings are never held: a caller holds facts to explain an error better, and
-    a warning is valid whatever that explanation is. *)
+    a warning is valid regardless of that explanation. *)
 
 val has_errors : 'fact t -> bool
-(** Does the sink contain an error? Facts that are held do not count. Always false for {!ignored}.
-*)
+(** Does the sink contain an error? Held facts do not count. Always false for {!ignored}. *)
 
 (** {1 Holding facts}
 
-    A caller that knows more about a problem than the code that finds it can hold the facts that
-    this code reports, and then pass each of them on, drop it, or report another fact in its place.
-    The new fact may contain the held one. *)
+    The caller of a function may know more about a problem than the function that finds it. The
+    caller can then hold the facts that the function reports, and pass each one on, drop it, or
+    replace it with another fact, which may contain the held one. *)
 
 type 'fact held
 (** A reported fact that has not been passed on yet, with the diagnostic that was built when it was

@@ -1,4 +1,4 @@
-(** Makes names and texts from untrusted sources safe to print to a terminal. *)
+(** Makes names and text from untrusted sources safe to print to a terminal. *)
 
 val name : string -> string
 (** The text on one line, with control characters replaced by decimal codes: an escape character

@@ -24,7 +24,8 @@ let distance ~limit a b =
     | Some d when d <= limit -> Some d
     | Some _ | None -> None
 
-(* The words of a name in lower case, in alphabetical order: [follow] and [wall] for [wallFollow]. *)
+(* The words of a name, in lower case and sorted alphabetically: [follow] and [wall] for
+   [wallFollow]. *)
 let words name =
   let rec split i start found =
     let add () = if i > start then String.sub name start (i - start) :: found else found in

@@ -3,8 +3,8 @@ type t = Double | Single
 let to_single x = Int32.float_of_bits (Int32.bits_of_float x)
 let round = function Double -> Fun.id | Single -> to_single
 
-(* A double represents every integer only up to 2^53. Beyond that, the lowest 11 bits of [n] can
-   only decide whether a single is rounded up, so one sticky bit can represent them. *)
+(* A double does not represent every integer beyond 2^53. There, the lowest 11 bits of [n] can only
+   decide whether a single is rounded up, so one sticky bit can represent them. *)
 let single_of_int64 n =
   if Int64.compare (Int64.abs n) 0x20_0000_0000_0000L <= 0 && n <> Int64.min_int then
     to_single (Int64.to_float n)

@@ -21,8 +21,7 @@ let declared (typed : Ir.program) product =
   let ty (data : Ir.data) = Ir.Data { tycon = data.tycon; units = []; arguments = [] } in
   Option.map ty (List.find_opt (is_of product) typed.data)
 
-(* Looks up the type of a record by the record's name. The type of a tuple must be given in
-   [around]. *)
+(* Looks up the type of a record by the record's name. For a tuple, returns [around]. *)
 let type_of typed product ~around =
   match declared typed product with Some ty -> Some ty | None -> around
 
@@ -52,7 +51,8 @@ let rec with_units typed written ~console name around (shape : Flow.Ir.shape) =
       | Some unit_ -> [ row name unit_ ]
       | None -> [])
 
-(* The robot's command, without the result of a program that can end. *)
+(* The robot's command: the program's output or, if the program can end, the output without the
+   program's result. *)
 let command (program : Flow.Ir.program) =
   match program.output with
   | Product { constructor = ""; parts = [ (_, command); _ ]; _ } when program.ends -> command

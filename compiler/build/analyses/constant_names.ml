@@ -4,8 +4,8 @@ module Constants = Cgen.Named_constants
 
 type value = { constant : Constants.constant; value : float }
 
-(** The constant used as the operand with a given value, or [Ambiguous] if several operands have
-    this value. *)
+(** The constant that an operation uses as its operand with a given value, or [Ambiguous] if several
+    of its operands may have this value. *)
 type use = One of Constants.constant | Ambiguous
 
 type t = {
@@ -31,8 +31,8 @@ let operator (primitive : Ir.Global.t) : Flow.Ir.operator option =
   | Some Divide -> Some Divide
   | Some _ | None -> None
 
-(* The value of a number, of another constant, or of arithmetic on numbers and constants. A whole
-   number without a signature, such as [k = 2[1/s]], is a Float wherever it is used as one. *)
+(* The value of a number, of another constant, or of an arithmetic operation on them. A whole-number
+   constant without a signature, such as [k = 2[1/s]], is a Float wherever it is used as one. *)
 let rec value t (e : Ir.expr) =
   match (e.desc, e.ty) with
   | Number x, Number ((Float | Representation_variable _), _) -> Some (Real.of_exact t.real x)
@@ -46,7 +46,7 @@ let rec value t (e : Ir.expr) =
       | _, _, _ -> None)
   | _, _ -> Option.map (fun known -> known.value) (known t e)
 
-(* A zero has no name, because operations on zeros are special cases in C. *)
+(* Zero gets no name, because operations with zero are special cases in C. *)
 let constant t ~name place (e : Ir.expr) =
   let unit_ = Option.value (Probe.Signal_types.unit_ e.ty) ~default:"" in
   match value t e with

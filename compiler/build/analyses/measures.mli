@@ -1,6 +1,6 @@
-(** The measurements of a trial's judge: the numbers that equations in its module define with one of
-    the library's measuring functions, for example [error = meanOf e]. A run reports their final
-    values. *)
+(** The measurements of a trial's judge: the numbers that equations in its module compute with the
+    library's measuring functions, for example [error = meanOf e]. A run reports their final values.
+*)
 
 type t = {
   name : string;  (** for example [error]; preceded by its path if the name is not unique *)

@@ -6,12 +6,12 @@ type known = {
   types : Types.t;
   angles : (Ir.Global.t * string, string) Hashtbl.t;  (** units of angles, by type and field *)
   numbers : (Basis.Span.t, Ir.ty) Hashtbl.t Lazy.t;
-      (** the numbers that expressions compute, with their units *)
+      (** types of numeric expressions, by place in the source *)
 }
 
 (* {1 Declarations} *)
 
-(* The types do not express that generated C represents an angle in radians. *)
+(* Generated C represents angles in radians, but their types do not say so. *)
 let rec angle (ty : Resolve.Ir.ty) =
   match ty.desc with
   | Named { tycon = { module_ = "Prelude"; name = "Angle" }; _ } -> Some "rad"

@@ -1,4 +1,5 @@
-(** The sources of the values in a program's columns, as the table of [<frob/origins.h>]. *)
+(** Describes where the values in a trace's columns come from. The result is the table of
+    [<frob/origins.h>]. *)
 
 val text : Probe.Origin.t list -> string
 (** The table as a C file. *)

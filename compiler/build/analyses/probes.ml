@@ -40,7 +40,7 @@ let named sink entry core flow ~asserts names =
 
 let causal flow probes =
   let is_causal probes = Flow.Causality.is_causal (Probe.Observed.program flow probes) in
-  (* Uses bisection, because usually all probes are causal, or all but a few. *)
+  (* Uses bisection, because usually all or nearly all probes are causal. *)
   let rec add shown probes =
     match probes with
     | [] -> shown

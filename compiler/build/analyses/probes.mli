@@ -23,7 +23,7 @@ val all :
   Flow.Ir.program ->
   Probe.Catalogue.probe list option
 (** All probes of a program. The arguments are the program before and after specialization. [None]
-    after a diagnostic, whose place is the name of the entry. *)
+    after an error, which is reported at the entry's name. *)
 
 val named :
   Diagnostic.sink ->

@@ -1,6 +1,6 @@
 open Basis
 
-(* Whether a label of the diagnostics reported so far points to this place. *)
+(* Whether a diagnostic reported so far has a label at this place. *)
 let mentioned sink =
   let labels = List.concat_map (fun (d : Diagnostic.t) -> d.labels) (Diagnostic.all sink) in
   fun at -> List.exists (fun (l : Diagnostic.label) -> l.at = at) labels

@@ -206,8 +206,8 @@ let put ?(finish = ignore) ~permissions files =
       let* () = each attempt named in
       each rename named)
 
-(* Rewrites a file with several hard links in place, because a new file would only replace one of
-   them. First writes the text to a temporary file next to it, so that a crash cannot lose it. *)
+(* Writes into the existing file, because a new file would replace only one of several hard links.
+   First writes the text to a temporary file next to it, so that the text survives a crash. *)
 let write_into path text =
   let path, next = beside 0 path in
   let* () = Result.map_error (as_error path) (write_one 0o600 next text) in

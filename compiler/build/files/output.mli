@@ -24,7 +24,7 @@ val asked : content -> string -> string -> t
 (** [asked content option path] describes an output that the user requested. *)
 
 val check : reads:string list -> t list -> (unit, string) result
-(** Checks that a command may write all these files if it reads the files [reads]. The error names
+(** Checks that a command that reads the files [reads] may write all of these files. The error names
     the first file that it may not write, the reason, and the fix. *)
 
 val write : (string * string) list -> (unit, string) result

@@ -10,8 +10,8 @@ let joined text =
   let text = Str.global_replace (Str.regexp_string "??=") "#" text in
   Str.global_replace (Str.regexp "\\\\[ \t]*\r?\n") "" text
 
-(* Replaces each comment with a space, as a C compiler does. A string or character literal ends no
-   later than its line. *)
+(* Replaces each comment with a space, as a C compiler does. An unterminated string or character
+   literal ends at the end of its line. *)
 let without_comments text =
   let n = String.length text and kept = Buffer.create (String.length text) in
   let at i = if i < n then text.[i] else '\000' in

@@ -1,7 +1,7 @@
 (** The user's own headers that C files include in quotes, directly or through other headers. *)
 
 val read : string -> (string, string) result
-(** Reads a file; the error contains the reason for a failure. *)
+(** Reads a file. The error says why it cannot be read. *)
 
 val is_header : string -> bool
 (** Decides by the file name extension. *)

@@ -24,9 +24,9 @@ val read : most:int -> string -> (string, string) result
 type writer = { channel : out_channel; close : unit -> unit }
 
 val writer : ?named:string -> string -> writer
-(** Creates or overwrites the file. Compresses the content if [named], which defaults to the path,
-    has one of the extensions. Opening, writing and closing raise [Sys_error]. *)
+(** Creates or overwrites the file. Compresses the content if [named], by default the path, ends in
+    [.gz] or [.zst]. Opening, writing and closing raise [Sys_error]. *)
 
 val packed : named:string -> string -> (string, string) result
-(** The bytes to write to a file with this name: the text, compressed if the name has one of the
-    extensions. *)
+(** The bytes to write to a file with this name: the text, compressed if the name ends in [.gz] or
+    [.zst]. *)

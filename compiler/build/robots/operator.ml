@@ -29,7 +29,8 @@ let refuse sink ~first ~first_unit (c : Core.Ir.control) unit_ =
   |> Diagnostic.hint "rename one of them"
   |> Diagnostic.emit sink
 
-(* Removes duplicates. Each control gets the first known unit among its duplicates. *)
+(* Keeps the first of several controls with the same label, and gives it the first unit that is
+   known for any of them. *)
 let once sink typed controls =
   let merge known (c : Core.Ir.control) =
     let unit_ = unit_of_control typed c in

@@ -135,7 +135,7 @@ let lacking p (robot : t) (lack : Fit.lack) =
   |> Diagnostic.note "`%s` is compiled for %s, but there is no instance `%s %s`" p.entry.name
        (quoted robot) lack.class_.name lack.of_.name
 
-(* Reports the first capability that each candidate lacks. *)
+(* For each candidate, reports the first capability that it lacks. *)
 let on_no_robot p candidates =
   let error =
     Diagnostic.error ~code:unfit ~at:(entry_span p) "no robot has everything that `%s` needs"
@@ -218,8 +218,8 @@ let open_program sink asked p =
 
 let is_open p = Fit.openness (typed_entry p) = Open_program
 
-(* Whether a signal function requires capabilities that some robot has, so that it is compiled for a
-   robot. *)
+(* Whether a signal function requires capabilities that some robot has, and is therefore compiled
+   for a robot. *)
 let asks p = (typed_entry p).scheme.context <> [] && fitting p <> []
 
 let closed sink asked p =

@@ -18,7 +18,7 @@ val known : string option -> (t option, string) result
     for the user. *)
 
 val own_of : string option -> t option
-(** The robot that the option names, if it is the user's own and exists. *)
+(** The robot that the option names, if it is user-defined and exists. *)
 
 type program = {
   typed : Typing.Ir.program;

@@ -44,8 +44,8 @@ let common =
        | [ "MSG:"; type_ ] -> ((type_, String.concat "\n" lines) :: known, [])
        | _ -> (known, line :: lines)
      in
-     (* Goes from the last line to the first, so that the lines of a definition come before its
-        name. *)
+     (* Reads the lines in reverse, so that all lines of a definition have been collected when its
+        name is reached. *)
      let lines = List.rev (String.split_on_char '\n' Known_messages.text) in
      fst (List.fold_left add ([], []) lines))
 

@@ -67,7 +67,8 @@ let type_of ~package text =
       | _ -> None)
   | Some _ -> None
 
-(* The words of a line; the last one may contain spaces. *)
+(* Splits a line into a type, a name, and the rest, which may be empty. [None] if there is only one
+   word. *)
 let words line =
   match Str.bounded_split (Str.regexp "[ \t]+") line 3 with
   | [ type_; name; rest ] -> Some (type_, name, rest)

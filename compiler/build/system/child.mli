@@ -1,7 +1,7 @@
 (** Child processes of frobc.
 
-    Except for those that may outlive it, they end when frobc ends, even if it is killed by SIGKILL,
-    because the kernel sends them a signal when their parent has ended. *)
+    When frobc ends, even if it is killed by SIGKILL, the kernel sends its children a signal that
+    ends them, too. Only those started with [Outlives] may keep running. *)
 
 type life =
   | Outlives

@@ -1,9 +1,9 @@
 let generated ~name (files : Cgen.Emit.t) =
   (name ^ ".h") :: List.map fst (Option.to_list files.robot_header)
 
-(* The generated header includes the headers that the program names. If a C file includes the
-   generated header, the C compiler searches the C file's folder first, but must find the same
-   headers. *)
+(* Checks that a C file finds the same headers as the program. The generated header includes the
+   headers that the program names, and when a C file includes the generated header, the C compiler
+   searches that C file's folder first. *)
 let check_same ~generated ~folders (headers : Flow.Ir.header list) file =
   let found folders (h : Flow.Ir.header) =
     List.find_opt Sys.file_exists (List.map (fun folder -> Filename.concat folder h.header) folders)

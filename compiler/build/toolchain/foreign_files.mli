@@ -8,5 +8,4 @@ val checked :
     program needs no C besides the generated files. *)
 
 val refused_headers : name:string -> Cgen.Emit.t -> string list
-(** The headers that the program needs but the command line does not allow because it has no
-    [--with]. *)
+(** The headers that the program needs and that a command line without [--with] does not allow. *)

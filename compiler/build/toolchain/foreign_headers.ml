@@ -20,9 +20,9 @@ let folder = function Allowed { folder; _ } -> Some folder | C's_own | Refused _
 let path = function Allowed { path; _ } -> Some path | C's_own | Refused _ -> None
 let refused_path = function Refused path -> Some path | Allowed _ | C's_own -> None
 
-(* First looks for each header in the folder of its module. Adding the folders of those headers to
-   the search path may make a C compiler find another file of the same name, so this searches for
-   all headers again in all these folders. *)
+(* Looks for each header in the folder of its module first. When those folders are added to the
+   search path, a C compiler may find another file of the same name, so a second pass looks for each
+   header in all of these folders. *)
 let places ~generated ~sources (headers : Flow.Ir.header list) =
   let given = List.sort_uniq String.compare (List.map Filename.dirname sources) in
   let allowed =

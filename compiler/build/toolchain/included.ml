@@ -1,7 +1,8 @@
 let option = "-H"
 let in_folder folder = Filename.concat folder "."
 
-(* A line has a dot for each level: `.. PATH` is included by a file that the main file includes. *)
+(* A line starts with one dot for each level of inclusion: `.. PATH` is included by a file that the
+   main file includes. *)
 let listed line =
   let n = String.length line in
   let rec depth i = if i < n && line.[i] = '.' then depth (i + 1) else i in

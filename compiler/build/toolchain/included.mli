@@ -9,8 +9,8 @@ val option : string
 (** Makes the compiler list the included files on standard error. *)
 
 val in_folder : string -> string
-(** Spells the folder's path in the form that the compiler must receive, so that {!check} recognizes
-    the files found in that folder. *)
+(** The path to pass to the compiler for this folder, so that {!check} recognizes the files found in
+    it. *)
 
 val lists_some : string -> bool
 (** Whether the compiler's output lists at least one file. Each program that [frobc] generates

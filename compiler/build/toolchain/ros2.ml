@@ -57,7 +57,7 @@ let headers prefixes package =
       [ "-isystem"; prefix / "include" / package ]
   | Some _ | None -> []
 
-(* The setup scripts of the installations in the usual folder. *)
+(* The setup scripts of the ROS 2 installations in /opt/ros. *)
 let setups () =
   let folder = "/opt/ros" in
   let names = if Sys.file_exists folder then Sys.readdir folder else [||] in

@@ -34,8 +34,8 @@ val build :
   (string * string) list ->
   (string, string) result
 (** [build kind ~headers ~inputs ~includes ~foreign ~name files] compiles the [.c] files among
-    [files] (names and contents), and links them with the archives and sources [inputs], which may
-    include [includes]. Uses the C compiler of this machine unless [machine] is given. Returns the
-    path of the result. Results are stored in the {!Cache} under a digest of everything they depend
-    on, so a program is compiled only once. But a program that uses the user's files is always
-    recompiled. The error is a message for the user. *)
+    [files] (names and contents), and links them with the archives and sources [inputs]. [includes]
+    are files that these sources may include. Uses the C compiler of this machine unless [machine]
+    is given. Returns the path of the result. Results are stored in the {!Cache} under a digest of
+    everything they depend on, so a program is compiled only once. However, a program that uses the
+    user's files is always recompiled. The error is a message for the user. *)

@@ -9,7 +9,7 @@ type direction = To_c | From_c
 val is_converted : Expression.names -> Step.Ir.ty -> bool
 
 val number : Expression.names -> direction -> Step.Ir.ty -> Ir.expr -> Ir.expr
-(** Converts a single number. Returns any value that needs no conversion unchanged. *)
+(** Converts a single number. Returns the value unchanged if it needs no conversion. *)
 
 val assign :
   Expression.names -> direction -> Step.Ir.ty -> to_:Ir.expr -> from:Ir.expr -> Ir.statement list

@@ -8,7 +8,7 @@ let address name = Ir.Unary (Address, Name name)
 
 (* {1 Arguments} *)
 
-(* Fills the struct [name]. [values] are its leaves with their types. *)
+(* Fills the struct [name]. [values] are the types and values of its leaves. *)
 let fill names (i : Interface.t) name values =
   let leaf steps (ty, value) =
     Crossing.elements names To_c ty steps ~c:(Access.path (address name) steps) ~own:value
@@ -145,7 +145,7 @@ let body v names outputs results ~call ~present =
 
 (* {1 The call} *)
 
-(* For each argument that may be a null pointer, the condition that it is not. *)
+(* For each argument that may be a null pointer, the condition that it is not null. *)
 let present names parameters =
   List.filter_map
     (fun (p : M.variable) ->

@@ -34,7 +34,7 @@ let for_each names steps body =
 let clear names steps from =
   for_each names steps (fun indices -> [ plain (Ir.Assign (path from steps indices, Integer 0l)) ])
 
-(* Copies between an array of the input or output and a variable. *)
+(* Copies between an array in the input or output and a variable. *)
 let copy names steps ~from_interface from own =
   let element indices =
     let outside = path from steps indices in

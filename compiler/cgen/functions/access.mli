@@ -13,7 +13,7 @@ val for_each :
     loop indices. *)
 
 val clear : Expression.names -> Interface.step list -> Ir.expr -> Ir.statement list
-(** Sets the place to 0, in all elements of the enclosing arrays. *)
+(** Sets the place to 0 in every element of the enclosing arrays. *)
 
 val copy :
   Expression.names ->
@@ -22,4 +22,4 @@ val copy :
   Ir.expr ->
   Ir.expr ->
   Ir.statement
-(** Copies between an array of the struct and a variable of an array type. *)
+(** Copies between an array in the struct and a variable of array type. *)

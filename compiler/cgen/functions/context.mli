@@ -1,5 +1,5 @@
-(** The context for generating the statements of a function, with functions for declarations and for
-    calls of nodes. *)
+(** The context for generating the statements of a function, and functions that generate
+    declarations and calls to the functions of nodes. *)
 
 open Basis
 module M = Step.Ir
@@ -22,7 +22,7 @@ val comment : t -> Span.t -> string
 val expression : t -> M.expr -> Ir.expr
 
 val value : t -> at:Span.t -> M.expr -> Ir.expr
-(** The value of the statement at this place ({!Expression.operand}). *)
+(** Translates the value of the statement at this place ({!Expression.operand}). *)
 
 val declared : t -> (M.variable * string) list -> Ir.statement list
 (** Declares variables with these names without initial values. Consecutive variables of the same

@@ -83,9 +83,9 @@ let literal : M.expr -> float option = function
       Some (-.x)
   | _ -> None
 
-(* If one argument is a literal, [limit < x ? limit : x] is correct, unless that literal is the
-   first argument and is 0. In that case, the result must be the literal's zero rather than a zero
-   of the other sign. This requires [limit <= x], which C compilers translate to a mask. *)
+(* If one argument is a literal, [limit < x ? limit : x] is correct, except if the first argument is
+   the literal 0: the result must then be that zero, not a zero of the other sign. This requires
+   [limit <= x], which C compilers translate to a mask. *)
 let limited n general simple ~zero (a : M.expr) (b : M.expr) x y =
   match (literal a, literal b) with
   | _, Some _ -> V.call n.v simple [ x; y ]
@@ -103,8 +103,8 @@ let limit (operator : Flow.Ir.operator) : M.expr -> (M.expr * float * M.expr) op
       | _, _ -> None)
   | _ -> None
 
-(* If one function can compute this minimum of a maximum, or maximum of a minimum: the name and the
-   arguments of that function. *)
+(* The name and the arguments of the function that computes this minimum of a maximum, or maximum of
+   a minimum, in one call; [None] if there is no such function. *)
 let clamp n (e : M.expr) =
   match Limits.limited e with
   | Some ((Variable v as x), y) when Int_table.mem n.limits v.id ->
@@ -238,7 +238,7 @@ let param n k : Ir.expr =
 
 let is_whole_period period = period >= 1. && period < 0x1p63
 
-(* The bound at which a time stops counting. *)
+(* The bound at which the time in a field stops increasing; [None] for other expressions. *)
 let bound n : M.expr -> int64 option = function
   | Field { id; _ } ->
       let is_time (f : M.field) = f.id = id in

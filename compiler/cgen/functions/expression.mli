@@ -29,8 +29,8 @@ val field : names -> Step.Ir.field -> Ir.expr
 (** The expression [self->x]. *)
 
 val state : names -> Step.Ir.field -> Ir.expr
-(** A pointer to the struct that contains the state of the field's node: the argument for that
-    node's functions. *)
+(** A pointer to the struct that contains the state of the field's node. The functions of that
+    node expect this pointer as an argument. *)
 
 val reaches_state : names -> bool
 (** Whether any field of the state has been accessed. *)
@@ -53,7 +53,7 @@ val arguments : names -> Step.Ir.variable list -> Step.Ir.expr list -> Ir.expr l
 (** The arguments for these parameters of a node's function. *)
 
 val operand : names -> at:Basis.Span.t -> Step.Ir.expr -> Ir.expr
-(** Like {!of_step}, but a number that has a name in the source keeps it. [at]: the place of the
-    operation that has this operand, or of the statement that has this value. *)
+(** Like {!of_step}, but a number that has a name in the source keeps that name. [at]: the place of
+    the operation that has this operand, or of the statement that has this value. *)
 
 val of_step : names -> Step.Ir.expr -> Ir.expr

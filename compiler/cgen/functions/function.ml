@@ -48,7 +48,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let declarations = uninitialized c variables in
       let condition = expression c condition in
       let condition =
-        (* an [if] without [else] is compiled to a branch in any case *)
+        (* an [if] without [else] is compiled to a branch anyway *)
         if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ]) else condition
       in
       let comment = comment c span in
@@ -191,8 +191,8 @@ let reset (v : Program_names.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-(* Reads a member of the input where it is used, if the member has a name in the source. A member
-   with a generated name, such as [f1], is first copied to a variable whose name is in the source. *)
+(* Copies a member of the input with a generated name, such as [f1], to a variable with a name from
+   the source, if there is such a name. Otherwise, reads the member wherever it is used. *)
 let read_member (v : Program_names.t) names read (variable : M.variable) steps =
   let place = Access.path (Name "in") steps [] in
   if Interface.direct v.program.input || String.equal variable.name "" then (
@@ -203,7 +203,7 @@ let read_member (v : Program_names.t) names read (variable : M.variable) steps =
     [ plain (Ir.Constant { ty; name; value = place }) ]
   else []
 
-(* An array of the input that is only read element by element. *)
+(* Reads an array of the input in place. The array is only read element by element. *)
 let read_elements names variable steps =
   Expression.read_elements_as names variable (Access.path (Name "in") steps)
 

@@ -75,7 +75,7 @@ let step ?entered c mode case = function
 (* Only steps with at most this many operations are duplicated in each transition to their mode. *)
 let direct_size = 24
 
-(* Subtracts the number of operations in this node's step and its callees from [most]. *)
+(* Subtracts from [most] the number of operations in this node's step and in its callees. *)
 let rec remaining (program : M.program) most k =
   let node = program.nodes.(k) in
   let most = ref (most - node.operations - 1) in
@@ -158,7 +158,7 @@ let wake c (clock : M.clock) =
       plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
     ]
 
-(* Adds the length of this instant to the time since the machine last ran. *)
+(* Adds this instant's dt to the time since the machine last ran. *)
 let pass c (clock : M.clock) =
   let since = Expression.field c.names clock.since in
   let condition = Expression.field c.names clock.running in

@@ -4,5 +4,5 @@
     and callers decide whether to pay for the check. *)
 
 val functions : Program_names.t -> Ir.function_ list
-(** The function of the root, which hosts call, preceded by the functions of other nodes that it
-    calls. Empty if no machine has more than one mode. *)
+(** The root's checking function, which hosts call, preceded by the checking functions of other
+    nodes, which it calls. Empty if no machine has more than one mode. *)

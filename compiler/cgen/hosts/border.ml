@@ -5,7 +5,7 @@ type side = { own : Interface.t; host : Interface.t; robot : Robot.t option }
 
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Border" format
 
-(* The robot of a program in single precision; [None] in double precision. *)
+(* The robot of a single-precision program; [None] in double precision. *)
 let robot_of ?own (program : Step.Ir.program) shape =
   match program.real with Double -> None | Single -> Robot.of_shape ?own shape
 

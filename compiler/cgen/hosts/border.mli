@@ -1,11 +1,11 @@
-(** Converts between a program in single precision and its hosts.
+(** Converts between a single-precision program and its hosts.
 
     The structs of robots contain doubles, regardless of the program's precision, because drivers
-    and the simulator use doubles. A program in single precision has its own structs. The table for
-    hosts describes the robot's structs, and its step function converts between the two: it rounds
-    the input's doubles to floats, and widens the output's floats to doubles. It also converts time
-    to whole nanoseconds. In double precision, both sides use the same structs, and nothing is
-    converted. *)
+    and the simulator use doubles. A single-precision program has its own structs. The table for
+    hosts describes the robot's structs, and the table's step function converts between the two: it
+    rounds the input's doubles to floats, and widens the output's floats to doubles. It also
+    converts time to whole nanoseconds. In double precision, both sides use the same structs, and
+    nothing is converted. *)
 
 type side = {
   own : Interface.t;  (** the program's struct *)
@@ -29,11 +29,12 @@ val includes : side list -> string
 (** The lines that include the robots' headers. *)
 
 val definitions : Step.Ir.program -> side -> string
-(** The definition of the host's struct if it contains a robot's struct and other parts. *)
+(** The definition of the host's struct; empty unless that struct contains a robot's struct and
+    other parts. *)
 
 val passed : Param_struct.t option -> string * string
-(** The statement with which a function of the table ignores its argument [params], and the text
-    with which it passes that argument on, after the state. One of the two is empty. *)
+(** How a function in the table treats its argument [params]: the statement that marks the argument
+    as unused, and the text that passes it on after the state. One of the two is empty. *)
 
 val step :
   params:Param_struct.t option ->

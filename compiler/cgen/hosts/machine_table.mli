@@ -6,8 +6,8 @@ type t = {
   wide : bool;  (** whether this number has 32 bits instead of 8 *)
   modes : string list;  (** names of the modes, by number *)
   within : (int * int) option;
-      (** the enclosing machine, as an index into the list, and the number of its mode that contains
-          this machine *)
+      (** the enclosing machine's index in the list, and the number of the mode that contains this
+          machine *)
 }
 
 val of_program : Program_names.t -> t list

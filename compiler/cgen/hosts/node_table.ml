@@ -21,7 +21,7 @@ let topics out name = function
       bprintf out "};\n";
       sprintf "%s, %d" name (List.length topics)
 
-(* Writes the texts of each enumeration that occurs in the tables of values. *)
+(* Writes the strings for each enumeration that occurs in the tables of values. *)
 let texts out enumerations (all : texts list) =
   let row k ((e : enumeration), (t : texts)) =
     let name = sprintf "texts_%d" (k + 1) in

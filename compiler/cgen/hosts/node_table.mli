@@ -20,7 +20,7 @@ type enumeration = {
   module_ : string;
   type_ : string;
 }
-(** The constructors of a value in the input or output; they have no fields. *)
+(** A type in the input or output whose constructors have no fields. *)
 
 type t = { rate : float; inputs : topic list; outputs : topic list; texts : texts list }
 

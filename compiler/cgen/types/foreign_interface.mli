@@ -1,10 +1,10 @@
 (** The calling convention of the user's C functions.
 
-    Numbers, Bools and the addresses of foreign values are passed directly; a sum or a copyable
-    foreign value by address; an array of numbers by the address of its first element; a record by
-    the address of its struct. For everything else, such as a tuple, the program defines a struct. A
-    result that cannot be returned directly is written to the place that the last parameter points
-    to.
+    Numbers, Bools and the addresses of foreign values are passed directly. A sum or a copyable
+    foreign value is passed by address, an array of numbers by the address of its first element, and
+    a record by the address of its struct. For everything else, such as a tuple, the program defines
+    a struct. A result that cannot be returned directly is written to the place that the last
+    parameter points to.
 
     A component in C has the same interface as a program with that name. *)
 

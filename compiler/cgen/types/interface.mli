@@ -37,7 +37,7 @@ val of_shape : types -> units:Units.value -> name:string -> Flow.Ir.shape -> t
 (** [name] is the name of the struct in the header's scope; [units] are the units of the shape. *)
 
 val of_record : types -> name:string -> Flow.Ir.product -> t
-(** Like {!of_shape}, but all further uses of the record get this struct, too. *)
+(** Like {!of_shape}, but later uses of the record share this struct. *)
 
 val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
 (** Like {!of_shape}, but all uses of a record share one struct. *)

@@ -1,4 +1,4 @@
-(** Makes C names from names of the source.
+(** Derives C names from the names in the source.
 
     Names that C allows are kept. A prime becomes [_prime], and any other character that an
     identifier cannot contain becomes an underscore. A scope returns each name only once. If a name

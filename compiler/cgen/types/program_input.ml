@@ -1,13 +1,13 @@
 module M = Step.Ir
 
 (* The arguments that calls pass for a parameter. *)
-type passed = Leaf of int  (** in all calls, this leaf of the input *) | Different
+type passed = Leaf of int  (** this leaf of the input in every call *) | Different
 
 type node = {
   passed : (int, passed) Hashtbl.t;  (** arguments, by the id of the parameter *)
   mutable refused : bool;
-      (** whether the node cannot receive the pointer: a caller does not have it, or a call is a
-          trial step or occurs in a loop or an expression *)
+      (** true if the node cannot receive the pointer, because a caller does not have it, or because
+          a call is a trial step or occurs in a loop or in an expression *)
   mutable given : bool;
 }
 

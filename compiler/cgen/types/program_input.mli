@@ -30,5 +30,5 @@ val reads_only_elements :
 
 val variables_by_pointer :
   t -> Step.Ir.program -> Step.Ir.node -> Step.Ir.statement list -> Step.Ir.variable list
-(** The variables that a body of this node passes through the pointer, once for each call whose
-    callee reads them through it. *)
+(** The variables that a body of this node passes through the pointer. Each occurs once for every
+    call whose callee reads it through the pointer. *)

@@ -21,7 +21,7 @@ type node = {
   paths : string list Basis.Int_table.t;
       (** paths to the node's fields within the struct that contains them, by id *)
   modes : mode array;  (** modes of its machine *)
-  foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C *)
+  foreign : Foreign_interface.t option;  (** present for a node implemented by the user's C code *)
 }
 
 (** A small helper function on values of one type. *)
@@ -38,7 +38,7 @@ type t = {
   name : string;  (** the prefix of all file-level names *)
   file_scope : Name.scope;
   types : Value_types.t;
-  foreign_types : Value_types.t;  (** value types for the user's C *)
+  foreign_types : Value_types.t;  (** value types for the user's C code *)
   sums : Sum_type.t array;  (** the program's own sums *)
   nodes : node array;
   in_seconds : string;  (** name of the root's step that takes dt in seconds and rounds it *)
@@ -52,7 +52,7 @@ type t = {
   by_pointer : Program_input.t;  (** steps that read the input through the pointer *)
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** structs of a robot's header *)
-  foreign_records : Ir.declaration list;  (** structs that the user's C uses *)
+  foreign_records : Ir.declaration list;  (** structs that the user's C code uses *)
   imports : Foreign_interface.t list;
   robots : Robot.t list;  (** robots whose headers are included *)
   helpers : (helper, string) Hashtbl.t;

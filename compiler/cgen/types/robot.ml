@@ -19,7 +19,7 @@ let wheels mm_s ~separation_mm =
     { quantity = "resulting turn rate"; size = turning; unit_ = "deg/s" };
   ]
 
-(* These numbers must match those of the driver and the simulator, in runtime/drivers/ROBOT;
+(* These numbers must match those that the driver and the simulator use (runtime/drivers/ROBOT);
    tests/robots/line/steps.t compares them. *)
 let default =
   robot "Pioneer" "pioneer"

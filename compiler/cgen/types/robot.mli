@@ -9,8 +9,8 @@ type t = {
   module_ : string;  (** for example [Pioneer], which declares [PioneerInput] and [PioneerOutput] *)
   name : string;  (** the name for hosts and users, for example [pioneer] *)
   header : string;
-      (** for example [frob/pioneer.h]; for a user's own robot [rover.h], which is generated next to
-          the program *)
+      (** for example [frob/pioneer.h], or [rover.h] for a user's own robot, whose header is
+          generated next to the program *)
   file : string option;  (** file of the module, if the robot is the user's own *)
   steps : step list;  (** resolution of the speeds in commands; empty for a user-defined robot *)
 }

@@ -28,7 +28,7 @@ type slot =
           inner sum *)
 
 val payload : Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
-(** The places of all leaves of a payload that follows the slots [first]. *)
+(** The place of each leaf in a payload whose slots follow the slots [first]. *)
 
 val zero :
   Basis.Real.t ->
@@ -63,7 +63,7 @@ val maker :
   int ->
   int ->
   Ir.function_
-(** The function that constructs a value, for a sum and a constructor. *)
+(** The function that constructs a value of this sum with this constructor. *)
 
 val projection : Flow.Ir.sum array -> t array -> int -> constructor:int -> leaf:int -> Ir.function_
 (** The function that extracts the inner sum at this leaf of the payload. *)

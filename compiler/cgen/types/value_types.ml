@@ -18,7 +18,7 @@ type t = {
   sums : Sum_type.t array;
   names : (M.ty, string) Hashtbl.t;  (** names of array structs *)
   mutable met : M.ty list;  (** arrays in use, newest first *)
-  beside : t option;  (** the program's own table, if this table is for the user's C *)
+  beside : t option;  (** the program's own table, if this table is for the user's C code *)
 }
 
 let is_array (ty : M.ty) =
@@ -68,7 +68,7 @@ let owner t ty = if differ t ty then Program else marked t ty
 
 (* {1 Names} *)
 
-(* The prefix of a type's name. All types that other code also uses have the same prefix. *)
+(* The prefix of a type's name. Types that other code also uses have the prefix [frob]. *)
 let prefix t ty = match owner t ty with Program -> t.name | Robot | Foreign_code -> "frob"
 
 let rec array_name t (ty : M.ty) =
@@ -127,7 +127,7 @@ let arrays t = List.rev_map (fun ty -> (ty, Hashtbl.find t.names ty)) t.met
 
 (* {1 Definitions} *)
 
-(* A type that the user's C uses may be defined by several programs, and by the user's own
+(* A type that the user's C code uses may be defined by several programs and by the user's own
    header. *)
 let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
 

@@ -1,14 +1,14 @@
 (** The structs for a program's sums and arrays, in one precision.
 
     A program in single precision has two of these tables: one for the program itself, with floats,
-    and one for the user's C, with doubles. Types without Floats are only in the first table, and
-    both sides share them. *)
+    and one for the user's C code, with doubles. Types without Floats are only in the first table,
+    and both sides share them. *)
 
 (** The owner of a type. The owner's header defines the type. *)
 type owner =
   | Program
   | Robot
-  | Foreign_code  (** the program, but the type has a name that the user's C can use *)
+  | Foreign_code  (** the program, but the type has a name that the user's C code can use *)
 
 type t
 
@@ -24,7 +24,7 @@ val own : Name.scope -> name:string -> real:Basis.Real.t -> known -> t
 (** The program's own table. [name] is the prefix for types that the program owns. *)
 
 val of_foreign_code : t -> t
-(** The table for the user's C; in double precision, it is the program's own table. *)
+(** The table for the user's C code; in double precision, it is the program's own table. *)
 
 val sums : t -> Sum_type.t array
 
@@ -37,23 +37,24 @@ val array_name : t -> Step.Ir.ty -> string
 (** The name of an array's struct. *)
 
 val differ : t -> Step.Ir.ty -> bool
-(** Whether values of this type are represented differently in the user's C and in the program. *)
+(** Whether values of this type are represented differently in the user's C code and in the program.
+    *)
 
 type definition
 (** A struct, with the constants for its tags if it is a sum. *)
 
 val definitions : t -> of_:(owner -> bool) -> definition list
-(** All definitions, in an order in which each precedes its uses. Call this after all code has been
-    generated. *)
+(** The definitions of all types whose owner satisfies [of_], each before its uses. Call this after
+    all code has been generated. *)
 
 val reached : definition list -> from:string list -> definition list * definition list
-(** Splits definitions into two lists in the original order: the structs in [from] with everything
-    that they consist of, and all others. *)
+(** Splits definitions into two lists, keeping their order: the structs in [from] and everything
+    that these consist of, and all other definitions. *)
 
 val declarations : definition list -> Ir.declaration list
 
 val defined : string -> string
-(** The macro that indicates that this struct is defined. *)
+(** The macro that marks this struct as defined. *)
 
 val once : string -> Ir.declaration list -> Ir.declaration list
 (** Wraps the declarations so that they have an effect only if the struct is not defined yet. *)

@@ -121,7 +121,7 @@ let foreign_interfaces scope shared (program : M.program) =
   in
   (imports, Array.map (fun (node : M.node) -> Option.map interface_of node.foreign) program.nodes)
 
-(* The parts of the program's input and output that belong to robots, with their robots. *)
+(* The parts of the program's input and output that belong to robots, each with its robot. *)
 type parts = {
   sensed : F.shape;
   console : Robot.console option;

@@ -20,7 +20,7 @@ val real : Program_names.t -> Ir.ty
 (** The type of a Float. *)
 
 val float : Program_names.t -> float -> Ir.expr
-(** The literal. Negative zero is a function call; [<frob/step.h>] explains why. *)
+(** A literal. Negative zero is written as a function call; [<frob/step.h>] explains why. *)
 
 val literal : Program_names.t -> at:Basis.Span.t -> float -> Ir.expr
 (** An operand of the operation at this place: the name of a constant if the programmer used one,
@@ -45,7 +45,7 @@ val array_function : Program_names.t -> Array_type.operation -> Step.Ir.ty -> st
 (** The function for an operation on an array type. *)
 
 val take_pending : Program_names.t -> Ir.function_ list
-(** The helpers that were needed since the last call. *)
+(** The helpers needed since the last call. *)
 
 val is_root : Program_names.t -> int -> bool
 val has_state : Program_names.t -> int -> bool

@@ -33,11 +33,12 @@ val map_label : string
 (** The label to display for the map, since the program does not give it one. *)
 
 val tags_label : string -> string
-(** The label for the tags seen by the camera with this label. Hosts use it to find the camera. *)
+(** Given a camera's label, returns the label of the control for the tags that the camera sees.
+    Hosts use it to find the camera. *)
 
 val lidar_label : string -> int -> string
-(** The label for scans from the lidar with this label, resampled to this number of directions.
-    Hosts use it to find the lidar. *)
+(** Given a lidar's label and a number of directions, returns the label of the control for the
+    lidar's scans, resampled to that number of directions. Hosts use it to find the lidar. *)
 
 val camera : Ir.control -> string option
 (** The label of the camera that supplies this control; [None] if the control is neither a camera

@@ -7,7 +7,7 @@
 type t
 
 val of_program : Ir.program -> t
-(** All these variables, traced through functions and definitions, regardless of the order of
-    definitions. *)
+(** Finds all these variables by tracing them through functions and definitions, whatever the order
+    of the definitions. *)
 
 val has : t -> Ir.Local.t -> bool

@@ -21,7 +21,7 @@ let rec collect (p : T.pattern) root found =
   | Any | Literal _ -> found
   | Bound local -> ({ Ir.local; ty = root.Ir.ty }, root) :: found
   | As (local, p) ->
-      (* the patterns inside an as-pattern refer to the value by its name *)
+      (* the patterns inside an as-pattern refer to the value by the name that it binds *)
       let binder = { Ir.local; ty = root.Ir.ty } in
       collect p (Term.variable binder p.span) ((binder, root) :: found)
   | Tuple_of ps -> collect_parts (component root) ps found

@@ -1,5 +1,5 @@
-(** Compiles patterns into tests that decide whether a value matches, and into components and
-    payloads of the value, to which the variables are bound. The matched value is always a variable
+(** Compiles patterns into tests, which decide whether a value matches, and bindings of variables to
+    components and payloads of the value. The matched value is always a variable
     ([root]), so that it can be mentioned several times at no cost. *)
 
 val binder : Context.t -> Typing.Ir.pattern -> Ir.binder

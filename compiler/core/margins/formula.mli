@@ -19,7 +19,7 @@ type t =
   | Or of t * t
   | Choice of t * t * t  (** the second formula when the first is true, otherwise the third *)
   | Timed of { operator : string; time : int option; conditions : t list }
-      (** a function of the library's module Past, and the column of its time argument *)
+      (** a function from the library's Past module, and the column of its time argument *)
 
 val not_ : t -> t
 val and_ : t -> t -> t

@@ -164,7 +164,7 @@ and is c env value k ~otherwise =
 
 and has c env value k = itself c env (Term.make Bool value.span (Is_constructor (value, k)))
 
-(* The condition computed by the instance of a signal function that defines the variable. *)
+(* The condition computed by the signal function whose instance defines the variable. *)
 and instance c env x =
   match (Reading.run c.reading env x, Reading.input c.reading env x) with
   | Some { env = of_function; expr }, Some input -> (

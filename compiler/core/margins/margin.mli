@@ -11,8 +11,9 @@
     inputs can bring it closer. *)
 
 val program : Ir.program -> Ir.program * (Basis.Span.t -> Formula.t option)
-(** The program with these equations, and a function that returns the formula for the assertion
-    defined at a place, or [None] if there is no assertion or its formula would be too large. *)
+(** Adds these equations to the program. Also returns a function that maps the place of an assertion
+    to its formula; [None] if there is no assertion at that place or its formula would be too large.
+    *)
 
 val column : string -> int -> string
 (** The name of the equation with this number, derived from the name of the verdict. *)

@@ -14,8 +14,8 @@ type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
 
 type t =
   | Cycle of { cycle : (Ir.definition * Span.t) list; cause : cause }
-      (** Each definition needs the next one, and the last one needs the first. Each comes with the
-          place of that use. *)
+      (** Each definition needs the next one, and the last one needs the first. Each is paired with
+          the place where it uses the next one. *)
   | Growing_types of { definition : Ir.definition; at : Span.t }
       (** the definition uses itself through methods at ever larger types; [at] is the place of such
           a use *)

@@ -8,9 +8,9 @@ type t = {
   definitions : (int, Ir.rhs) Hashtbl.t;
   narrowed : (int, unit) Hashtbl.t;  (** signals whose ranges have been narrowed *)
   followed : (int, unit) Hashtbl.t;
-      (** signals whose definitions were visited in this round. Several definitions may read the
-          same signal; its definition is visited again only after its range has been narrowed
-          further *)
+      (** signals whose definitions were visited in this round. Even if several definitions read a
+          signal, its own definition is visited again only after the signal's range has been
+          narrowed further *)
   mutable changed : bool;
 }
 
@@ -32,9 +32,9 @@ let follow_once t (s : Ir.signal) follow =
 
 let can_be t atom b = (if b then Range.may_be_true else Range.may_be_false) (read t atom)
 
-(* Traces an atom back to the equivalent atom from which it was computed. Follows copies, branches
-   that are certainly taken, and payloads of values that the node itself constructs, for at most
-   [steps] steps. *)
+(* Traces an atom back to the equivalent atom from which it was computed. Takes at most [steps]
+   steps. Each follows a copy, a branch that is certainly taken, or a payload of a value that the
+   node itself constructs. *)
 let origin t atom =
   let steps = ref 1000 in
   let rec go (atom : Ir.atom) =

@@ -24,4 +24,4 @@ val lengths : Graph.t -> int list list -> int array
     that starts at each vertex. *)
 
 val of_machine : First_transitions.t -> int -> Ir.machine -> outcome
-(** Analyzes the machine of the node with this index. *)
+(** Analyses the machine of the node with this index. *)

@@ -5,4 +5,4 @@
 open Basis
 
 val check : Fact.t Facts.t -> entry:Span.t -> Ir.program -> unit
-(** Reports too many instances or too many state values. *)
+(** Reports a program that has too many instances or too many state values. *)

@@ -61,6 +61,6 @@ type t =
       program : Ir.program;
       steps : step list;  (** a cycle *)
       limit : int option;
-          (** present if the analysis proved no cycle, but the chain did not end within this number
-              of steps *)
+          (** present if the analysis could not prove a cycle, but the chain did not end within this
+              number of steps *)
     }

@@ -37,8 +37,8 @@ val from_running : t -> int -> (Ir.transition * state) list
     of time. *)
 
 val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
-(** The given transitions that are possible. All given transitions must belong to the start or the
-    controls of this node's machine. *)
+(** Those of the given transitions that are possible. Each given transition must belong to the start
+    or the controls of this node's machine. *)
 
 val from_state : t -> int -> state -> (Ir.transition * state) list
 (** The possible transitions of this node, which is a mode that has just been entered in this state.

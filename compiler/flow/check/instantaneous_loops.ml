@@ -92,7 +92,7 @@ let hops_of steps cycle =
   in
   List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
 
-(* Analyzes a version of the program in which small nodes are inlined, because that makes the
+(* Analyses a version of the program in which small nodes are inlined, because that makes the
    analysis more precise. The result contains the corresponding transitions of the original
    program. *)
 let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =

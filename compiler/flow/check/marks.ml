@@ -7,8 +7,8 @@ type t = {
   program : Ir.program;
   carries : bool array;  (** for each sum, whether its values can contain marks *)
   known : (int * int list, int list * int list list) Hashtbl.t;
-      (** cached bounds for a node's outputs and the arguments of its transitions, by the node and
-          the bounds for its static parameters and inputs *)
+      (** cached bounds for a node's outputs and the arguments of its transitions, keyed by the node
+          and the bounds for its static parameters and inputs *)
 }
 
 (* Whether the sum is the type of a slot for a mark. Checks the module, because programs may define

@@ -14,5 +14,5 @@ val uses : Ir.program -> uses
 
 val use : uses -> entry:Basis.Span.t -> int -> (string * Basis.Span.t) option
 (** For a node (given by its index) outside the entry's module: the name and place of the instance
-    in the entry's module that runs the node, directly or indirectly, or the entry itself if there
-    is no such instance. [None] for a node in the entry's module. *)
+    in the entry's module that directly or indirectly runs the node. If there is no such instance,
+    the place is [entry]. [None] for a node in the entry's module. *)

@@ -90,8 +90,8 @@ let is_empty = function
 
 let non_empty t = if is_empty t then None else Some t
 
-(* The intersection. For data, keeps the constructors that both arguments have, with the second
-   argument's payloads. *)
+(* The intersection. For a data type, keeps the constructors that both arguments have, with the
+   payloads from the second argument. *)
 let meet a b =
   match (a, b) with
   | Bools a, Bools b ->
@@ -213,7 +213,7 @@ let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t 
         let vanishing =
           (has_zero al ah && has_infinity bl bh) || (has_infinity al ah && has_zero bl bh)
         in
-        (* Uses 0 for a corner 0 * inf, because 0 is the product of 0 and every finite number. *)
+        (* Uses 0 for a corner 0 * inf, because the product of 0 and any finite number is 0. *)
         let times x y = if x = 0. || y = 0. then 0. else x *. y in
         Some (floats real ~nan:(nan || vanishing) (corners times (al, ah) (bl, bh)))
     | Divide when bl > 0. || bh < 0. ->

@@ -42,7 +42,7 @@ val has_constructor : t -> int -> t
 
 val payload : t -> int -> int -> t option
 (** The possible values of a leaf of the payload. [None], which means any value, if they are unknown
-    or the value may have another constructor. *)
+    or if the value may have another constructor. *)
 
 val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
 (** The range of the result of an operation. The last argument is the type of the result. *)

@@ -7,5 +7,5 @@ val nanoseconds : Real.t -> float -> float
     and subtracts a number so large that Floats of that size have no fraction bits. *)
 
 val reaches : Real.t -> float -> int64 option
-(** The smallest local time, as stored in nanoseconds, that is at least this many nanoseconds after
-    conversion to seconds and back; [None] if there is none. *)
+(** The smallest local time (stored in nanoseconds) that, when converted to seconds and back, is at
+    least this number of nanoseconds; [None] if there is none. *)

@@ -20,8 +20,8 @@ module Inputs : Set.S with type elt = int
 type passage = {
   passed : Inputs.t array;  (** for each output, the indices of the inputs it needs *)
   decisive : Inputs.t;
-      (** the inputs needed by transitions that are not delayed, which affect the output of the same
-          instant *)
+      (** the inputs needed by transitions that are not delayed; such transitions affect the output
+          in the same instant *)
 }
 (** The properties of a node that its callers need. *)
 

@@ -1,6 +1,6 @@
 open Ir
 
-(* [x] must be an integer, infinite or NaN. *)
+(* [x] must be an integer, an infinity or NaN. *)
 let saturate x =
   if Float.is_nan x then 0l
   else if x >= 2147483647. then Int32.max_int
@@ -36,7 +36,7 @@ let on_ints operator a b : Ir.atom option =
   | Truncate | Not | And | Or ->
       None
 
-(* A quiet NaN. Before OCaml 5.1, [Float.nan] was a signaling NaN, which [pow] and other functions
+(* A quiet NaN. Before OCaml 5.1, [Float.nan] was a signalling NaN, which [pow] and other functions
    treat differently. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
 

@@ -11,10 +11,9 @@ val places : Ir.program -> Ir.atom -> (int * int) option
     node's {!parameters}. *)
 
 val settle : Ir.program -> (call -> bool) -> unit
-(** Visits all calls, in an order in which callers come before callees. The visitor returns whether
-    it has learned anything new about the callee's parameters; if so, the calls that pass these
-    parameters on are visited again. A transition to a mode counts as a call that also passes the
-    inputs. *)
+(** Visits all calls, those in callers before those in callees. The visitor returns whether it has
+    learned anything new about the callee's parameters; if so, the calls that pass these parameters
+    on are visited again. A transition to a mode counts as a call that also passes the inputs. *)
 
 val replaced : Ir.program -> (int -> int -> Ir.atom option) -> Ir.program
 (** Replaces parameters, identified by node and index, with atoms. Returns a program physically

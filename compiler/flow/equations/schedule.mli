@@ -29,10 +29,10 @@ val of_node : Ir.node -> item list
 (** Raises {!Basis.Diagnostic.Bug} on a cycle. *)
 
 val as_far_as_possible : Ir.node -> item list
-(** Like {!of_node}, but also works for nodes that are not inlined yet: items of a cycle are in the
-    node's own order. Also, items that compute the initial values of delays and machines come before
-    those delays and machines. *)
+(** Like {!of_node}, but also works for nodes that are not inlined yet: the items of a cycle keep
+    the node's own order. Also puts the items that compute the initial values of delays and machines
+    before those delays and machines. *)
 
 val loops : Ir.node -> Ir.instance list list
-(** For each cycle of items, its instances, which cannot run as one call. Empty if {!of_node}
-    succeeds. *)
+(** For each cycle of items, the instances in it, which cannot run as single calls. Empty if
+    {!of_node} succeeds. *)

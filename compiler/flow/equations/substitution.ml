@@ -3,8 +3,8 @@ open Basis
 type t = {
   atoms : Ir.atom Int_table.t;  (** replacement atoms, by the id of the replaced signal *)
   names : Ir.signal Int_table.t;
-      (** for each signal that inherits a name and place, by id, the signal from which it inherits
-          them *)
+      (** maps the id of each signal that inherits its name and place to the signal from which it
+          inherits them *)
 }
 
 let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }

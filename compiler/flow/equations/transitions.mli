@@ -1,4 +1,4 @@
-(** The atoms of machines and their modes, and functions that replace them. *)
+(** Lists and replaces the atoms that machines and their modes read. *)
 
 val atoms : Ir.transition list -> Ir.atom list
 (** The conditions and arguments of the transitions. *)

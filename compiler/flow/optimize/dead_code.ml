@@ -1,7 +1,7 @@
 open Basis
 
-(* For each node, the maximum number of accumulators in any loop that runs it. Up to that many of
-   its first inputs may be fed back from the outputs with the same index. *)
+(* For each node, the maximum number of accumulators in any loop that runs it. Only that many of its
+   inputs, starting with the first, can be fed back from the output with the same index. *)
 let accumulators (program : Ir.program) =
   let most = Array.make (Array.length program.nodes) 0 in
   let is_accumulator argument = argument = Ir.Accumulator in
@@ -15,7 +15,7 @@ let accumulators (program : Ir.program) =
 type found = {
   needed : Bytes.t;  (** whether a signal is needed, by id *)
   outputs : bool array array;  (** whether an output is needed, by node and index *)
-  runs : bool array;  (** whether anything that is needed runs the node *)
+  runs : bool array;  (** whether anything needed runs the node *)
 }
 
 let is_needed found (s : Ir.signal) = Bytes.get found.needed s.id <> '\000'

@@ -7,7 +7,7 @@ let is_costly : Core.Primitive.elementary -> bool = function
 
 type value = { function_ : Core.Primitive.elementary; arguments : Ir.atom list }
 
-(* Equations of a node with equal keys have equal values. *)
+(* Within a node, equations with equal keys have equal values. *)
 let key value = (value.function_, List.map Operands.key value.arguments)
 
 let costly (e : Ir.equation) =

@@ -149,8 +149,8 @@ let is_one_operation context (i : Ir.instance) =
        (fun passed -> Dependency.Inputs.cardinal passed = inputs)
        (Lazy.force context.passages).(i.node).passed
 
-(* Groups the outputs by the inputs that they need, and adds a trial step for each group that does
-   not need all inputs. *)
+(* Groups the outputs by the inputs that they need. Each group that does not need all the inputs
+   gets a trial step. *)
 let with_trials context (i : Ir.instance) =
   let { Dependency.passed; _ } = (Lazy.force context.passages).(i.node) in
   let all = List.length i.inputs in

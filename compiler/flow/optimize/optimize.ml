@@ -50,7 +50,7 @@ let inline_machines =
 
 type step =
   | Pass of Ir.program Pass.t
-  | Tidy  (** skipped if nothing has changed since the last one *)
+  | Tidy  (** skipped if nothing has changed since the last [Tidy] *)
 
 (* Loop fusion and inlining run twice, because inlining brings loops from several nodes together. *)
 let steps =

@@ -1,4 +1,4 @@
-(* The transitions that may be the first to occur. *)
+(* Drops transitions that never occur, and those after a transition that always occurs. *)
 let rec possible (transitions : Ir.transition list) =
   match transitions with
   | [] -> []

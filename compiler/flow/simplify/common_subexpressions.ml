@@ -38,8 +38,8 @@ let key_of_equation ~unsigned (e : Ir.equation) rhs =
 let round (node : Ir.node) =
   let first = Table.create 64 and substitution = Substitution.create () in
   let duplicates = Hashtbl.create 4 in
-  (* The differences, by their operands; and for each number that is the negation of another, the
-     key of that other number. *)
+  (* [differences]: the key of each difference, by its operands. [negated]: if a number is the
+     negation of another, maps its key to the key of the other. *)
   let differences = Hashtbl.create 16 and negated = Hashtbl.create 4 in
   let atom = Substitution.atom substitution in
   let meet key defined =

@@ -8,9 +8,9 @@ val first : instant
 val after : Basis.Real.t -> float -> instant
 (** The instant that comes this many seconds after the previous one. The number of seconds has the
     given precision. Rounds to the nearest nanosecond, ties to even. Returns 0 for negative numbers
-    and NaN, and never more than 10⁹ s. In single precision, the product of the fractional part of
-    the seconds and 10⁹ is rounded to a single, too. Therefore the single nearest to 0.1 becomes
-    100,000,000 ns, although its value is 1.5 ns more. *)
+    and NaN, and never more than 10⁹ s. In single precision, the fractional part of the seconds is
+    multiplied by 10⁹, and the product is rounded to a single as well. Therefore the single nearest
+    to 0.1 becomes 100,000,000 ns, although it is 1.5 ns longer than that. *)
 
 val later : int64 -> instant -> int64
 (** Adds the length of an instant to a local time in nanoseconds. Saturates at 2⁶³ - 1 ns, about 292

@@ -1,9 +1,9 @@
-(** Structural equality and order of data.
+(** Structural equality and ordering of data.
 
-    Compares tuples and the fields of a constructor from first to last, and constructors in the
-    order of their declaration; [False] comes before [True]. Numbers compare as IEEE 754 defines.
-    Therefore, if the order of two values depends on a NaN, neither is equal to, less than or
-    greater than the other. *)
+    The components of a tuple and the fields of a constructor are compared from first to last.
+    Constructors are ordered as in their declaration; [False] comes before [True]. Numbers compare
+    as IEEE 754 defines. Therefore, if the order of two values depends on a NaN, neither is equal
+    to, less than or greater than the other. *)
 
 val equal : Value.t -> Value.t -> bool
 val less : Value.t -> Value.t -> bool

@@ -44,7 +44,7 @@ end
 
 (** {1 Conversions}
 
-    NaN becomes 0. Numbers out of range become the nearest number in range. *)
+    NaN becomes 0. Numbers that are out of range saturate. *)
 
 val round : float -> int32
 (** Rounds to the nearest integer, ties away from zero. *)

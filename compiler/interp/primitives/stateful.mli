@@ -13,8 +13,8 @@ val time_since : Basis.Real.t -> Thunk.nesting -> Value.instance
 
 val ticks : Thunk.nesting -> Value.thunk -> Value.instance
 (** The period is a number of nanoseconds; its fraction is dropped. The output is True if a multiple
-    of the period lies after the previous instant and not after this one. Always True for a period
-    below 1, never for NaN. *)
+    of the period is later than the previous instant but not later than this one. It is always True
+    for a period below 1, and never for NaN. *)
 
 val integral : Basis.Real.t -> Value.instance
 val derivative : Basis.Real.t -> Thunk.nesting -> Value.instance

@@ -4,9 +4,9 @@
     the same number is read back. Special values are [nan], [inf] and [-inf]. When read, a number is
     rounded to double and then to the precision of the program. Bools are [true] and [false]. All
     other values are written as in Frob: [Just 2.5], [At (-0.3)], [Left (1, true)],
-    [Pose {heading = 1}]. A cell that consists of one event contains its value, or is empty if the
-    event does not occur. An image is written as [Image NUMBER SIZE HASH], which identifies its file
-    ([frob/frame.h]). *)
+    [Pose {heading = 1}]. If the whole cell is one event, it contains just the event's value, or is
+    empty if the event does not occur. An image is written as [Image NUMBER SIZE HASH], which
+    identifies its file ([frob/frame.h]). *)
 
 val write : Shape.t -> Value.t -> string
 (** Converts a completely evaluated value to text. Does not quote the text for CSV. *)

@@ -7,11 +7,11 @@ val reader : ?separator:char -> (unit -> char option) -> t
 (** Reads from a function that returns the next character, or [None] at the end of the file. The
     function may raise [Sys_error]. Cells are separated by commas, or by [separator]. *)
 
-type cell = { column : int;  (** column of its first character, from 1 *) text : string }
-type row = { line : int;  (** line on which the row starts, from 1 *) cells : cell list }
+type cell = { column : int;  (** column of its first character, counted from 1 *) text : string }
+type row = { line : int;  (** line on which the row starts, counted from 1 *) cells : cell list }
 
 type problem =
-  | Unreadable of string  (** the operating system's reason *)
+  | Unreadable of string  (** the operating system's error message *)
   | Unclosed_quote
   | Late_quote
       (** a cell has whitespace before its opening quote; this cell is the last one in the part of

@@ -45,8 +45,8 @@ val assemble : t -> Value.t list -> Value.t
 (** The inverse of {!cells}: builds a value from its cells. *)
 
 val drawings : t -> Value.t -> Value.thunk list list
-(** The marks of each drawing in the value, bottommost first. Skips drawings in values that fill a
-    single cell, such as events. *)
+(** The marks of each drawing in the value, bottommost first. Skips drawings that are part of a
+    value in a single cell, such as an event. *)
 
 val count_drawings : t -> int
 (** The number of drawings that {!drawings} returns. *)

@@ -33,6 +33,7 @@ let answer ws (doc : Document.t) params =
   let offset = Workspace.offset ws doc.text (Json.member "position" params) in
   let names = Document.names doc and types = Document.types doc in
   let attempts = [ (of_symbol, types); (of_symbol, names); (of_expression, types) ] in
-  (* The typed version contains the types of symbols, but may lack a new symbol. *)
+  (* The last version that passed type checking contains the types of symbols, but may lack a new
+     symbol. *)
   let attempt (f, seen) = Option.bind seen (f ws doc offset) in
   Option.value (List.find_map attempt attempts) ~default:Json.Null

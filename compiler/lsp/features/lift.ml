@@ -77,7 +77,7 @@ let rec with_comments text ~column line =
     with_comments text ~column above
   else line
 
-(* The piece for a declaration. If it is the only declaration of a `where`, the `where` is removed
+(* The piece for a declaration. If it is the only declaration in a `where`, the `where` is removed
    with it. Otherwise, no other code may precede it on its line. *)
 let piece text ~alone (start, stop) =
   let line = start_of_line text start and behind = end_of_line text stop in

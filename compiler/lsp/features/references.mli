@@ -1,5 +1,5 @@
-(** [textDocument/references] and [documentHighlight]: find all occurrences of a symbol in the
-    programs of the workspace folders. *)
+(** [textDocument/references] finds all occurrences of a symbol in the programs of the workspace
+    folders; [documentHighlight] finds those in one text. *)
 
 open Basis
 

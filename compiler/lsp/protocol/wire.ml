@@ -14,7 +14,7 @@ let create stream =
 (* Maximum length of a message. A header with a larger length is assumed to be corrupt. *)
 let longest = 256 * 1024 * 1024
 
-(* Discards processed data from time to time. *)
+(* Discards processed data if there is more than 1 MB of it, or if no other data is left. *)
 let compact t =
   if t.from > 1_000_000 || t.from = Buffer.length t.buffered then (
     let rest = Buffer.sub t.buffered t.from (Buffer.length t.buffered - t.from) in

@@ -18,7 +18,7 @@ exception Not_at_once
 let patience = ref 30.
 
 (* After the time limit, the timer raises the exception repeatedly, because a handler may catch it.
-   It may even interrupt [stop], which is therefore called twice. *)
+   The exception may even interrupt [stop], which is therefore called twice. *)
 let with_timer timer signal exn seconds f =
   let armed = ref true in
   let set seconds interval =

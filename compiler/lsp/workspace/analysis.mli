@@ -37,9 +37,9 @@ val given_up : path:string -> string -> string -> t
 (** The analysis of a text that could not be checked, for the given reason. *)
 
 val at_once : (unit -> 'a) -> 'a option
-(** The function's result, or [None] if it takes more than 80 ms of processor time, which is as long
-    as other requests should have to wait. The function may be interrupted anywhere, so it must not
+(** The function's result, or [None] if it takes more than 80 ms of processor time, the longest that
+    other requests should have to wait. The function may be interrupted anywhere, so it must not
     have lasting side effects. *)
 
 val patience : float ref
-(** Time limit in seconds: half a minute. *)
+(** Time limit in seconds, 30 by default. *)

@@ -12,11 +12,11 @@ type t = {
   mutable version : Basis.Json.t;
   mutable text : Text.t;
   mutable latest : Analysis.t option;
-      (** analysis of the current text, or of the text when it was last checked *)
+      (** analysis of the version that was checked last, which may be the current one *)
   mutable named : version option;  (** the last version in which name resolution succeeded *)
   mutable typed : version option;  (** the last version in which type checking succeeded *)
   mutable changed : bool;  (** changed since it was last checked *)
-  mutable slow : bool;  (** checking it takes longer than other requests should wait *)
+  mutable slow : bool;  (** checking it would keep other requests waiting too long *)
 }
 
 val opened : uri:string -> version:Basis.Json.t -> string -> t

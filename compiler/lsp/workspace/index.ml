@@ -152,7 +152,8 @@ let meant_by (program : Resolve.Ir.program) ~main =
     program.instances;
   meant
 
-(* The constructor of each record whose field is accessed. Type checking determines it. *)
+(* For each record whose fields are accessed or updated, its constructor, which type checking
+   determines. *)
 let records (typed : Typing.Ir.program) ~main =
   let table = Place_table.create 64 in
   let rec visit (e : Typing.Ir.expr) =

@@ -27,7 +27,7 @@ val patterns : pattern -> name list
 (** The variables in a pattern. *)
 
 type declared = (space * string * string option, Basis.Span.t) Hashtbl.t
-(** Maps the space and name of each declaration to the place of the name. The third component of the
-    key is the constructor of a field. *)
+(** Maps the namespace and name of each declaration to the place of the name. For a field, the third
+    component of the key is its constructor. *)
 
 val declared : mention list -> declared

@@ -1,4 +1,4 @@
-(** Maps places in one version of a text to another version.
+(** Maps places in one version of a text to places in another.
 
     If two versions are consecutive, places before the first difference and after the last
     difference correspond to each other. Places between them have no counterpart. *)

@@ -1,10 +1,10 @@
-(** Values computed from the texts of files. After each change to a program, the same files are
-    needed again, and most of them have not changed. *)
+(** Caches values computed from the texts of files. After each change to a program, the server needs
+    the same files again, most of them unchanged. *)
 
 type 'a t
 
 val create : unit -> 'a t
 
 val find : 'a t -> path:string -> string -> ('a option -> 'a) -> 'a
-(** The value for this text of the file. If the text has changed, calls the function to compute the
-    value. Its argument is the value for the previous text, if there is one. *)
+(** The value for this text of the file. If the text has changed, computes the value by calling the
+    function with the value for the previous text, if there is one. *)

@@ -1,4 +1,4 @@
-(** The state of the server: folders, open texts and settings. *)
+(** The state of the server: folders, open documents and settings. *)
 
 open Basis
 

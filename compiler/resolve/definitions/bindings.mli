@@ -30,7 +30,7 @@ val declarations :
   items:item list ->
   signatures:(Syntax.Ir.name * Syntax.Ir.qualified_type) list ->
   Env.t * Ir.declarations
-(** Returns the environment of the code that follows, such as the body of a [let]. Reports a name
+(** Returns the environment for the code that follows, such as the body of a [let]. Reports a name
     bound twice and a signature without a binding. *)
 
 val top_level :

@@ -7,7 +7,7 @@ val classes :
   Syntax.Ir.program ->
   Ir.class_ list
 (** The classes, superclasses before subclasses. Reports a class that is its own superclass, and a
-    definition whose name is not a method of the class. *)
+    definition of a name that is not a method of the class. *)
 
 val instances :
   Env.t ->
@@ -15,5 +15,5 @@ val instances :
   command:Syntax.Ir.command Bindings.resolver ->
   Syntax.Ir.program ->
   Ir.instance list
-(** The instances, in source order. Reports signatures, and definitions whose names are not methods
-    of the class. *)
+(** The instances, in source order. Reports signatures, and definitions of names that are not
+    methods of the class. *)

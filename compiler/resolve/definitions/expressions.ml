@@ -92,8 +92,8 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Annotated { expr = inner; ty } ->
       Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
 
-(* Was this application probably meant to be something else: a number or value with its unit, or a
-   field access? *)
+(* Does this application look like a mistake for something else: a number or value with its unit, or
+   a field access? *)
 and habit_of_another_language env whole (head : Syntax.Ir.expr) (argument : Syntax.Ir.expr) :
     Fact.unresolved option =
   match (head.desc, argument.desc) with

@@ -14,7 +14,7 @@ type found = {
   mutable reads : (int * int) list; (* pairs of a vertex and a local variable that it reads *)
   mutable parameters : Span.t list; (* the parameters of functions *)
   mutable zeros : (string list * Span.t) list;
-      (* literal zeros in commands, each with the variable names that are usual in its place *)
+      (* literal zeros in commands, each with the variable names usually found in its place *)
 }
 
 let names_of_speeds = [ "v"; "vel"; "speed"; "velocity"; "linear"; "forward" ]

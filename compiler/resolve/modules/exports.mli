@@ -12,5 +12,5 @@ val imported :
     of the prelude. Reports a name that is not exported. *)
 
 val idle : Scope.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Ir.idle list
-(** The unused parts of an import in a resolved module: the unused names of the import list, or, if
-    there is no list, the whole import if no name from it is used. *)
+(** The unused parts of an import in a resolved module. With an import list: the unused names in the
+    list. Without one: the whole import, unless one of its names is used. *)

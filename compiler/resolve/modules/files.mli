@@ -16,4 +16,4 @@ val on_disk : t
 (** Files on disk, without cached results. *)
 
 val in_memory : (string * string) list -> t
-(** Texts in memory, given as pairs of path and text, without cached results. *)
+(** Files in memory, given as pairs of a path and a text, without cached results. *)

@@ -66,7 +66,7 @@ let modules_in loader directory =
 (* Messages beyond this number are not displayed, so they do not need suggestions. *)
 let most_suggestions = 1_000
 
-(* [imported]: the modules named in the imports of the importing module. *)
+(* [imported]: the modules that the importing module names in its imports. *)
 let report_missing loader ~imported ~directory (target : Syntax.Ir.name) =
   loader.missing <- loader.missing + 1;
   let known =

@@ -1,7 +1,8 @@
 (** Finds and reads the modules of a program.
 
-    [import M] refers to [M.frob] in the folder of the importing module, otherwise to the library.
-    The prelude always comes from the library, and every other module imports it implicitly. *)
+    [import M] refers to [M.frob] in the folder of the importing module or, if there is none, in the
+    library. The prelude always comes from the library, and every other module imports it
+    implicitly. *)
 
 type import = {
   declaration : Syntax.Ir.import option;  (** [None] for the implicit import of the prelude *)

@@ -44,7 +44,7 @@ let owner context modules setting =
       None
 
 (* Parses the setting as a definition whose name is a placeholder. The placeholder is as wide as the
-   setting's name, so that the spans also fit the text that diagnostics show. *)
+   setting's name, so that spans also match the text shown in diagnostics. *)
 let expression context setting =
   let width = String.length setting.name in
   let value =

@@ -5,7 +5,8 @@ let rec expr search (e : Ir.expr) =
   match e.desc with
   | Global g -> mention search g
   | Field { record; field; candidates = [] } ->
-      (* not a field, but perhaps a function of that name; the error message will then mention it *)
+      (* not a field, but possibly a function with that name, which the error message will then
+         mention *)
       mention_all search field.text;
       expr search record
   | _ -> Walk.expr (visitor search) e

@@ -6,11 +6,11 @@ type t
 
 val top : Scope.t -> Groups.t -> int String_table.t -> t
 (** The environment of a module's top level, without local variables. The table maps the module's
-    own definitions to their numbers in the group analysis. *)
+    own definitions to their numbers in the dependency analysis. *)
 
 val of_module : Scope.t -> t
-(** An environment without local variables and without group analysis, for code outside all groups.
-*)
+(** An environment without local variables and without dependency analysis, for code outside all
+    groups. *)
 
 val inside : t -> Syntax.Ir.right -> t
 (** The environment of a right-hand side. Facts about undefined names contain this right-hand side,
@@ -24,7 +24,7 @@ val scope : t -> Scope.t
 val context : t -> Context.t
 
 type owner = { group : Groups.t; index : int; signed : bool }
-(** The definition of a local variable: its index in the group analysis, and whether it has a
+(** The definition of a local variable: its index in the dependency analysis, and whether it has a
     signature. *)
 
 type variable = {
@@ -39,5 +39,5 @@ val bind : t -> variable list -> t
 val is_known : t -> Syntax.Ir.name -> bool
 
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
-(** Looks up a variable, and records the reference in the group analysis. Reports a variable that
-    does not exist. *)
+(** Looks up a variable, and records the reference in the dependency analysis. Reports a variable
+    that does not exist. *)

@@ -25,8 +25,8 @@ type tycon = {
   global : Ir.Global.t;
   unit_arity : int;
   units_optional : bool;
-      (** whether the name without brackets means unit 1, as for [Float], [Int] and their aliases
-          with one unit parameter *)
+      (** whether the unit and its brackets may be omitted, which means unit 1, as for [Float],
+          [Int] and their aliases with one unit parameter *)
   type_arity : int;
   record_fields : string list;
   size : int option;  (** the number, for an alias such as [type N = 25] *)

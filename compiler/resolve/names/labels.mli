@@ -2,7 +2,7 @@
 
     Assertions are [assert "label" condition] and [assume …] among the equations of a proc. Name
     resolution turns each of them into an ordinary equation that defines the verdict on its
-    condition (by the library's class method [verdict]) under a name that cannot occur in source
+    condition (using the library's class method [verdict]) under a name that cannot occur in source
     code. Nothing depends on this equation, so it is removed unless a host needs the verdict.
 
     [test "label" = e] and [trial "label" = e] define values of the library types [Test] and

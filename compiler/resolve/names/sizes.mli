@@ -7,4 +7,4 @@ val of_signature : name:string -> Ir.scheme -> Ir.pattern list -> t list
 (** The size variables in the signature of a definition with these parameters. *)
 
 val find : t list -> string -> t option
-(** The innermost size variable with this name. The list starts with the innermost. *)
+(** The innermost size variable with this name. The list is ordered innermost first. *)

@@ -120,7 +120,7 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     in
     Value.Elements (List.init count one)
 
-(* Translates [foldl], and [scanl], which keeps the intermediate results. *)
+(* Translates [foldl] and [scanl]; only [scanl] keeps the intermediate results. *)
 let fold (p : position) evaluator primitive target (f : Value.argument) (first : Value.argument)
     (array : Value.argument) =
   let count, _ = size_and_element array.ty and ty = first.ty in

@@ -12,8 +12,8 @@ val apply :
 *)
 
 val imports : Context.t -> Flow.Ir.import list
-(** The foreign functions that the program's own modules import, and those of the library that a
-    node of the program calls. *)
+(** The foreign functions that the program's own modules import, and those that the library imports
+    and a node of the program calls. *)
 
 val check_names : Context.t -> name:string -> unit
 (** [name]: the name of the generated C files. Reports names that the program imports and that the

@@ -3,7 +3,7 @@ open Basis
 type t = {
   head : int list; (* ids of the code that the mode runs first *)
   depth : int;
-  added : string; (* the outermost function where the mode's functions are nested most deeply *)
+  added : string; (* the outermost function in the mode's deepest nesting *)
   name : string;
   at : Span.t;
   from : t option;
@@ -20,8 +20,8 @@ let deepest nests =
 (* The name to show for a function chosen by an [if]. *)
 let an_if = "if"
 
-(* The nesting depth of functions captured in functions, and the name of the outermost one. [known]:
-   results by closure, because closures are shared. *)
+(* How deeply functions are nested in the captured variables of other functions, and the name of the
+   outermost function. [known]: results by closure, because values may share a closure. *)
 let rec nest known (value : Value.t) =
   Work.step ();
   match value with
@@ -46,7 +46,7 @@ and inside known (closure : Value.closure) =
     (fun _ (entry : Value.entry) deeper -> deepest [ deeper; nest known (Closure.forced entry) ])
     closure.captured (0, "")
 
-(* Like {!nest}, for the signal function of a mode, without counting the mode's own code. *)
+(* Like {!nest}, but for a mode's signal function. Does not count the mode's own code. *)
 let rec nest_of_mode known (value : Value.t) =
   match value with
   | Primitive { primitive = Sequence; arguments; owner; _ } ->

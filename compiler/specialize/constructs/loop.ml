@@ -132,8 +132,8 @@ let inputs_of (c : Context.t) caller ~span request captured =
 
 let holes_of_inputs inputs = inputs.accumulated @ inputs.same @ inputs.given
 
-(* Splits the node's atoms into the captured ones and the arguments. Statics come before inputs, so
-   the captured values are the first or the second group. *)
+(* Splits the node's atoms into the captured ones and the arguments. In a signal function, the
+   captured values are static, so they come first; in a function, they follow the accumulators. *)
 let split_captured request inputs atoms =
   let before =
     match request.kind with Signal_function -> 0 | Function -> List.length inputs.accumulated

@@ -6,7 +6,7 @@ type argument = {
   ty : Core.Ir.ty;  (** closed and first-order; the type in one iteration *)
   value : Value.t;
       (** the initial value of an accumulator, the array of the elements, or the number to count
-          from; [Same] occurs only for captured values, see below *)
+          from; the form is never [Same], which is only for captured values (see below) *)
   local : Core.Ir.Local.t;  (** the argument's name, from which the node's inputs get their names *)
 }
 
@@ -28,6 +28,7 @@ val run :
   request ->
   (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
-(** Returns the final accumulators and the resulting arrays, which have one target each. The
-    function builds one iteration in a separate node: it computes the next accumulators and the
-    elements from the captured values and the arguments. May raise {!Context.Postponed}. *)
+(** Returns the final accumulators, then the resulting arrays; there is one target for each. The
+    given function builds one iteration in a separate node: from the captured values and the
+    arguments, it computes the next accumulators and the elements. May raise {!Context.Postponed}.
+*)

@@ -192,8 +192,8 @@ let after_event m node (mode : mode) input ~delayed ty event (continuation : Val
       in
       transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
 
-(* The output of the task's first statement, a condition that is true when the statement ends, and
-   the statement's result. *)
+(* Returns the output of the task's first statement, whether the statement ends in this instant, and
+   its result. *)
 let statement m node (mode : mode) input primitive ~output ~result signal_function =
   let at = mode.place and types = m.context.types in
   let run = run_in m node mode ~name:mode.name in
@@ -211,8 +211,8 @@ let statement m node (mode : mode) input primitive ~output ~result signal_functi
     let occurs = Leaves.is_constructor types node Unnamed ~span:at ty either 1 in
     (part 0, occurs, fun () -> part 1)
 
-(* The output and transitions of [runTask task]; [runs] returns the value of [runTask] for another
-   task. *)
+(* The output and transitions of [runTask task]; for any task [t], [runs t] is the value of
+   [runTask t]. *)
 let task_behaviour m node (mode : mode) ~(runs : Value.argument -> Value.t) (task : Value.argument)
     (input : Value.argument) =
   (* A machine for a single task returns the output and the result separately; a task that is a mode

@@ -18,6 +18,6 @@ val run :
   Value.t ->
   Value.argument ->
   Value.t
-(** Runs an instance of a switch, of a signal function that is chosen at the start, or of
-    [runTask t]. For [runTask t], the [result] has three parts: the output of the task, whether it
-    has ended, and its result. May raise {!Context.Stopped} and {!Context.Postponed}. *)
+(** Runs an instance of a switch, a signal function that is chosen at the start, or [runTask t]. For
+    [runTask t], the [result] has three parts: the output of the task, whether it has ended, and its
+    result. May raise {!Context.Stopped} and {!Context.Postponed}. *)

@@ -23,7 +23,7 @@ val leaves : Context.t -> Core.Ir.ty -> given -> leaves
 (** The leaves of an output of this type. *)
 
 val variants : given list -> leaves list -> variant list
-(** The distinct skeletons of the outputs of all modes. Empty if any value is acceptable in every
+(** The distinct skeletons among the modes' outputs. Empty if any value is acceptable in every
     mode. *)
 
 val of_mode : Context.t -> variant list -> given -> leaves -> (string * Flow.Ir.atom) list
@@ -31,5 +31,5 @@ val of_mode : Context.t -> variant list -> given -> leaves -> (string * Flow.Ir.
 
 val of_machine :
   Context.t -> Node.t -> span:Span.t -> Core.Ir.ty -> variant list -> Value.t * Flow.Ir.signal list
-(** The machine's output, of this type, in the node that runs the machine. Also returns the signals
-    of that node that receive the outputs of {!of_mode}, in the same order. *)
+(** The machine's output, which has this type, in terms of the signals of the machine's node. Also
+    returns the signals of that node that receive the outputs of {!of_mode}, in the same order. *)

@@ -38,7 +38,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   let leaf : Ir.ty =
     match (Types.layout p.types result).leaves with
     | [ { leaf; _ } ] -> leaf
-    | [] | _ :: _ :: _ -> Bool (* structural [min] and [max], which do not use the type *)
+    | [] | _ :: _ :: _ -> Bool (* structural [min] and [max], which do not use [leaf] *)
   in
   let define target rhs = Node.define p.node target ~span:p.span leaf rhs in
   let operate operator : Value.t =

@@ -15,7 +15,8 @@ val apply :
 
 val is_looked_for : Context.t -> Core.Ir.expr -> bool
 (** Whether requests are being recorded and the function's own body requests a control. If so, the
-    body must be evaluated at each call, because the place of each call counts as a request. *)
+    body must be evaluated at each call, because each place that calls the function counts as a
+    separate request. *)
 
 val at_rest : Context.t -> Value.t
 (** The console with all controls in their initial positions. *)

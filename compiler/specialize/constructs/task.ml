@@ -94,8 +94,8 @@ let keeps_nothing (proc : Core.Ir.proc) =
     (fun (e : Core.Ir.equation) -> match e.rhs with Pure _ -> true | Run _ -> false)
     proc.equations
 
-(* The result of a task at its first instant, if it is known to end then. [Event] and [Right] are
-   the second constructors. *)
+(* The result of a task, if the task is known to end in its first instant. Constructor 1 is [Event]
+   or [Right]. *)
 let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = function
   | Ends _ | Passes -> None
   | Runs { signal_function; primitive; output; result } -> (
@@ -119,8 +119,8 @@ let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = funct
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
-  (* The key of the continuation and the result without their numbers, and the numbers
-     themselves. *)
+  (* A common key for the continuation and the result, with holes in place of their numbers, and the
+     numbers themselves. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Specialization_key.walk c.keys node Holes in
     Specialization_key.add walk (unnamed span) rest.ty rest.value;

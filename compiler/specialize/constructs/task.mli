@@ -16,8 +16,8 @@ type head =
     }
   | Ends of Value.argument  (** the whole task has ended with this result *)
   | Passes
-      (** the first part has ended, and the task continues immediately. This becomes a separate
-          mode, because it is not yet known how often it happens *)
+      (** the first part has ended, and the task continues immediately. This step becomes a separate
+          mode, because the number of such steps is not yet known *)
 
 val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
 (** If one of the program's definitions consists of a task that the prelude creates, names the task
@@ -31,13 +31,13 @@ val place : Value.t -> Span.t
 (** The place of the task that runs first in a reduced task. *)
 
 val next : Value.t -> string * Span.t
-(** The definition that determines what runs next, and its place. *)
+(** The definition that determines what runs next: its name and place. *)
 
 val reduced : Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
 (** An equivalent task, or choice of tasks, that has a head: the parts that end immediately are
-    evaluated in this node. If the [input] is given, this includes stateless tasks known to end at
-    their first instant, such as [snapT]; they do not become modes and do not take a step. Reports
-    tasks that form a cycle in which each ends immediately and nothing changes, and raises
+    evaluated in this node. If [input] is given, these include stateless tasks that are known to end
+    in their first instant, such as [snapT]; they neither become modes nor take a step. If tasks
+    form a cycle in which each ends immediately and nothing changes, reports the cycle and raises
     {!Context.Stopped}. *)
 
 val head : Value.t -> head

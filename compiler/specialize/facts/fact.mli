@@ -11,7 +11,7 @@ type t =
   | Entry of Entry_fact.t
   | Foreign_name of foreign_name
   | Outside of { at : Span.t; calls : Calls.t; index : int; size : int }
-      (** the index is out of range for an array of this size, which depends on the call *)
+      (** the index is out of range for an array of this size; the size depends on the call *)
   | Stored of { at : Span.t; calls : Calls.t; ty : Core.Ir.ty; by : (string * Span.t) option }
       (** a [delay] of a value that contains a function. [by]: the call in the program's own folder
           that leads to this [delay], unless the [delay] itself is in that folder; [calls]: the
@@ -19,5 +19,5 @@ type t =
   | Of_the_instant of { at : Span.t; calls : Calls.t; ty : Flow.Ir.foreign_type }
       (** a value of this type would be stored, although it is valid for only one instant *)
 
-(** A name in the user's C that is also a name in the generated C. *)
+(** A name in the user's C code that also occurs in the generated C. *)
 and foreign_name = Function_or_component of Core.Primitive.foreign | Header of Core.Ir.header

@@ -6,7 +6,7 @@ type machine = { of_ : string; modes : int }
 (** The state machine of this definition, and the number of modes found so far. *)
 
 type excess =
-  | Calls_nested of int  (** nested deeper than this number of levels *)
+  | Calls_nested of int  (** nested more than this many levels deep *)
   | Specializations of { name : string; limit : int; inside : machine option }
       (** more than [limit] specializations. [inside]: the surrounding machine, if most of them are
           its modes *)
@@ -17,9 +17,11 @@ type excess =
       (** more than [uses] equations and calls define values of this type *)
   | Copies of { name : string; copies : int }  (** more than [copies] specializations *)
   | Work of { definition : Core.Ir.definition; most_called : (string * int) option }
-      (** there is no particular cause. [most_called]: the name that was called most often *)
-  | Leaves of { ty : Core.Ir.ty; limit : int }  (** a type with more numbers than [limit] *)
-  | Data_nested of { ty : Core.Ir.ty; limit : int }  (** a type with more levels than [limit] *)
+      (** no particular cause was found. [most_called]: the name that was called most often *)
+  | Leaves of { ty : Core.Ir.ty; limit : int }
+      (** a type whose values consist of more than [limit] numbers *)
+  | Data_nested of { ty : Core.Ir.ty; limit : int }
+      (** a type with more than [limit] nested levels *)
   | Functions_nested of Core.Ir.definition
       (** functions that capture functions, nested too deeply *)
 

@@ -16,9 +16,9 @@ let bind table (binder : Ir.binder) body =
   Table.replace table.free id free;
   free
 
-(* In Core, a record update reads all other fields of the record, although the source text names
-   only a few. The work limit grows with the source text, so reading a field of a variable does not
-   count. *)
+(* In Core, a record update reads every field that it does not change, although the source text does
+   not mention these fields. The work limit grows with the source text, so reading a field of a
+   variable does not count. *)
 let rec free table (e : Ir.expr) =
   match e.desc with
   | Payload { value = { desc = Local local; _ }; _ } -> Set.singleton local.id

@@ -10,7 +10,8 @@ type t = { steps : int Steps.t; texts : int Basis.String_table.t }
 let create () = { steps = Steps.create 1024; texts = Basis.String_table.create 16 }
 let empty = 0
 
-(* A new vertex stays in memory until the end and takes as much time as several steps. *)
+(* Adding a vertex takes as much time as several steps, and the vertex stays in memory until the
+   end. *)
 let steps_of_vertex = 4
 
 (* The sequences form a trie whose vertices are the keys. *)

@@ -31,9 +31,10 @@ val call :
   request ->
   (Context.trail -> Node.t -> Flow.Ir.atom list -> Value.t) ->
   Value.t
-(** Calls the node with this key and returns the result. If there is no such node yet, the function
-    builds its body, given the new node and the signals for the statics and inputs. A node without
-    equations is not called; the caller computes its outputs. May raise {!Context.Postponed}. *)
+(** Calls the node with this key and returns the result. If there is no such node yet, creates one;
+    the function builds its body, given the new node and the signals for the statics and inputs. A
+    node without equations is not called; the caller computes its outputs. May raise
+    {!Context.Postponed}. *)
 
 val finish :
   Context.t ->

@@ -10,5 +10,5 @@ val of_lambda : Types.table -> Value.substitution -> Core.Ir.binder -> Core.Ir.e
 val of_proc : Types.table -> Value.substitution -> Core.Ir.proc -> t
 
 val name : t -> Core.Ir.Local.t -> string -> string
-(** The name of the leaf at a path of a variable. For example, the leaf [1.x] of the pair [(p, v)]
-    is called [p.x]. The empty string if no variable of the pattern contains the leaf. *)
+(** The name of a variable's leaf, given the leaf's path. For example, the leaf [1.x] of the pair
+    [(p, v)] is called [p.x]. The empty string if no variable of the pattern contains the leaf. *)

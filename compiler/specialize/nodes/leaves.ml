@@ -33,7 +33,8 @@ and add_atoms table node ~span ty (value : Value.t) rest =
       (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       bug "a value of type %s has no leaves" (Types.to_string ty)
 
-(* One array for each leaf. The rows are the elements, in reverse order. *)
+(* One array for each leaf. Each row consists of the leaves of one element; the rows are in reverse
+   order. *)
 and columns node ~span (leaves : Types.leaf list) rows =
   match leaves with
   | [] -> []

@@ -73,7 +73,7 @@ let promise t ~name ~span leaves =
       signal)
     leaves
 
-(* The signal that the target of a single leaf denotes. *)
+(* The signal to define for a target with a single leaf. *)
 let target_signal t target ~span ty =
   Work.step ();
   match target with

@@ -25,11 +25,11 @@ val promise : t -> name:string -> span:Span.t -> Types.leaf list -> Flow.Ir.sign
 (** Creates signals that can be read before their equations exist. *)
 
 val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> unit
-(** Completes promised signals: defines each one that evaluation has left undefined, as a copy of
-    its value. *)
+(** Completes promised signals: if evaluation has left one of them undefined, defines it as a copy
+    of its value. *)
 
 val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
-(** Adds an equation. The target must be for a single leaf. *)
+(** Adds an equation for a target with a single leaf. *)
 
 val call :
   t ->

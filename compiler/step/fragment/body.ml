@@ -70,7 +70,7 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
       match item with
       | Equation eq -> Draft.add_computed d eq
       | Instance i -> Draft.add d (Calls.call context (Draft.resolve d) i None)
-      | Trial _ | Machine _ -> broken "a machine known at the start")
+      | Trial _ | Machine _ -> broken "a static machine or trial step")
     statics.at_reset;
   let effects item = List.iter (Draft.add d) (reset_effects context d state item) in
   List.iter effects statics.in_step;

@@ -77,7 +77,7 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
         match (List.assoc_opt v.id zeros, exprs) with
         | Some zero, _ -> zero :: fill parameters exprs
         | None, e :: exprs -> e :: fill parameters exprs
-        | None, [] -> broken "a trial without an argument")
+        | None, [] -> broken "a trial step with too few arguments")
   in
   let statements exprs =
     let arguments = fill atoms exprs in

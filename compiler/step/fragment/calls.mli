@@ -1,5 +1,4 @@
-(** Translates an instance to a call, a step of its node's state, a loop of such steps, or a trial
-    step.
+(** Translates an instance to a call, a step, a loop of steps, or a trial step.
 
     A stateless instance with one result becomes a value, which is placed like any other value;
     every other instance becomes an action. [resolve] resolves copies. *)

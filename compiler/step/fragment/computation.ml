@@ -43,7 +43,7 @@ let array_type : F.ty -> int * Ir.ty = function
   | Array (n, element) -> (n, Layout.ty element)
   | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of a value that is not an array"
 
-(* The expression of an equation without memory. *)
+(* The expression of a stateless equation. *)
 let computed (eq : F.equation) rhs : computed =
   let make ?choice operands weight build =
     { signal = eq.defines; operands; build; choice; weight; span = eq.span }

@@ -1,5 +1,4 @@
-(** Translates equations that have no state to expressions; their place in the code is chosen later.
-*)
+(** Translates stateless equations to expressions, whose place in the code is chosen later. *)
 
 open Fragment
 

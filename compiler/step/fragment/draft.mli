@@ -7,12 +7,12 @@ type t
 val create : unit -> t
 
 val resolve : t -> Flow.Ir.atom -> Flow.Ir.atom
-(** The atom that this one is a copy of; the atom itself if it is not a copy. *)
+(** The original of the atom if the atom is a copy; otherwise the atom itself. *)
 
 val add : t -> Fragment.item -> unit
 
 val add_computed : t -> Flow.Ir.equation -> unit
-(** Adds an equation without memory. *)
+(** Adds a stateless equation. *)
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
 (** Records that every read of this signal uses this expression directly. *)

@@ -25,7 +25,7 @@ type action = {
   defines : Flow.Ir.signal list;
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
-  always : bool;  (** whether the action writes state; if so, it is part of every step *)
+  always : bool;  (** whether the action writes state; such an action is never omitted *)
   advances : Ir.field option;  (** a field that the action writes and later items read *)
   weight : int;
   span : Span.t;
@@ -41,13 +41,13 @@ type write = { place : Ir.place; update : update; span : Span.t }
 
 type t = {
   leaves : Ir.expr Int_table.t;
-      (** expressions for signals that are read directly: parameters of the function and the
-          program, and state *)
+      (** expressions for signals that are read directly: state, and parameters of the function or
+          the program *)
   nanoseconds : unit Int_table.t;
       (** signals that contain whole numbers of nanoseconds; Flow does not have a type for them *)
   items : item array;
   results : (Ir.place * atom * Span.t) list;
-      (** written before any state, except for results that {!Late} moves after it *)
+      (** written before any state, except for the results that {!Late} writes afterwards *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
       (** a field, its next value, and the signal that the step reads from the field, if any. If the
           next value is that signal, the field does not change *)
@@ -58,5 +58,5 @@ type t = {
 }
 
 and ending = { ends : atom; told : int; span : Span.t }
-(** If [ends] is true, the mode ends. In that case, only the [results] with the index [told] or
-    higher are needed. *)
+(** If [ends] is true, the mode ends. In that case, only the [results] with index [told] or higher
+    are needed. *)

@@ -64,8 +64,8 @@ let start_again draft time restart span =
   in
   Draft.add draft (Draft.work ~operands:[ restart ] ~advances:time span statements)
 
-(* The step stores the remaining time at its end, with the other state, because everything else
-   reads the old value. *)
+(* The remaining time is stored at the end of the step, with the other state, because everything
+   else reads the old value. *)
 let tick fresh draft (s : F.signal) time period span =
   let internal () =
     let internal = { s with id = fresh (); name = ""; ty = F.Float } in

@@ -12,7 +12,7 @@ val advance : limited:bool -> State.t -> Flow.Ir.equation -> Ir.statement option
 
 val step : fresh:(unit -> int) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
 (** Adds the value of an equation, and any state changes that happen where the equation is computed.
-    An equation without memory is simply computed. [fresh] returns ids for signals. *)
+    A stateless equation is simply computed. [fresh] returns ids for signals. *)
 
 val next :
   Draft.t ->

@@ -23,7 +23,6 @@ let results_for_transitions (node : F.node) =
 
 let broken what = Basis.Diagnostic.bug ~stage:"Step.Modes" "%s" what
 
-(* The values that [value] returns for these parameters. *)
 let given value (parameters : Ir.variable list) =
   List.map (fun (v : Ir.variable) -> value v.id) parameters
 
@@ -52,8 +51,7 @@ let entry context targets read (t : F.transition) : Ir.entry =
       | Some _ -> given value (context.callee index).reset.parameters);
   }
 
-(* The expression for a signal of a mode after the mode's step, which returns the signal as a
-   result. *)
+(* The expression for a signal that a mode's step has returned as a result. *)
 let read_result (atom : F.atom) : Ir.expr =
   match atom with
   | Signal s -> Variable (variable s)

@@ -37,8 +37,8 @@ let memory t (s : signal) = Int_table.find_opt t.memories s.id
 let instance t (i : instance) = Hashtbl.find_opt t.instances i.name
 let atom_name = function Signal s -> s.name | Bool _ | Int _ | Float _ -> ""
 
-(* A name for the state of an operation on [atom]: the name of the signal, or one derived from the
-   operand's name. *)
+(* A name for the state of the operation that computes [s] from [atom]: the name of [s] or, if it
+   has none, one derived from the name of [atom]. *)
 let derived (s : signal) atom ~suffix ~otherwise =
   match (s.name, atom_name atom) with
   | "", "" -> otherwise
@@ -141,8 +141,8 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
   let clock =
     match m.active with
     | Some _ when List.exists looks_at_time m.modes ->
-        let since = field "since" (Ir.Value Nanoseconds) "ns since its last instant" in
-        let running = field "running" (Ir.Value Bool) "true after its first instant" in
+        let since = field "since" (Ir.Value Nanoseconds) "ns since the modes last ran" in
+        let running = field "running" (Ir.Value Bool) "true after the modes' first instant" in
         Some { Ir.since; running; elapsed = Later (Field since, Dt_nanoseconds) }
     | Some _ | None -> None
   in

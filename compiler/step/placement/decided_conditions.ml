@@ -90,9 +90,9 @@ let argument c known : argument -> argument = function
   | Same e -> Same (expr c known e)
   | Counted e -> Counted (expr c known e)
 
-(* The statements of a branch that replaces its [If]. The variables that the [If] declares are
-   declared where this branch assigns them instead. [None] if the branch assigns some of them only
-   inside other statements. *)
+(* The statements of a branch that replaces its [If]. Variables that the [If] declared are now
+   declared where this branch assigns them. [None] if the branch assigns some of them only inside
+   other statements. *)
 let in_place (uninitialized : variable list) branch =
   let is_uninitialized (v : variable) =
     List.exists (fun (u : variable) -> u.id = v.id) uninitialized

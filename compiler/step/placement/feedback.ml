@@ -6,8 +6,8 @@ type t = unit Int_table.t
 let none : t = Int_table.create 1
 let mem (t : t) (s : F.signal) = Int_table.mem t s.id
 
-(* An edge means "is computed from", in this instant or an earlier one. The first output of an
-   instance connects the others to the inputs. *)
+(* An edge means "is computed from", in this instant or an earlier one. An instance's first output
+   has edges to its inputs; each other output has an edge to the first. *)
 let graph (node : F.node) =
   let vertices = Int_table.create 64 in
   let define (s : F.signal) = Int_table.replace vertices s.id (Int_table.length vertices) in

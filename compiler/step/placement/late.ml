@@ -5,12 +5,13 @@ open Fragment
 type user =
   | Item of int
   | State
-  | Output of int  (** index of a result; the index after the last one is the returned value *)
+  | Output of int
+      (** index of a result; the index after the last result denotes the returned value *)
 
 type t = {
   fragment : Fragment.t;
   definer : int Int_table.t; (* index of the item that defines each signal *)
-  users : user list Int_table.t; (* the needed users of each signal *)
+  users : user list Int_table.t; (* the users of each signal that are themselves needed *)
   written : unit Int_table.t; (* fields that the step writes *)
   kept : (int, Ir.field) Hashtbl.t;
       (* signals [y] (see the interface), and the fields that contain them at the end of the step *)

@@ -13,5 +13,5 @@
     v} *)
 
 val split : Fragment.t -> (Fragment.t * Fragment.t) option
-(** Splits a fragment into the part to execute first, and the part whose results are read from the
+(** Splits a fragment into the part to execute first and the part whose results are read from the
     state afterwards; [None] if no result can be read from the state. *)

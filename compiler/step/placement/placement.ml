@@ -184,7 +184,7 @@ let place_early t block early =
   |> List.iter (fun (_, (variable, (field : Ir.field))) ->
          put block (Declare { variable; value = Field field; span = field.span }))
 
-(* Places the writes of state, from the last to the first. Consecutive writes with the same
+(* Places the writes to state, from the last to the first. Consecutive writes with the same
    condition share an [If]. *)
 let place_writes t ~into writes =
   let early = no_early () in

@@ -2,7 +2,7 @@ open Basis
 module Flow = Flow.Ir
 open Fragment
 
-(* The innermost branch that contains all uses of a signal that have been visited so far. *)
+(* For a signal, the innermost branch that contains all its uses visited so far. *)
 type guard =
   | Nowhere
   | Under of int * bool  (** the condition's signal, and its value in this branch *)
@@ -224,7 +224,7 @@ let find_branching t =
         charge_guard g a.weight;
         List.iter (under g) a.operands)
 
-(* Bounds the sizes of expressions, from the first item to the last. *)
+(* Limits the sizes of expressions. Goes from the first item to the last. *)
 
 let bound_sizes t =
   let sizes = Int_table.create 64 in

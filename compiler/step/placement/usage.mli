@@ -1,12 +1,12 @@
-(** Counts the uses of values, and decides which values are inlined into the expression that uses
-    them, and which choices become branches.
+(** Counts the uses of values, and decides which values are inlined into the expressions that use
+    them and which choices become branches.
 
     An unnamed value with one use is inlined, unless it is an array. If the expression would have
     more than {!expression_size} operations, its largest operand gets a separate variable. A choice
     becomes an [If] if the values that only its branches need cost more than a select, or if one
-    condition chooses many values. State that a branch leaves unchanged is always written in an
-    [If], because a chain of selects through memory is slow, while a rarely taken branch is fast.
-    The choices of {!Feedback} also become [If]s. *)
+    condition chooses many values. A choice that may leave state unchanged always becomes an [If],
+    because a chain of selects through memory is slow, while a rarely taken branch is fast. The
+    choices that {!Feedback} finds also become [If]s. *)
 
 type t
 
@@ -16,7 +16,7 @@ val update_depth : int
 val of_fragment : Feedback.t -> Fragment.t -> t
 
 val writes : t -> Fragment.write list
-(** The writes of state in source order, except those that change nothing. *)
+(** The writes to state, in source order, except for those that change nothing. *)
 
 val results : t -> Fragment.write list
 val update_atoms : Fragment.update -> Fragment.atom list

@@ -1,9 +1,9 @@
-(** Orders the writes of a step's state. The writes are in the order of the fields. Every value must
-    be computed from the old contents of the fields, so a write is [Early] if its value depends on a
-    field that is written before it.
+(** Orders a step's writes to its state. They follow the order of the fields. Every value must be
+    computed from the old contents of the fields, so a write is [Early] if its value depends on a
+    field that is written earlier.
 
-    If only this write, or the writes that share its [If], need an intermediate value, that value is
-    computed as late as possible, so the fields that the intermediate value reads count too. *)
+    If an intermediate value is needed only by this write, or by the writes that share its [If], it
+    is computed as late as possible, so the fields that it reads count, too. *)
 
 type timing =
   | In_order

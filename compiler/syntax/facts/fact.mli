@@ -18,7 +18,7 @@ type problem =
       command : Span.t;
       block : Lexing.position;  (** the start of the [do] that contains the command *)
       token : Layout.token;
-          (** the first token after the part of the [do] that contains the command *)
+          (** the token that the parser had read when it rejected the command *)
     }
   | Misplaced_header of Span.t
   | Misplaced_import of Span.t

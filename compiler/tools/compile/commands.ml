@@ -38,11 +38,11 @@ let check general files =
   let* resources = Installation.find () in
   let* robot = Robots.known general.robot in
   let statuses = check_all general ?robot ~library:resources.library files in
-  (* If a program has errors, they determine the exit status even if another file is missing. *)
+  (* The exit status for errors in a program takes precedence over the one for a missing file. *)
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
-(* Reports an error if [-o] names a file, as in other compilers, instead of a folder. *)
+(* Reports an error if [-o] names a file, as it does for other compilers, and not a folder. *)
 let not_a_file ~folder file =
   let name = C_file.name file in
   let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in

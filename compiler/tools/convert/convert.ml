@@ -131,7 +131,7 @@ let of_mcap from path =
                 Packed.with_input ~damaged kept (fun channel -> Ok (copy channel out))
                 |> Result.map_error (String.concat "\n")))
 
-(* {1 MCAP of another program to recording} *)
+(* {1 MCAP from another program to recording} *)
 
 (* Writes the table that the Python package frob extracts from the file. The extension of [path]
    determines whether the output is compressed. *)

@@ -9,7 +9,7 @@ val number : string -> string
 *)
 
 val words : string -> string
-(** Converts a text to a JSON string. *)
+(** Converts text to a JSON string. *)
 
 (** {1 Poses} *)
 
@@ -46,4 +46,4 @@ val image : file:string -> string -> image option
 val of_image : time:int -> frame:string -> image -> string
 
 val file_of : string -> (string * string) option
-(** The name and contents of the frame's file, restored from a message of {!of_image}. *)
+(** The name and contents of the frame's file, restored from a message that {!of_image} created. *)

@@ -17,7 +17,7 @@ val survey : dialect:Interp.Dialect.t -> string -> (t, string) result
     truncated, the recording ends with the last complete row. *)
 
 val iter : t -> (time:int -> string array -> unit) -> (unit, string) result
-(** Calls the function with the time of each row, in nanoseconds, and its cells. Times are not
+(** Calls the function for each row, with its time in nanoseconds and its cells. Times are not
     negative and never decrease. *)
 
 val lines : t -> (string -> unit) -> (unit, string) result

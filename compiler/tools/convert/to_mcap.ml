@@ -84,7 +84,7 @@ let rec add_values b cells = function
         list;
       Buffer.add_char b '}'
 
-(* {1 Numbers of a row} *)
+(* {1 The numbers in a row} *)
 
 let finder (t : Recorded.t) =
   let table = Hashtbl.create 64 in
@@ -158,9 +158,9 @@ let of_ranges find seats =
     | echoes ->
         [ ("/ranges", Foxglove.scene_update, Foxglove.of_echoes ~time ~frame:robot_frame echoes) ]
 
-(* {1 Frames of cameras} *)
+(* {1 Camera frames} *)
 
-(* Maximum size in bytes. It is larger than the frames of any camera. *)
+(* Maximum size in bytes. It is larger than any camera frame. *)
 let largest_frame = 1 lsl 28
 
 type frames = { folder : string; mutable missing : int }

@@ -3,7 +3,7 @@ let ( / ) = Filename.concat
 type finding =
   | Fine of string
   | Missing of string
-      (** something is missing that only some commands need; the text names these commands and says
+      (** something that only some commands need is missing; the text names these commands and says
           how to install it *)
   | Broken of string  (** frobc does not work *)
 

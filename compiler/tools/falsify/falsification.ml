@@ -2,7 +2,7 @@ open Search
 
 let package = "frob.falsify_command"
 
-(* Ctrl-C ends Python without a traceback even while it loads its modules. *)
+(* Ctrl-C ends Python without a traceback, even while Python is loading modules. *)
 let program =
   Printf.sprintf
     "import signal, sys\n\

@@ -5,7 +5,7 @@ type t = {
   inputs : string list;  (** each [NAME=LOW to HIGH] or [NAME=VALUE] *)
   disturbances : string list;
       (** each [TABLE.KEY=LOW to HIGH], for a key in a table of the world file *)
-  seeds : string option;  (** [LOW to HIGH], the range of the seeds for noise *)
+  seeds : string option;  (** [LOW to HIGH], the range of noise seeds *)
   world : string option;
   duration : float;  (** s *)
   rate : float;  (** instants per second *)

@@ -11,9 +11,9 @@ val beside : string -> string -> string
 (** [beside file name] resolves the path [name] relative to the folder of [file]. *)
 
 val world_of : string option -> Resources.t -> string -> (string, string) result
-(** [world_of given resources file]: the world that the user named, from the current folder or the
-    program's folder. If the user did not name a world, [world.toml] in the program's folder; if
-    that does not exist, the room that comes with frobc. *)
+(** [world_of given resources file]: the world that the user named, looked up first in the current
+    folder and then in the program's folder. If the user did not name a world, [world.toml] in the
+    program's folder; if that does not exist, the room that comes with frobc. *)
 
 val for_world : Common_options.t -> Resources.t -> string -> (Common_options.t, string) result
 (** Uses the robot that the world names, unless the user chose a robot. *)

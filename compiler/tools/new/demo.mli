@@ -2,4 +2,4 @@
 
 val run : Simulating.run -> int
 (** The folder is [frob-demo]. If it exists, the demo uses its files unchanged, because the user may
-    have edited them. Ignores the world in the options of the run. *)
+    have edited them. Ignores any world in the run's options. *)

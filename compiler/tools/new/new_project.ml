@@ -79,7 +79,7 @@ let rec each f = function
       let* ys = each f others in
       Ok (y :: ys)
 
-(* Removes the folder again if writing a file fails. *)
+(* If writing a file fails, deletes the folder that it created. *)
 let make path texts =
   let* () = Output.folder path in
   let* () = Output.folder (path / ".vscode") in

@@ -21,7 +21,7 @@ val range : float list -> float * float
 (** The range of the numbers with a margin. Not empty even if all numbers are equal. *)
 
 val ticks : float -> float -> about:int -> float list
-(** The ticks of an axis: approximately [about] round numbers between the limits. *)
+(** The ticks of an axis: round numbers between the limits, approximately [about] of them. *)
 
 val number : float -> string
 

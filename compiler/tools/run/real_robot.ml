@@ -52,8 +52,7 @@ let find_ros2 () =
   Option.iter (fun text -> prerr_endline ("warning: " ^ text)) (Ros2.untried ());
   Ok ros2
 
-(* The host's arguments for a robot in ROS 2: those that come first, and those that must come
-   last. *)
+(* The host's arguments for a ROS 2 robot: those that come first, and those that must come last. *)
 let served_in_ros resources ~robot serve =
   let open Basis.Let_syntax.Result in
   match robot with

@@ -1,11 +1,11 @@
-(** Commands for robots on a serial line or in ROS 2. They simulate such a robot, or run or build a
-    program for a real one. Each returns the exit status, like {!Commands}. *)
+(** Commands for robots on a serial line or controlled through ROS 2. They simulate such a robot, or
+    run or build a program for a real one. Like {!Commands}, each returns the exit status. *)
 
 type serve = {
   world : string option;
   log : string option;  (** file in which received commands are logged *)
   link : string option;  (** symbolic link to create for the device *)
-  stamped : bool;  (** whether commands in ROS 2 have the type [TwistStamped] *)
+  stamped : bool;  (** whether ROS 2 commands have the type [TwistStamped] *)
   ros_arguments : string list;  (** arguments for ROS 2 *)
   host : string list;  (** additional arguments for the server *)
 }

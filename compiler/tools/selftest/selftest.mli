@@ -1,5 +1,5 @@
-(** [frobc selftest]: checks that a C compiler, called as the user calls it, compiles generated C
-    correctly.
+(** [frobc selftest]: checks that a C compiler, with the user's command and flags, compiles
+    generated C correctly.
 
     The test programs together cover every construct of generated C. [frobc] compiles them to C, and
     the user's compiler compiles that C. The reference interpreter and the compiled programs then

@@ -11,8 +11,8 @@ type sampling = Grid | Random | Latin
 type t = {
   program : string placed;
   trial : string placed option;  (** label of the trial; [None] if the program has only one *)
-  seeds : (int * int) option;  (** [None] here or in [lasts]: the trial's own value *)
-  lasts : float option;
+  seeds : (int * int) option;  (** [None]: the trial's own seeds *)
+  lasts : float option;  (** [None]: the trial's own duration *)
   rate : float option;  (** in Hz; 50 if [None] *)
   worlds : string placed list;
   robots : string placed list;

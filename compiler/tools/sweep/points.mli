@@ -12,8 +12,8 @@ and along =
   | Each of string list  (** the values in the format that a host reads *)
 
 val count : sampling:Plan.sampling -> points:int -> axis list -> int
-(** Length of the result of {!all}. If several steps round to the same Int, the count is too high.
-*)
+(** The number of points; for a [Grid], at most 1e9. {!all} returns fewer points if several steps
+    round to the same Int. *)
 
 val all : sampling:Plan.sampling -> points:int -> seed:int -> axis list -> string array list
 (** One value for each axis of each point, in the format that a host reads.

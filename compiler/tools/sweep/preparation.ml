@@ -137,8 +137,8 @@ let digest_of (context : Session.t) general ~entry file =
          Exit_status.ok));
   Digest.string (String.concat "" (!text :: List.map Digest.file context.sources))
 
-(* The digest includes the files that the world refers to. These are the files in the world's folder
-   whose names the world contains in quotes. *)
+(* The digest includes the files that the world refers to: the files in its folder whose names
+   appear in it in quotes. *)
 let digest_of_world path =
   let text = Checking.read path in
   let quoted = List.concat_map (String.split_on_char '\'') (String.split_on_char '"' text) in
@@ -185,9 +185,9 @@ let place (context : Session.t) subject (world, path) robot =
   in
   Ok { world; path; robot = Option.value general.robot ~default:""; program; judge; digest }
 
-(* {1 Trying each place} *)
+(* {1 Trying each world and robot} *)
 
-(* Performs the first run of each place, for one instant. *)
+(* Simulates one instant of the first run for each world and robot. *)
 let tried (context : Session.t) (t : t) =
   let settings =
     List.mapi (fun k (axis : Points.axis) -> axis.name ^ "=" ^ t.points.(0).(k)) t.axes

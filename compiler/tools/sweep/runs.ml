@@ -32,8 +32,8 @@ let missing t shard rows =
 
 (* {1 Making runs} *)
 
-(* Splits runs into parts, one per process. All runs of a part have the same place. Parts are small
-   enough that the processes finish at about the same time. *)
+(* Splits runs into parts, each for one process. All runs of a part have the same world and robot.
+   Parts are small enough that the processes finish at about the same time. *)
 let most_in_part = 200
 
 let parts (t : Setup.t) ~jobs numbers =

@@ -7,8 +7,8 @@ type place = {
   program : string;  (** path of the program compiled for hosts; [judge]: path of the judge *)
   judge : string;
   digest : string;
-      (** digest of everything that a run in this place depends on, except the seed and the
-          parameters *)
+      (** digest of everything that a run with this world and robot depends on, except the seed and
+          the parameters *)
 }
 (** A world and a robot, with the program and the judge compiled for them. *)
 

@@ -110,8 +110,8 @@ let made (t : Setup.t) options resources rows ~folder =
       (plural count "run") (here options.shard) left;
     Ok `Shard)
 
-(* Prints the number of runs and a digest. Two sets of runs have the same digest if their programs,
-   worlds and simulators are the same. *)
+(* Prints the number of runs, the number of those that are done, and a digest of everything that the
+   runs depend on. *)
 let count_only (t : Setup.t) options rows =
   let keys = List.init (Runs.count t) (fun n -> (Runs.run t n).key) in
   let missing = List.length (Runs.missing t options.shard rows) in

@@ -22,7 +22,7 @@ let quoted cell =
     "\"" ^ String.concat "\"\"" (String.split_on_char '"' cell) ^ "\""
   else cell
 
-(* The cells of a run are its seed, its fate with time and cause, the robot's true state and the
+(* The cells of a run are its seed, its outcome with time and cause, the robot's true state and the
    first collision, and the measurements. *)
 let fate = function
   | _ :: fate :: _ -> { held = fate = "held" || fate = "unasked"; void = fate = "void" }

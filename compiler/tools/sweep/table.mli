@@ -4,11 +4,11 @@ type fate = { held : bool; void : bool }
 
 val csv : Setup.t -> Rows.t -> string
 (** Writes one row for each run, in order. All runs must be complete. The columns are the run's
-    number, world, robot, parameters and seed, the run's fate with its time and cause, the robot's
-    final position, and the measurements. *)
+    number, world, robot, parameters and seed, the run's outcome with its time and cause, the
+    robot's final position, and the measurements. *)
 
 val fate : string list -> fate
-(** Parses the fate in a run's cells. *)
+(** Parses a run's outcome from its cells. *)
 
 val measured : Setup.t -> string list -> Measures.t -> float
 (** The measurement in a run's cells; NaN if there is none. *)

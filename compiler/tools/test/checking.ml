@@ -28,8 +28,8 @@ let compiled_anew context general ~entry file =
   | None when status = Exit_status.wrong_use -> Error "cannot be run"
   | None -> Error "does not compile"
 
-(* Does not try again to compile a program that the compiler has rejected. So its errors are
-   reported only once, no matter how many tests need it. *)
+(* Does not recompile a program that the compiler has rejected, so its errors are reported only
+   once, no matter how many tests need the program. *)
 let compiled context general ~entry file =
   match Hashtbl.find_opt context.rejected (file, entry) with
   | Some reason -> Error reason

@@ -10,7 +10,7 @@ val names_files : string -> bool
 (** Whether the text refers to pictures. Their paths are relative to the world file. *)
 
 val without : t list -> string -> string
-(** Turns the lines that set these disturbances into comments. *)
+(** Comments out the lines that set these disturbances. *)
 
 val name : t -> string
 (** The disturbance in a readable form, such as [[sonar] noise]. *)

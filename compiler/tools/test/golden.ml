@@ -2,7 +2,7 @@ open Checking
 open Session
 open Basis.Let_syntax.Result
 
-(* The number of the first line that differs, and this line in each text; [""] past the end of a
+(* The number of the first line that differs, and that line in each text; [""] past the end of a
    text. *)
 let difference was is =
   let rec from number = function

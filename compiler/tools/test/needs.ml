@@ -86,8 +86,8 @@ let of_own_robot context file c_files =
           command = command context file ~robot:(Some robot) bodies;
         }
 
-(* The C files that define the functions the program calls, and the headers that these files do not
-   include. *)
+(* The C files that define the functions the program calls, and any headers that the program
+   includes but these files do not. *)
 let of_c context file c_files ~calls ~headers =
   let giving = Foreign_symbols.giving ~calls c_files in
   let folders = List.map Filename.dirname giving in

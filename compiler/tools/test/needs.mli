@@ -8,9 +8,10 @@ type t = {
 }
 
 val of_file : Session.t -> string -> Checks.t list -> t option
-(** Those missing requirements of these tests whose files are next to the program: a robot's module
-    and the C files with its body, C files that define functions that the program calls, and headers
-    that it includes. Any other missing file is reported when the tests run. *)
+(** Finds the files that these tests need, that the command line does not name, and that are next to
+    the program: a robot's module and the C files with its body, C files that define functions that
+    the program calls, and headers that it includes. Any other missing file is reported when the
+    tests run. *)
 
 val library : string -> t option
 (** [library reason]: the missing library, if [reason] says that a test could not run because a

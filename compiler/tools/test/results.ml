@@ -57,7 +57,7 @@ let of_chance t (chance : Chance.t) =
      %.4f"
     said chance.share chance.confidence held (plural total "run") least most
 
-(* The failed runs, beginning with the one for which there is evidence. *)
+(* The failed runs; the first one is the run that the evidence describes. *)
 let told t =
   match (t.evidence, failures t) with
   | Some e, _ :: others -> e.run :: others

@@ -1,7 +1,7 @@
 (** The state that all tests of a command share. *)
 
 type options = {
-  pattern : string option;  (** runs only tests whose labels contain this text *)
+  pattern : string option;  (** run only the tests whose labels contain this text *)
   seeds : int option;  (** number of seeds for each trial, starting with the trial's first seed *)
   jobs : int option;
       (** maximum number of concurrent processes; by default the number of processors *)

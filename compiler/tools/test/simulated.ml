@@ -116,9 +116,9 @@ let may_write p ~world outputs =
   let* () = Output.folder p.context.options.keep in
   Output.check ~reads:[ p.file; world ] outputs
 
-(* Repeats the run, and saves a recording and a picture of it at this path. The last result is the
-   reason why a file could not be saved. If that file is the recording, records the run in a
-   temporary folder instead, and the command for the user repeats the run. *)
+(* Repeats the run, and saves a recording and a picture of it at this path. The last result says why
+   a file could not be saved. If the recording cannot be saved, the run is recorded in a temporary
+   folder, and the command shown to the user repeats the run. *)
 let looked_at p (run : Outcome.run) ~world ~path seed =
   let record = path ^ ".csv" and picture = path ^ ".png" in
   let recorded = may_write p ~world [ output Table record ] in

@@ -54,7 +54,7 @@ let told = ref 0
 
 let interrupted (options : Session.options) () =
   match !told with
-  | 0 -> "no test has finished, so no results were saved; run the same command to start again"
+  | 0 -> "no test has finished, so no results were saved; run the same command again to start over"
   | n ->
       Printf.sprintf
         "the results of %s are above, and the failed runs are in %s; run the same command to start \

@@ -15,9 +15,9 @@ let effort = function
       let size = (Unix.stat recording).st_size in
       [ (if size < 5_000_000 then "-O0" else "-O1") ]
 
-(* Enables all probes, and generates tables of their places in the source and their origins. If the
-   program has errors or too many signals, changes nothing, because the build that follows reports
-   the reason. *)
+(* Enables all probes, and generates tables of where they are in the source and where their values
+   come from. If the program has errors or too many signals, changes nothing, because the build that
+   follows reports the reason. *)
 let with_all_probes general (resources : Resources.t) ~entry file =
   match Robots.known general.robot with
   | Error _ -> (general, [])

@@ -37,4 +37,4 @@ type view = {
 }
 
 val view : Common_options.t -> entry:string -> sources:string list -> view -> string -> int
-(** Shows a recorded run on a page, until the user ends it. *)
+(** Shows a recorded run on a page, until the user ends the command. *)

@@ -117,7 +117,7 @@ let first_use t (x : Ir.Local.t) ~at =
 let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
 let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
 
-(* The measure of a unit that contains no variables. *)
+(* The unit in base units. [None] if it contains variables. *)
 let written_unit t (u : Resolve.Ir.unit_) =
   let factor product ((f : Resolve.Ir.unit_factor), (power : Syntax.Ir.rational)) =
     match (product, f) with
@@ -209,7 +209,7 @@ let rec alike a b =
       _ ) ->
       false
 
-(* The definitions of this file that have this type. *)
+(* The definitions in this file that have this type and no parameters. *)
 let values t ty ~file =
   let add (g : Ir.Global.t) (b : Resolve.Ir.binding) found =
     let is_name = match g.name.[0] with 'a' .. 'z' -> true | _ -> false in

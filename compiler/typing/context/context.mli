@@ -34,7 +34,8 @@ type required = Instance_fact.required = {
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
   guess : unit -> bool;
-      (** answers the question with the default for types that remain unknown, if there is one *)
+      (** answers the question by using the default, if there is one, for types that remain
+          unknown *)
   give_up : unit -> unit;
 }
 (** A question that cannot be answered until a type is known. *)
@@ -47,7 +48,8 @@ type t = {
   owners : (int, Surroundings.owned) Hashtbl.t;
       (** the construct that introduces each type variable, by the variable's id *)
   given : (int, Ir.class_ list) Hashtbl.t;
-      (** classes that the enclosing signatures promise for their variables, by variable id *)
+      (** classes in the contexts of the enclosing signatures, by the id of the constrained
+          variable *)
   needs : (Instance_fact.constraint_, required) Hashtbl.t;
       (** for each constraint in a definition's context, the use that requires it *)
   scope : Annotation.scope;
@@ -90,7 +92,7 @@ val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
     its first application, unless this is the first one. *)
 
 val written_unit : t -> Resolve.Ir.unit_ -> Units.t option
-(** The measure of a unit that contains no variables. *)
+(** The unit in base units. [None] if it contains variables. *)
 
 (** {1 New types} *)
 
@@ -198,8 +200,8 @@ type expressions = {
   infer : t -> Resolve.Ir.expr -> typed;
   check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;  (** reports a mismatch *)
 }
-(** The inference functions, as a record that breaks the recursion between the modules for each kind
-    of expression. *)
+(** The inference functions, as a record, to break the recursion between the modules that handle
+    different kinds of expressions. *)
 
 exception Too_large of Span.t
 (** Raised in place of {!Final.Too_large}, with the place of the expression whose type is too large.

@@ -77,7 +77,7 @@ let is_node (program : Ir.program) (d : Ir.definition) =
 
 let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
 
-(* A variable in the definition's type that has the same name as a definition of the program. *)
+(* A variable in the definition's type that has the same name as a definition in the same module. *)
 let size_of_a_name (program : Ir.program) (d : Ir.definition) =
   let is_a_value (v : Ir.variable) =
     List.exists

@@ -21,7 +21,7 @@ type openness =
 val openness : Ir.definition -> openness
 
 val lacks : Ir.program -> Ir.definition -> others:Ir.Global.t list -> robot -> lack list option
-(** The constraints of an open program or signal function that the robot does not satisfy. [None] if
-    the types rule out this robot, whatever its capabilities. [others]: the input and output types
-    of all robots. In a signal function, either the input or the output (not both) may also have a
-    type that is not among these. *)
+(** For an open program or signal function, the constraints that the robot does not satisfy. [None]
+    if the types rule out this robot, whatever its capabilities. [others]: the input and output
+    types of all robots. In a signal function, either the input or the output (not both) may also
+    have a type that is not among these. *)

@@ -25,7 +25,7 @@ type imported = { ty : Ir.ty; at : Span.t }
 type t =
   | Scale_out_of_range of Resolve.Ir.unit_declaration
   | Param of { at : Span.t; name : string; scheme : Ir.scheme }
-      (** a parameter of the program that is not a number or a Bool *)
+      (** a program parameter that is neither a number nor a Bool *)
   | Foreign of { declared : Resolve.Ir.primitive; refusal : refusal }
   | Imported_twice of { symbol : string; this : imported; first : imported }
       (** two imports of the same C function with different types *)

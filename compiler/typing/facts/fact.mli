@@ -1,4 +1,4 @@
-(** A fact that typing reports, as a value without text. [Advice] translates it to a diagnostic. *)
+(** A fact that typing reports, as a value without text. [Advice] turns it into a diagnostic. *)
 
 open Basis
 

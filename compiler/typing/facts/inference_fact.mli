@@ -106,11 +106,12 @@ type t =
       at : Span.t;
       signature : Span.t;
       ty : Type.t;
-    }  (** a local definition with type variables that is not a function *)
+    }  (** a local definition that has type variables but is not a function *)
   | Over_a_turn of Resolve.Ir.expr
-      (** a constant larger than a full turn, in place of an angle in radians; a warning *)
+      (** a constant larger than a full turn where an angle in radians is expected; a warning *)
   | In_degrees of {
-      angle : Resolve.Ir.expr;  (** a product with the factor 180/π, in place of an angle *)
+      angle : Resolve.Ir.expr;
+          (** a product with the factor 180/π where an angle in radians is expected *)
       factors : Resolve.Ir.expr list;  (** its other factors; not empty *)
       beside : Resolve.Ir.expr option;  (** the operator's other operand, which is in radians *)
     }  (** a warning *)
@@ -120,8 +121,7 @@ type t =
       next : Span.t option;  (** the statement after it *)
     }  (** a [return] that is not the last statement of a [do]; a warning *)
   | Unreachable_statement of { at : Span.t; endless : Resolve.Ir.expr }
-      (** a warning; [endless]: the head of the preceding statement, which is a task that never ends
-      *)
+      (** a warning: the preceding statement is a task that never ends; [endless] is its head *)
   | Long_array of { at : Span.t; length : int; longest : int }
   | Empty_array of Span.t
   | Int_out_of_range of {

@@ -1,4 +1,4 @@
-(** Facts about required classes that a type does not have. *)
+(** Facts about types that lack a required class. *)
 
 open Basis
 
@@ -30,12 +30,14 @@ type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.insta
 
 type promise = {
   required : required;  (** the use that needs the class *)
-  class_ : Ir.class_;  (** the needed class, possibly reached through instances *)
+  class_ : Ir.class_;
+      (** the class that the variable needs, derived from [required] through instances if
+          necessary *)
   variable : Ir.variable;
   of_ : Type.t;  (** the variable as a type *)
 }
-(** A class that a definition requires of a type variable, although the context of its signature
-    does not promise it. *)
+(** A class that a definition requires of a type variable but that is missing from the context of
+    its signature. *)
 
 type t =
   | No_instance of { required : required; lack : lack }

@@ -4,7 +4,7 @@ open Basis
 
 (** {1 Instances in the wrong places} *)
 
-(** Is the code at a place evaluated at every instant? *)
+(** The position of some code, which determines whether it is evaluated at every instant. *)
 type position =
   | Outside  (** outside all procs *)
   | In_task  (** outside all procs, in a [do] *)
@@ -20,7 +20,7 @@ type obstacle =
   | Depends_on_start
       (** the instance could run at every instant, but the user may have meant it to restart *)
   | Bound_here of Ir.Local.t
-      (** the instance mentions this variable, which has no value elsewhere *)
+      (** the instance mentions this variable, which does not have a value at every instant *)
   | Own_definition  (** the instance is part of its own definition *)
   | Lifted
       (** the enclosing function is polymorphic or recursive, so it does not belong to a single proc
@@ -45,7 +45,7 @@ and why =
 
 type cause =
   | Mentions of Ir.Local.t * reason list
-      (** it mentions this signal. Each reason explains the one before it *)
+      (** it mentions this signal; each reason explains the one before it *)
   | Runs of Ir.expr  (** it runs this signal function *)
 
 (** {1 Indices} *)
@@ -54,7 +54,7 @@ type cause =
 type problem =
   | Variable of Ir.Local.t * Span.t
       (** it is a function parameter, or a variable that depends on one *)
-  | Param of Ir.Global.t * Span.t  (** it mentions a parameter of the program at this place *)
+  | Param of Ir.Global.t * Span.t  (** it mentions a program parameter at this place *)
   | Computed of Span.t  (** it contains something other than arithmetic *)
 
 (** {1 Facts} *)
@@ -71,7 +71,7 @@ type t =
       input : Ir.expr;
     }
   | Recursive of { variable : Ir.Local.t; use : Ir.expr }
-      (** a [let] or [where] that mentions the variable in its own definition *)
+      (** a [let] or [where] that defines the variable in terms of itself *)
   | Index_not_constant of { index : Ir.expr; array : Ir.expr option; problem : problem }
       (** [array] is absent if [!] has no argument *)
   | Index_outside of { array : Ir.expr; index : Ir.expr; value : int; size : int option }

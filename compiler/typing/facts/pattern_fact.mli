@@ -5,7 +5,7 @@ open Basis
 type missing = {
   named : string list;
       (** some of the values, in source syntax, with [_] for any value; at least one *)
-  more : int;  (** number of further patterns, which are not in [named] *)
+  more : int;  (** number of missing patterns beyond those in [named] *)
 }
 (** Values that no pattern covers. *)
 

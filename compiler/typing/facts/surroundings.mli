@@ -18,16 +18,17 @@ type t = {
   sources : Source.t;
   inputs : (string * Type.t) list;  (** input signals of the enclosing proc *)
   enclosing : enclosing list;  (** the enclosing applications and records, innermost first *)
-  needs_class : Type.t -> bool;  (** whether some use requires a class for this type *)
+  needs_class : Type.t -> bool;  (** whether some use requires this type to have a class *)
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
       (** the value of a local variable without parameters *)
   local : Resolve.Ir.Local.t -> Type.t option;  (** the type of a local variable *)
-  unit_ : Resolve.Ir.unit_ -> Units.t option;  (** a written unit without variables *)
+  unit_ : Resolve.Ir.unit_ -> Units.t option;
+      (** the unit in base units; [None] if it contains variables *)
   fields : Type.t -> (string * string list) option;
       (** the constructor and the fields of a record type *)
   field_of : Type.t -> of_:Type.t -> string option;
-      (** if the first type is a record that has exactly one field whose type has the type
-          constructor of [of_], the name of that field *)
+      (** for a record type, the field whose type has the same type constructor as [of_]; [None]
+          unless there is exactly one such field *)
   field_type : Type.t -> string -> Type.t option;  (** the type of this field of a record *)
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)

@@ -23,7 +23,7 @@ type t =
   | Limits_cross of { limit : Ir.expr; other : Ir.expr }
       (** nested [min] and [max], whose result is always [limit] *)
   | Limited_constant of { low : Ir.expr; high : Ir.expr; limited : Ir.expr }
-      (** [clamp] that limits a constant, although its lower limit is not constant *)
+      (** [clamp] of a constant, with a lower limit that is not constant *)
   | Unreachable_threshold of {
       comparison : Ir.expr;
       result : bool;  (** its constant result *)
@@ -36,11 +36,11 @@ type t =
       difference : Ir.expr;
       left : Ir.expr;
       right : Ir.expr;
-    }  (** a difference of angles that wrap *)
+    }  (** the difference between two angles that wrap *)
   | Wrapped_angle of {
       resolved : Resolve.Ir.program;
       function_ : Ir.Global.t;
-      head : Ir.expr;  (** place where the program mentions the function *)
+      head : Ir.expr;  (** the expression that refers to the function *)
       angle : Ir.expr;  (** an angle that wraps, or a multiple of one *)
       scaled : bool;  (** whether [angle] is a multiple of such an angle *)
       instead : string;  (** name of the function to use for angles that wrap *)

@@ -11,7 +11,7 @@ let representations_agree a b =
   | Int, Float | Float, Int -> false
   | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> true
 
-(* The types and units to which the variables of the wanted types are bound. *)
+(* The types and units bound to the variables of the expected types. *)
 type bound = {
   mutable types : (Type.flexible * Type.t) list;
   mutable units : (Units.t * Units.t) list;
@@ -35,7 +35,7 @@ let units_agree bound wanted given =
      true)
 
 (* Could an argument of type [given] be intended where [wanted] is expected? All occurrences of a
-   variable in the wanted types must agree. [bound] records the bindings of the variables. *)
+   variable in the expected types must agree. [bound] records the bindings of the variables. *)
 let rec agree bound wanted given =
   let all ws gs = List.compare_lengths ws gs = 0 && List.for_all2 (agree bound) ws gs in
   match (Type.expand wanted, Type.expand given) with
@@ -62,7 +62,7 @@ let rec agree bound wanted given =
 
 let may_be ~wanted given = agree (nothing_bound ()) wanted given
 
-(* Like [agree], but an unknown given type does not count as agreeing. *)
+(* Like [agree], but does not accept a given type that is unknown. *)
 let surely ~unfit bound wanted given =
   match (Type.expand wanted, Type.expand given) with
   | Flexible _, _ -> (not (unfit ~wanted given)) && agree bound wanted given

@@ -10,7 +10,7 @@ val parameters : Type.t -> Type.t list
 val pair_exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) -> wanted:Type.t * Type.t -> Type.t * Type.t -> bool
 (** Would this pair, whose type is wrong, be correct with its components swapped? [unfit]: whether
-    the given type lacks a class that the wanted type must have. *)
+    the given type lacks a class that the expected type must have. *)
 
 val exchanged :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
@@ -30,8 +30,8 @@ val rotated :
   parameters:Type.t list ->
   given:Type.t list ->
   int list option
-(** An order in which the arguments fit, if there are at least three and the first one was given
-    last, or the last one first. *)
+(** If there are at least three arguments, and the first was given last or the last was given first,
+    the order in which they fit. *)
 
 val shifted :
   unfit:(wanted:Type.t -> Type.t -> bool) ->
@@ -41,5 +41,5 @@ val shifted :
   position:int ->
   int option
 (** The number of missing arguments, if the argument at [position] and those after it fit the last
-    parameters, and those before it fit the first ones. [is_constrained]: whether there is a class
-    constraint on the variable. *)
+    parameters, and those before it fit the first ones. [is_constrained]: whether a type variable
+    has a class constraint. *)

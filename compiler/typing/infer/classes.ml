@@ -1,8 +1,8 @@
 open Basis
 open Context
 
-(* A class constraint reduced to a variable. Constraints on a type reduce to constraints of the same
-   or other classes on its variables. *)
+(* A class constraint reduced to a variable. A constraint on a type reduces to constraints on its
+   variables, for the same class or for others. *)
 type atom = { class_ : Ir.class_; of_ : variable }
 and variable = Quantified of Ir.variable * Type.t | Open
 

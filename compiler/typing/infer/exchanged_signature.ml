@@ -69,7 +69,7 @@ let candidates (written : Resolve.Ir.scheme) =
 
 (* {1 The corrected signature} *)
 
-(* The place of the type with the parentheses around it. *)
+(* The place of the type, including any parentheses around it. *)
 let rec with_parentheses sources (span : Span.t) =
   let column = Span.column span.start in
   let wider =

@@ -1,4 +1,4 @@
-(** Recognizes two types of a signature in the wrong order.
+(** Recognizes signatures in which two types are in the wrong order.
 
     Inference checks the definition again against each candidate, that is, the signature with two
     types exchanged. *)
@@ -10,8 +10,8 @@ type t
 
 val candidates : Resolve.Ir.scheme -> t list
 (** The exchanges that programmers are likely to make by mistake: the input and the output of a
-    signal function, a task or a program, two elements of a tuple, two parameters, or the last
-    parameter and the result. *)
+    signal function, task or program; two elements of a tuple; two parameters; or the last parameter
+    and the result. *)
 
 val scheme : t -> Resolve.Ir.scheme
 
@@ -23,6 +23,6 @@ val fact :
   t ->
   mistake:Fact.t ->
   Signature_fact.t option
-(** The fact that the definition with this name fits the exchanged signature. [mistake]: the mistake
-    reported for the written signature. [None] if [mistake] is the better explanation, or if the
-    corrected signature is not on one line. *)
+(** The fact to report for the definition with this name, which fits the exchanged signature.
+    [mistake]: the mistake reported for the written signature. [None] if [mistake] is the better
+    explanation, or if the corrected signature is not on one line. *)

@@ -3,7 +3,8 @@ open Context
 module Global_table = Resolve.Global_table
 
 type declared = { scheme : Type.scheme; inner : Context.t; at : Span.t }
-(* A definition with a top-level signature. [inner]: the context in which its body is checked. *)
+(* A top-level definition that has a signature. [inner]: the context in which its body is
+   checked. *)
 
 let top (b : Resolve.Ir.binding) =
   match b.name with
@@ -343,8 +344,8 @@ let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
   in
   follow [] otherwise constraint_
 
-(* Adds the requirements of the constraints in a definition's context. Called when all definitions
-   are known. *)
+(* Adds to a definition the code that first requires each constraint in its context. Called when all
+   definitions are known. *)
 let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
   let is_library file =
     List.exists

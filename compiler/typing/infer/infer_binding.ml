@@ -68,7 +68,8 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
         | _ -> [])
     | _ -> []
   in
-  (* the type to check against; after an error, it avoids further messages about the parameters *)
+  (* the type to check against; after an error, a type that prevents further messages about the
+     parameters *)
   let kept =
     match (name, as_several parameters allowed expected) with
     | Some name, Some (at, parts) ->

@@ -1,8 +1,8 @@
 (** Infers records: construction, field access and update.
 
-    The type of [e] determines which record [e.f] belongs to, at the latest at the end of the
-    top-level group. If the type of [e] is unknown even then, and only one type in scope has the
-    field, that type is chosen. *)
+    The type of [e] determines which record [e.f] belongs to. While that type is unknown, the
+    decision is postponed, at most until the end of the top-level group. If the type is still
+    unknown then, and only one type in scope has the field, that type is chosen. *)
 
 open Context
 
@@ -15,7 +15,7 @@ val construct :
   (Syntax.Ir.name * Resolve.Ir.expr) list ->
   typed
 (** [wanted]: the expected type, whose type constructor must be that of the record. It determines
-    the expected field types. The caller compares the resulting type with it. *)
+    the expected field types. The caller compares the resulting type with [wanted]. *)
 
 val field :
   expressions ->

@@ -9,8 +9,7 @@ let is_only_negative (n : Resolve.Ir.number) =
   | Some value -> (not (fits value)) && fits (Exact.negate value)
   | None -> false
 
-(* The number that a literal in another base represents, if its bits are read as two's
-   complement. *)
+(* The value of a non-decimal literal if its bits are read as two's complement. *)
 let as_bits digits =
   match Exact.of_literal digits with
   | Some value

@@ -7,9 +7,9 @@ val is_no_robot : Type.t -> bool
 *)
 
 val report : t -> required -> Instance_fact.lack -> unit
-(** Reports that an instance needed for the required constraint is missing. *)
+(** Reports that an instance needed to satisfy the constraint is missing. *)
 
 val report_unpromised : t -> Instance_fact.promise list -> unit
-(** Reports the missing classes in the order in which they are needed. There is one fact for each
-    signature, because the fix changes one line. Omits a class that another missing class implies.
-*)
+(** Reports the missing classes in the order in which they are needed. Reports one fact for each
+    signature, because a single edit to the signature adds all its missing classes. Omits a class
+    that another missing class implies. *)

@@ -76,8 +76,8 @@ let drain queue visit =
     List.iter (visit node) (List.rev node.dependents)
   done
 
-(* Breadth-first, so that the chain that explains a signal is short. A node queued as static may
-   still become a signal; all signals are propagated first. *)
+(* Breadth-first, so that the chain that explains a signal is short. All signals are propagated
+   first, because a node queued as static may still become a signal. *)
 let solve t =
   drain t.signals (fun node -> function
     | Mentioned { within; variable; at; inside_proc = false } ->

@@ -35,7 +35,7 @@ val depth : node -> int
 val mention : Ir.Local.t -> at:Span.t -> node -> within:node -> inside_proc:bool -> unit
 (** Records that the definition of [within] mentions this variable of the first node. [inside_proc]:
     whether a proc inside the variable's scope contains this mention. Such a proc captures signals
-    from outside, so the mention raises the level of [within] to static at most. *)
+    from outside, so the mention raises the level of [within] to at most static. *)
 
 val contain : node -> within:node -> unit
 (** Records that the definition of the first node is part of the definition of [within]. *)

@@ -17,7 +17,7 @@ type place = {
   proc_depth : int;
   regions : region list;  (** innermost first *)
   conditional : pattern list;
-      (** patterns bound by the code that does not run at every instant, innermost first *)
+      (** patterns bound in enclosing code that does not run at every instant, innermost first *)
   lifted : bool;
       (** whether the code is in a local function that is lifted to a separate definition and
           therefore cannot contain instances *)
@@ -164,8 +164,8 @@ let index w (array : expr) (k : expr) =
 
 (* {1 The walk} *)
 
-(* A pattern that does not bind any variable has no node. Its level does not matter; this is a
-   conservative choice. *)
+(* A pattern that does not bind any variable has no node. Its level does not matter; this function
+   returns a conservative one. *)
 let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node

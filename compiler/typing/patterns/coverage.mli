@@ -19,7 +19,7 @@ type missing = Pattern_fact.missing = { named : string list; more : int }
 type result = {
   missing : missing option;  (** the uncovered values *)
   guarded_only : int option;
-      (** the index of a row that would cover the first uncovered value if it had no guards *)
+      (** the index of a row that would cover the first uncovered value if the row had no guards *)
   useless : int list;  (** unreachable rows, in order *)
 }
 

@@ -1,5 +1,5 @@
 (** The declared types, constructors and units of a program, as inference uses them. {!Declarations}
-    fills it; afterwards it is read-only. *)
+    fills this table; afterwards, it is read-only. *)
 
 type t
 
@@ -63,7 +63,8 @@ val superclasses : t -> Ir.class_ -> Ir.class_ list
 
 type instance = {
   context : (Ir.class_ * int) list;
-      (** required classes, each with the index of the type argument that must have it, from 0 *)
+      (** required classes, each with the index (from 0) of the type argument that must have an
+          instance *)
   place : Basis.Span.t;
 }
 

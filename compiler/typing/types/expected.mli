@@ -44,7 +44,8 @@ type reason =
       before : string option;
           (** the operator that follows the application, if this is its last argument *)
       of_local : Span.t option;
-          (** first application of the callee, if that is a local function without a signature *)
+          (** the callee's first application, if the callee is a local function without a
+              signature *)
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
       (** one operand must match the other *)
@@ -52,7 +53,7 @@ type reason =
   | Condition
   | Element of Span.t  (** the first element of the array has this type *)
   | Value of Span.t  (** for a pattern: the matched value has this type *)
-  | Pattern of Span.t  (** for a value: the pattern that it is matched with has this type *)
+  | Pattern of Span.t  (** for a value: the pattern that it is matched against has this type *)
   | Statement of Span.t option
       (** for a statement of a [do]: the place that determines the input and output of its tasks *)
   | Last_statement of reason

@@ -1,8 +1,8 @@
 (** Types during inference.
 
     They differ from {!Ir.ty} in three ways: they may contain unsolved variables, they keep the
-    names of aliases for messages (an alias equals its expansion), and there is an erroneous type
-    that unifies with everything, so that each mistake is reported once. *)
+    names of aliases for messages (an alias equals its expansion), and they include an erroneous
+    type that unifies with everything, so that each mistake is reported once. *)
 
 type t =
   | Flexible of flexible  (** an unsolved or solved variable *)

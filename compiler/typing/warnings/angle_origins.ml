@@ -96,7 +96,7 @@ let rec kind ~depth ~equations t (e : expr) =
   | Apply ({ desc = Constructor _; _ }, a), _ -> kind a
   | _, Some (("+" | "-"), [ a; b ]) -> (
       match (kind a, kind b) with
-      (* a continuous angle plus a rotation is a goal that is also continuous *)
+      (* a continuous angle plus a rotation is also continuous: it is a goal *)
       | None, Some Rotation | Some Rotation, None | Some _, Some _ -> None
       | None, found | found, None -> found)
   | _, Some ("*", [ a; b ]) when is_plain e -> either (multiple a) (multiple b)

@@ -15,7 +15,7 @@ val kind : t -> Ir.expr -> kind option
     wraps; otherwise [None]. Follows equations, and functions that return their argument. *)
 
 val output : t -> Ir.expr -> kind option
-(** Like {!kind}, for the output of a signal function that is given as a composition. *)
+(** Like {!kind}, for the output of a signal function, which may be a composition. *)
 
 val within : t -> Ir.expr -> Ir.expr
 (** The angle itself, if the expression is a multiple of an angle, or runs a signal function that

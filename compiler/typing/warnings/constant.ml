@@ -5,7 +5,7 @@ type value = Float of float | Int of int
 type t = {
   definitions : expr Resolve.Global_table.t;
   found : value Resolve.Global_table.t;
-  of_ints : value Resolve.Global_table.t; (* of number-polymorphic definitions used as Int *)
+  of_ints : value Resolve.Global_table.t; (* values of number-polymorphic definitions used as Int *)
   as_int : bool; (* the current definition is number-polymorphic and is evaluated as Int *)
   given : (int * value) list; (* values of parameters, by the id of the local *)
 }

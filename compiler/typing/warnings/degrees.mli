@@ -11,9 +11,9 @@ val operation : Resolve.Ir.expr -> (Resolve.Ir.expr * string * Resolve.Ir.expr) 
 val warn : Context.t -> Resolve.Ir.expr -> Expected.t -> unit
 (** Warns about a number without a unit that is larger than a full turn, if a type written as
     [Angle] is expected, or if the number is added to or subtracted from an angle. The number is a
-    literal or a product or quotient of literals. A factor of a signal is not suspicious:
-    [sin (100 * t)] is fine. Angles are dimensionless, so the unit checker cannot find this mistake.
-*)
+    literal or a product or quotient of literals. A number that multiplies a signal is not
+    suspicious: [sin (100 * t)] is fine. Angles are dimensionless, so the unit checker cannot find
+    this mistake. *)
 
 val compares : string -> bool
 (** Is this a comparison operator? *)
@@ -26,5 +26,5 @@ val keeps : Resolve.Ir.expr -> bool
 (** Does this function return an angle if its argument is one, as [abs] and addition do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
-(** The type of the result of a function for which {!keeps} is true: [Angle] if the operand is an
-    angle. *)
+(** The result type of a function for which {!keeps} is true: [Angle] if the operand is an angle.
+*)

@@ -53,8 +53,8 @@ let rec product ctx depth (e : Resolve.Ir.expr) =
 
 let names_behind = 3
 
-(* The factors of a product that converts them to degrees. Its constant factor may be an
-   approximation of 180/π, such as 57.3, and may use 3.14 for π. *)
+(* The factors that a product converts to degrees. Its constant factor may be an approximation of
+   180/π, such as 57.3 or 180/3.14. *)
 let in_degrees ctx e =
   match product ctx names_behind e with
   | { others = _ :: _ as others; number } when Float.abs ((number *. degree) -. 1.) < 0.001 ->

@@ -39,7 +39,7 @@ and of_instance w tycon arguments =
       | Some metres, _ -> Some (tycon.module_, metres)
       | None, Apply ({ desc = Method { instantiation = { types = [ Variable v ]; _ }; _ }; _ }, _)
         ->
-          (* the range of the wrapped robot *)
+          (* the range of the robot that this one wraps *)
           List.find_map
             (fun ((p : variable), argument) -> if p.id = v.id then reach w argument else None)
             (List.combine i.parameters arguments)
@@ -53,7 +53,7 @@ let reading w (e : expr) =
   | Local (local, _) -> Int_table.find_opt w.readings local.id
   | _ -> None
 
-(* The constant result of comparing a reading, which is at most [reach], with the threshold. *)
+(* The constant result, if any, of comparing a reading of at most [reach] with the threshold. *)
 let answer operator ~reach threshold =
   match operator with
   | "<" when threshold > reach -> Some true

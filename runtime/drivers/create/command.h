@@ -32,8 +32,8 @@ enum frob_create_opcode {
 
 enum {
     FROB_CREATE_MAX_SPEED_MM_S = 500, /* speed of a wheel */
-    FROB_CREATE_MAX_COMMAND = 54      /* size in bytes of a request for a stream of all single
-                                       * packets */
+    FROB_CREATE_MAX_COMMAND = 54      /* size in bytes of a STREAM command that requests every
+                                       * single packet */
 };
 
 /* START, SAFE, FULL, ...: commands without data. */

@@ -77,7 +77,7 @@ static size_t pad(const struct frob_create *d, uint8_t *bytes)
     return padding;
 }
 
-/* Completes any command that the robot is still waiting for. */
+/* Sends zeros, which complete any command that the robot has only partly received. */
 static enum frob_status flush(struct frob_create *d)
 {
     static const uint8_t zeros[LONGEST_COMMAND] = { 0 };
@@ -160,7 +160,7 @@ static bool drives_in(const struct frob_create *d, unsigned mode)
 }
 
 /* Handles a frame. Ignores a frame with encoder counts that the robot cannot have reached, because
- * it must be damaged. */
+ * such a frame must be damaged. */
 static void take(struct frob_create *d, const struct frob_create_sensors *sensors, int64_t now_ns)
 {
     if (!frob_create_odometry_add(&d->odometry, sensors->left_counts, sensors->right_counts, now_ns,
@@ -185,8 +185,8 @@ static enum frob_status read_all(struct frob_create *d)
     uint8_t bytes[256];
     size_t count;
     struct frob_create_sensors sensors = d->sensors;
-    /* Reads more than the line can deliver between two polls, but stops even if bytes keep
-       arriving. */
+    /* The limit exceeds what the line can deliver between two polls. It ends the loop even if bytes
+       keep arriving. */
     for (int i = 0; i < 16; i++) {
         enum frob_status status =
             d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
@@ -330,8 +330,7 @@ static enum frob_status command(void *device, const void *from)
 }
 
 /* Stops the robot immediately. If the driver does not receive anything from the robot, it sends
- * zeros and the stop command again, because noise on the line may also have affected what the
- * robot receives. */
+ * zeros and the stop command again, because noise on the line may affect both directions. */
 static enum frob_status stop(void *device)
 {
     struct frob_create *d = (struct frob_create *)device;

@@ -34,7 +34,7 @@ struct frob_create_odometry {
 void frob_create_odometry_reconnect(struct frob_create_odometry *odometry);
 
 /* Adds counts that arrived at `now_ns`. Returns false and rejects them if the robot cannot have
- * reached them. */
+ * moved that far. */
 bool frob_create_odometry_add(struct frob_create_odometry *odometry, uint16_t left_counts,
                               uint16_t right_counts, int64_t now_ns, double separation_m);
 

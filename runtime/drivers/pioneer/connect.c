@@ -11,7 +11,7 @@ enum {
     ROUNDS = 3,         /* number of passes over all rates */
     CLOSING_MS = 200,   /* if a SIP arrives in the second half of this time, CLOSE was lost */
     STEP_MS = 20,       /* pause between the commands that open a session */
-    SWITCHING_MS = 100, /* the robot's delay between HOSTBAUD and the new rate */
+    SWITCHING_MS = 100, /* time that the robot needs to change its rate after HOSTBAUD */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
     CONFIG_ATTEMPTS = 3,
@@ -52,7 +52,7 @@ static enum frob_status send_zeros(struct frob_pioneer *d)
     return status == FROB_OK ? frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0) : status;
 }
 
-/* Sends a SYNC and waits for its echo. */
+/* Sends a SYNC and starts to wait for its echo. */
 static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 {
     d->phase = FROB_PIONEER_SYNC;
@@ -201,8 +201,8 @@ static bool switches(const struct frob_pioneer *d)
            baud_number(d->model.switch_rate) >= 0;
 }
 
-/* Asks the robot to switch its rate, but only if the line can follow; otherwise the robot would be
- * unreachable, in this connection and in later ones. */
+/* Asks the robot to switch its rate, but only if the line can switch too; otherwise the robot would
+ * be unreachable, in this connection and in later ones. */
 static enum frob_status send_hostbaud(struct frob_pioneer *d)
 {
     bool can = false;
@@ -250,7 +250,7 @@ static enum frob_status open_step(struct frob_pioneer *d)
     return status;
 }
 
-/* Handles a SYNC without an echo: tries again, tries another rate, or gives up. */
+/* Handles a SYNC that was not echoed: tries again, tries another rate, or gives up. */
 static enum frob_status sync_again(struct frob_pioneer *d)
 {
     unsigned most = ROUNDS * RATE_COUNT;

@@ -33,7 +33,7 @@ enum { FROB_P2OS_COMMAND_MOST = 9 };
 
 uint16_t frob_p2os_checksum(const uint8_t *body, size_t length);
 
-/* These functions write commands and return the packet's length. `packet` has room for
+/* These functions write commands and return the packet's length. `packet` must have room for
  * FROB_P2OS_COMMAND_MOST bytes. */
 size_t frob_p2os_command(uint8_t *packet, uint8_t command);
 
@@ -55,14 +55,14 @@ struct frob_p2os_packet {
  * for the rest of it, because the data of a packet may itself look like a packet. Elsewhere, an
  * incomplete packet does not hide a valid one after it. Therefore the receiver finds a valid packet
  * after garbage as soon as the packet's last byte arrives, whatever length bytes the garbage
- * contains. There are two exceptions: the garbage may form a packet with a valid checksum together
- * with the beginning of the valid packet, and garbage that looks like the start of a packet may
+ * contains. There are two exceptions: the garbage, together with the beginning of the valid packet,
+ * may form a packet with a valid checksum, and garbage that looks like the start of a packet may
  * directly follow a valid packet. An all-zero receiver is empty. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
     size_t start, end; /* range of bytes that have not been examined yet, or that may belong to an
                         * incomplete packet */
-    bool in_step;      /* `start` is directly after a valid packet */
+    bool in_step;      /* whether `start` immediately follows a valid packet */
 };
 
 /* Adds bytes and returns the number added, which is at least 1 if `count` is not 0 and the last

@@ -56,7 +56,7 @@ enum { FROB_PIONEER_SONARS = 16 };
 enum frob_pioneer_phase {
     FROB_PIONEER_OVERHEARING, /* listening for an already open session */
     FROB_PIONEER_SYNC,        /* SYNC 0, 1 or 2 was sent; waiting for its echo */
-    FROB_PIONEER_CLOSING,     /* the robot was in a session; waiting for its end */
+    FROB_PIONEER_CLOSING,     /* the robot was in a session; waiting for it to end */
     FROB_PIONEER_OPENING,     /* sending the commands that open a session */
     FROB_PIONEER_LISTENING,   /* waiting for the first SIP */
     FROB_PIONEER_CONNECTED,
@@ -67,7 +67,7 @@ enum frob_pioneer_phase {
 struct frob_pioneer_sonar {
     double range_m;
     int64_t heard_ns; /* INT64_MIN: never */
-    bool fresh;       /* whether the range arrived after the last input */
+    bool fresh;       /* whether the range arrived after the last frob_pioneer_sense */
 };
 
 /* The driver's state for one robot. All zero before the first start. After that, the caller must
@@ -110,8 +110,8 @@ struct frob_pioneer {
     struct frob_pioneer_sonar sonar[FROB_PIONEER_SONARS];
 
     double forward_m_s, turn_rad_s;  /* the commanded speeds */
-    struct frob_wire_numbers wanted; /* the same speeds as VEL and RVEL, or as VEL2's left and
-                                        right */
+    struct frob_wire_numbers wanted; /* the same speeds as numbers for VEL and RVEL, or for VEL2
+                                        (left, right) */
     struct frob_wire_numbers sent;   /* the numbers that the robot currently uses */
     bool has_wanted;                 /* whether there is a command that has not been sent */
     bool second_pending;             /* RVEL must follow VEL after a pause */
@@ -120,8 +120,8 @@ struct frob_pioneer {
 
 extern const struct frob_driver frob_pioneer_driver;
 
-/* Returns the last range of transducer `i` and its age. Returns false if it has never received an
- * echo, or if nothing was in range. */
+/* Reads the last range of transducer `i` and its age. Returns false if the transducer has never
+ * received an echo, or if nothing was in range. */
 bool frob_pioneer_echo(const struct frob_pioneer *device, size_t i, double *range_m, double *age_s);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* protocol.h -- the numbers of the Pioneer commands and packets that the driver uses, with their
- * names in the manuals. */
+/* protocol.h -- the numbers of the Pioneer commands and packets that the driver uses, under the
+ * names that the manuals give them. */
 #ifndef FROB_DRIVERS_PIONEER_PROTOCOL_H
 #define FROB_DRIVERS_PIONEER_PROTOCOL_H
 

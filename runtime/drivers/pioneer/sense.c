@@ -9,8 +9,8 @@
 /* Maximum time for which odometry is extrapolated from the speeds in a SIP. */
 #define CARRIED_MOST_S 0.2
 
-/* Returns the difference of two values of a 15-bit counter, modulo 2^15. If the jump is larger than
- * a robot can travel between two SIPs, the counter was reset, and the result is 0. */
+/* Returns the difference between two values of a 15-bit counter, modulo 2^15. If the jump is larger
+ * than a robot can travel between two SIPs, the counter was reset, and the result is 0. */
 static int32_t counted(uint16_t from, uint16_t to)
 {
     int32_t way = (int32_t)((uint32_t)(to - from) & 0x7FFFu);
@@ -19,7 +19,7 @@ static int32_t counted(uint16_t from, uint16_t to)
     return way > 0x1000 || way < -0x1000 ? 0 : way;
 }
 
-/* Reduces an angle to -pi < angle <= pi. */
+/* Reduces an angle to the range -pi < angle <= pi. */
 static double wrapped(double angle)
 {
     angle = fmod(angle, 2.0 * PI);
@@ -70,8 +70,8 @@ void frob_pioneer_take_sip(struct frob_pioneer *d, const struct frob_p2os_sip *s
  * extrapolation, a program with more frequent steps would see the robot stop and jump. With the
  * wheels' speeds v_left and v_right, in the time t since the packet, the distance and the angle are
  *   d = t (v_right + v_left) / 2,   a = t difference (v_right - v_left) / 2,
- * and the distance is along the heading at the middle of the turn. The next packet replaces the
- * estimate. */
+ * and the robot moves d along the heading that it has halfway through the turn. The next
+ * packet replaces the estimate. */
 static struct frob_pose carried_on(const struct frob_pioneer *d)
 {
     struct frob_pose pose = d->odometry;

@@ -15,15 +15,15 @@ extern "C" {
 #define FROB_PIONEER_MOST_M_S 1.2
 #define FROB_PIONEER_MOST_RAD_S 5.2359877559829888 /* 300 deg/s */
 
-/* Describes VEL and RVEL, up to these limits. */
+/* Describes VEL and RVEL, with these limits. */
 static inline struct frob_wire frob_pioneer_wire(double most_m_s, double most_rad_s)
 {
     struct frob_wire wire = { false, { 1e-3, FROB_PIONEER_DEGREE }, { most_m_s, most_rad_s }, 0.0 };
     return wire;
 }
 
-/* Describes VEL2, whose numbers have a sign and seven bits, in units of `divisor_mm_s`.
- * `difference` is in 1/mm: omega = difference (v_right - v_left) / 2. */
+/* Describes VEL2, whose numbers range from -127 to 127, in units of `divisor_mm_s`. `difference` is
+ * in 1/mm: omega = difference (v_right - v_left) / 2. */
 static inline struct frob_wire frob_pioneer_wheel_wire(double divisor_mm_s, double difference)
 {
     double unit = divisor_mm_s * 1e-3;

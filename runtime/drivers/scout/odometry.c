@@ -6,8 +6,8 @@
 #define INCH_TENTH_M 0.00254
 #define DEGREE_TENTH_RAD (3.14159265358979323846 / 1800.0)
 /* The robot's maximum speed is 1 m/s, which is 394 units per second. The odometry accepts a
- * somewhat higher speed, plus a foot for late states. After several consecutive rejections, the
- * odometry assumes that the robot was restarted. */
+ * somewhat higher speed, plus 12 inches because states may arrive late. After several consecutive
+ * rejections, the odometry assumes that the robot was restarted. */
 #define BELIEVED_PER_S 600
 #define BELIEVED 120
 #define MOST_REFUSED 3

@@ -22,7 +22,7 @@ struct frob_scout_place {
 
 /* Initially all zero. */
 struct frob_scout_odometry {
-    bool known; /* whether the next fields, from the last state, are valid */
+    bool known; /* whether the next fields, which come from the last state, are valid */
     int x, y, heading;
     int64_t taken_ns; /* time at which that state arrived */
     unsigned refused; /* number of consecutive rejected states */
@@ -32,12 +32,12 @@ struct frob_scout_odometry {
     double forward_m_s, turn_rad_s;
 };
 
-/* Marks the next state as the first of a connection: the robot may now report other coordinates for
- * the same place. */
+/* Marks the next state as the first of a connection: the robot may now report different coordinates
+ * for the same place. */
 void frob_scout_odometry_reconnect(struct frob_scout_odometry *odometry);
 
 /* Adds a state that arrived at `now_ns`. Rejects it and returns false if the robot cannot have
- * reached the position that it contains. */
+ * reached the position that the state reports. */
 bool frob_scout_odometry_add(struct frob_scout_odometry *odometry,
                              const struct frob_scout_state *state, int64_t now_ns);
 

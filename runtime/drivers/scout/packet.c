@@ -66,7 +66,7 @@ static unsigned at(const struct frob_scout_receiver *r, unsigned size, unsigned 
     return r->window[(r->next - size + index) & WINDOW_MASK];
 }
 
-/* Returns whether the last `size` bytes are a packet. The caller has checked its last byte. */
+/* Returns whether the last `size` bytes are a packet. The caller has checked the last byte. */
 static bool is_packet(const struct frob_scout_receiver *r, unsigned size)
 {
     unsigned sum = 0;

@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* Commands that a Scout accepts. A reply has the type of its command. */
+/* Commands that a Scout accepts. A reply has the same type as its command. */
 enum frob_scout_type {
     FROB_SCOUT_AC = 1,       /* accelerations */
     FROB_SCOUT_SP = 2,       /* speeds for PR */
@@ -66,7 +66,7 @@ void frob_scout_add_u8(struct frob_scout_packet *packet, unsigned value);
 void frob_scout_add_u16(struct frob_scout_packet *packet, unsigned value);
 void frob_scout_add_s16(struct frob_scout_packet *packet, long value);
 
-/* Reads a number from data: 0 to 65535, -32767 to 32767, 0 to 2^32 - 1. */
+/* Each reads a number from data. The ranges are 0 to 65535, -32767 to 32767, and 0 to 2^32 - 1. */
 unsigned frob_scout_get_u16(const uint8_t *bytes);
 int frob_scout_get_s16(const uint8_t *bytes);
 uint32_t frob_scout_get_u32(const uint8_t *bytes);
@@ -81,7 +81,7 @@ size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
  * bytes before a packet never hide it, and every valid packet is found as soon as its last byte
  * arrives. */
 struct frob_scout_receiver {
-    uint8_t window[128]; /* ring buffer; a power of two above FROB_SCOUT_MAX_PACKET */
+    uint8_t window[128]; /* ring buffer; its size is a power of two above FROB_SCOUT_MAX_PACKET */
     unsigned next;       /* index of the next byte */
 };
 

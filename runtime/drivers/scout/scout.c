@@ -9,7 +9,7 @@
 
 #define SILENCE_NS INT64_C(1000000000)
 #define UNHEARD_NS INT64_C(150000000)
-#define LONGEST_PACKET 259 /* in bytes, with the maximum length byte, 255 */
+#define LONGEST_PACKET 259 /* size in bytes of a packet whose length byte is 255, the maximum */
 #define FORGOTTEN_NS INT64_C(500000000)
 #define MOST_REFUSALS 3
 
@@ -18,8 +18,8 @@ static int64_t ns(double seconds)
     return (int64_t)(seconds * 1e9);
 }
 
-/* Sends a command and waits for its answer. If the line has no room, the command is lost, and no
- * answer arrives. */
+/* Sends a command and records that its answer is pending. If the line has no room, the command is
+ * lost, and no answer arrives. */
 static enum frob_status send(struct frob_scout *d, struct frob_scout_packet packet)
 {
     uint8_t bytes[FROB_SCOUT_MAX_PACKET];
@@ -44,7 +44,7 @@ static enum frob_status send_velocity(struct frob_scout *d)
                               : frob_scout_velocities(right, left));
 }
 
-/* Sends ST, which makes the robot hold its position, without waiting for a pending answer. */
+/* Sends ST without waiting for a pending answer. ST makes the robot hold its position. */
 static enum frob_status send_stop(struct frob_scout *d)
 {
     static const uint8_t zeros[LONGEST_PACKET] = { 0 };
@@ -57,7 +57,7 @@ static enum frob_status send_stop(struct frob_scout *d)
 }
 
 /* Returns the time at which to request the state if no velocity is sent. Returns INT64_MAX (never)
- * if the robot moves and the host has stopped commanding it, so that the robot's watchdog stops
+ * if the robot is moving and the host has stopped commanding it, so that the robot's watchdog stops
  * it. */
 static int64_t ask_ns(const struct frob_scout *d)
 {
@@ -88,8 +88,8 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     return FROB_OK;
 }
 
-/* Moves on to the next connection step if this is the answer to the current step's command. The
- * answer to a stop sent in between does not count. */
+/* Advances to the next connection step if this is the answer to the current step's command. The
+ * answer to a stop that interrupted the step does not count. */
 static void connect_further(struct frob_scout *d, uint8_t answered)
 {
     static const uint8_t commands[] = { FROB_SCOUT_ST, FROB_SCOUT_CONF_TM, FROB_SCOUT_AC,
@@ -113,8 +113,8 @@ static void take_state(struct frob_scout *d, const struct frob_scout_packet *pac
 }
 
 /* Handles an answer. If the robot refuses a command while the driver is connecting, the connection
- * fails. After that, the robot may occasionally refuse velocities because somebody is pressing
- * the stop button. */
+ * fails. A connected robot may occasionally refuse velocities because somebody is pressing the stop
+ * button. */
 static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
     bool refused = packet->type == FROB_SCOUT_NAK;
@@ -137,8 +137,8 @@ static enum frob_status read_all(struct frob_scout *d)
 {
     uint8_t bytes[64];
     size_t count;
-    /* Reads more than the line can deliver between two polls, but stops even if bytes keep
-       arriving. */
+    /* The limit exceeds what the line can deliver between two polls. It ends the loop even if bytes
+       keep arriving. */
     for (int i = 0; i < 16; i++) {
         struct frob_scout_packet packet;
         enum frob_status status =

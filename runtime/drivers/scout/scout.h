@@ -57,7 +57,8 @@ struct frob_scout {
     struct frob_clock clock;
     enum frob_scout_step step;
     bool refused;
-    unsigned refusals;               /* number of consecutive velocities that the robot refused */
+    unsigned refusals;               /* number of consecutive velocity commands that the robot
+                                      * refused */
     uint8_t awaited;                 /* type of the pending answer; 0 if there is none */
     int64_t sent_ns;                 /* time at which the last command was sent */
     int64_t heard_ns;                /* time at which the last answer arrived or, before that, at

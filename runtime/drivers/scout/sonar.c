@@ -1,9 +1,9 @@
 #include "drivers/scout/sonar.h"
 
-/* An unchanged reading counts as new when more than 9/8 of a round have passed since the last new
+/* An unchanged reading counts as new when more than 9/8 of a round has passed since the last new
  * one. The additional eighth allows for echoes that arrive earlier or later depending on the
- * distance, and for the delay of the state that reports them. Such a reading gets the time at which
- * its transducer's turn was due, so that turns do not drift. */
+ * distance, and for the delay of the state that reports them. Such a reading is assigned the time
+ * at which its transducer was due to fire, so that these times do not drift. */
 static bool is_new(struct frob_scout_sonar *sonar, size_t i, uint8_t reading_in, int64_t now_ns,
                    int64_t round_ns)
 {

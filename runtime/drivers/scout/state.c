@@ -62,8 +62,8 @@ struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *pa
     return state;
 }
 
-/* Returns the representative of `step` modulo `period` nearest to 0, and the positive one if there
- * are two; |step| is below 2^17. */
+/* Returns the number nearest to 0 that is congruent to `step` modulo `period`, and the positive one
+ * if there are two; |step| is below 2^17. */
 static int nearest(int step, int period)
 {
     step %= period;

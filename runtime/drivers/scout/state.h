@@ -42,19 +42,19 @@ struct frob_scout_state {
  * robot. */
 bool frob_scout_is_state(const struct frob_scout_packet *packet);
 
-/* Reads a packet that is a state. */
+/* Reads a state packet (see frob_scout_is_state). */
 struct frob_scout_state frob_scout_read_state(const struct frob_scout_packet *packet);
 
-/* Returns the change of a position field from one state to the next, in 0.1 inch. The change must
- * be below 41 m.
+/* Returns the change in a position field from one state to the next, in units of 0.1 inch. The
+ * change must be below 41 m.
  *
  * At 83.2 m the field exceeds its 15 bits. It is not documented whether it then continues at the
  * negative end or at zero, so the difference is taken modulo 2^15, which is correct in both cases
  * (but off by one unit of 2.54 mm if the robot does not use -0). */
 int frob_scout_position_step(int before, int now);
 
-/* Returns the change of the heading from one state to the next, in 0.1 degree, -1799 to 1800,
- * whether the robot counts from 0 to 3600 or from -1800 to 1800. */
+/* Returns the change in heading from one state to the next, in units of 0.1 degree, between -1799
+ * and 1800. It does not matter whether the robot counts from 0 to 3600 or from -1800 to 1800. */
 int frob_scout_heading_step(int before, int now);
 
 #ifdef __cplusplus

@@ -13,8 +13,8 @@ static struct {
     volatile uint32_t start, end;
 } ring;
 
-/* Clears the interrupt first, so that a byte that arrives after the last check raises it again. In
- * the opposite order, the interrupt of this byte would be lost, and the receiver, which is then
+/* Clears the interrupt first, so that a byte that arrives after the last check raises it again. If
+ * it were cleared last, that byte's interrupt would be lost, and the receiver, which would then be
  * full, would never raise another. */
 void board_on_receive(void)
 {

@@ -6,11 +6,11 @@
 
 #include <sys/types.h>
 
-/* rate_linux.c: sets any rate after all written bytes have been transmitted. Returns 0, or -1 with
- * errno. */
+/* rate_linux.c: sets any rate after all written bytes have been transmitted. Returns 0, or -1 and
+ * sets errno. */
 int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s);
 
-/* rate_standard.c: the same on any POSIX system, but only for the usual rates. */
+/* rate_standard.c: does the same on any POSIX system, but only for the usual rates. */
 int frob_posix_set_standard_rate(int fd, uint32_t bits_per_s);
 
 /* holder_linux.c: writes the name of a program that has the device open, as `NAME (process N)`.

@@ -6,7 +6,7 @@
 #include <asm/termbits.h>
 #include <errno.h>
 
-/* Declared here as in <sys/ioctl.h>, because that header may include <termios.h>. */
+/* <sys/ioctl.h> contains this declaration too, but may include <termios.h>. */
 extern int ioctl(int fd, unsigned long request, ...);
 
 int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s)

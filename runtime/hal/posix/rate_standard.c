@@ -1,4 +1,4 @@
-/* The rates for which POSIX and its implementations have names. */
+/* The rates for which POSIX or its implementations define constants. */
 #include "hal/posix/parts.h"
 
 #include <errno.h>

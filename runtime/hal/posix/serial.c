@@ -185,7 +185,7 @@ static struct timespec until(int64_t left_ns)
     return result;
 }
 
-/* Waits until the line is ready for `events`. Returns 1 if it is ready, 0 at the timeout or a
+/* Waits until the line is ready for `events`. Returns 1 if it is ready, 0 after a timeout or a
  * signal, and -1 if the line is gone. */
 static int ready(struct frob_posix_line *line, short events, int64_t until_ns)
 {

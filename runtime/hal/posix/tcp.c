@@ -72,7 +72,7 @@ static int try_address(const struct sockaddr *address, socklen_t length, int pat
     if (connect(*fd, address, length) != 0)
         error = errno == EINPROGRESS ? finish(*fd, patience_ms) : errno;
     if (error == 0) {
-        /* Sends packets immediately, and detects a dead peer. */
+        /* Makes the socket send packets immediately and detect a dead peer. */
         setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
         setsockopt(*fd, SOL_SOCKET, SO_KEEPALIVE, &one, sizeof one);
         return 0;

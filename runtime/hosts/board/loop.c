@@ -29,8 +29,8 @@ extern void *const frob_program_state;
 
 enum { SETTINGS_MOST = 32, RESULT_MOST = 256, CONSOLE_MOST = 256 };
 
-/* If a user-defined robot needs more memory than the library's robots, compile this file with the
- * device_size and input_size of its driver, in bytes. */
+/* If a user-defined robot needs more memory than the library's robots, compile this file with these
+ * macros set to the device_size and input_size of its driver, in bytes. */
 #ifndef FROB_DEVICE_MOST
 #define FROB_DEVICE_MOST 1
 #endif

@@ -22,7 +22,7 @@ struct buffers {
  * old state is never mistaken for the current one (the ABA problem). */
 struct order {
     uint32_t at[COUNT]; /* index of the frame at each position, 3 bits each */
-    uint32_t fresh;     /* count of middle frames newer than the frame taken last; 2 bits */
+    uint32_t fresh;     /* number of middle frames newer than the frame taken last; 2 bits */
     bool has_any;       /* whether a frame has been published */
     uint32_t changes;   /* 14 bits */
 };
@@ -126,8 +126,8 @@ struct fresh buffers_look(const struct buffers *b)
     return fresh;
 }
 
-/* Takes a frame. The older frames move up, and the reader's old frame becomes the last middle
- * frame. */
+/* Takes a frame. The older middle frames move up, and the reader's previous frame becomes the last
+ * of them. */
 const struct captured *buffers_take_one(struct buffers *b, const struct fresh *fresh, size_t k)
 {
     uint32_t seen = fresh->state;

@@ -74,8 +74,8 @@ void buffers_wait(struct buffers *b, int wait_ms);
 /* Memory for the reader's image, at an address that is valid in the other process too. */
 struct frob_image *buffers_image(struct buffers *b);
 
-/* buffers_begin reports that the reader has asked for a frame for the first time;
- * buffers_have_begun returns whether it has. */
+/* buffers_begin records that the reader has asked for its first frame; buffers_have_begun returns
+ * whether it has. */
 void buffers_begin(struct buffers *b);
 bool buffers_have_begun(const struct buffers *b);
 

@@ -275,7 +275,7 @@ static bool describe(struct camera *c, const struct captured *frame, int64_t fir
     return true;
 }
 
-/* Passes a frame of this camera, or none, to the program. */
+/* Passes a frame from this camera to the program, or tells it that there is none. */
 static void give(const struct cameras *all, struct camera *c, const struct captured *frame,
                  void *input, int64_t first_ns, int64_t now_ns)
 {

@@ -61,7 +61,7 @@ bool cameras_start(struct cameras *c, const struct frob_program *program,
  * cameras `left` and `right` form a pair. The frames stay valid until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
-/* Prints the messages of the processes on standard error. */
+/* Prints messages from the camera processes on standard error. */
 void cameras_hear(struct cameras *c);
 
 /* Prints the summary's lines about the cameras. */

@@ -28,7 +28,7 @@ struct capture {
     bool is_open;
     int64_t opened_ns, frame_ns; /* time of opening, and time of the last good frame (0: none) */
     int64_t period_ns;           /* time between frames if none is missing; 0: unknown */
-    int64_t same_ns;             /* time since which all frames have been identical */
+    int64_t same_ns;             /* time at which the frames last changed */
     int32_t width, height;       /* size of all frames; 0 until the first frame sets it */
     enum frob_image_format format;
     uint32_t number; /* number of the next good frame */
@@ -110,8 +110,8 @@ static bool is_same(const struct captured *a, const struct captured *b)
                       (size_t)frob_image_pixel_size(a->format)) == 0;
 }
 
-/* Returns whether a camera's frames have been identical to the last bit for too long. Such a camera
- * is frozen, because the images of a working camera contain noise. */
+/* Returns whether a camera's frames have been bit-for-bit identical for too long. Such a camera is
+ * frozen, because the images of a working camera contain noise. */
 static bool is_frozen(struct capture *c, const struct captured *frame)
 {
     const double limit_s = c->options->settings[CAMERA_FROZEN];

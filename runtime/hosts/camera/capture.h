@@ -23,7 +23,7 @@ struct capture_report {
 /* How frames get from a camera to the program. */
 struct capture_way {
     struct buffers *seen;      /* frames as captured */
-    struct buffers *given;     /* the frames for the program; the same as `seen` without a tag
+    struct buffers *given;     /* the frames for the program; the same as `seen` if there is no tag
                                 * finder */
     struct tag_finder *finder; /* looks for tags and passes the frames on; NULL if there is none */
 };

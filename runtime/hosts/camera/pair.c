@@ -72,9 +72,8 @@ static bool choose(struct pair *p, const struct fresh fresh[2], size_t chosen[2]
     return false;
 }
 
-/* Takes the frame with the chosen frame's number, even if the writer has published more frames
- * meanwhile. Returns NULL if the writer has published so many that it has reused this frame's
- * memory. */
+/* Takes the chosen frame. If the writer has published more frames in the meantime, finds the frame
+ * again by its number. Returns NULL if the writer has already reused the frame's memory. */
 static const struct captured *take_number(struct buffers *b, struct fresh *fresh, size_t chosen)
 {
     const uint32_t number = fresh->numbers[chosen];

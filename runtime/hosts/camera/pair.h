@@ -1,8 +1,9 @@
 /* pair.h -- combines the frames of two cameras, `left` and `right`, into pairs.
  *
  * The cameras are not synchronized. Two frames form a pair if each of them is the closest in time
- * to the other, which is the case if they are at most half a period of the faster camera apart.
- * Another tenth of a period is allowed, because a camera may be slightly irregular. No I/O. */
+ * to the other, which is the case if they are no further apart than half the period of the faster
+ * camera. Another tenth of a period is allowed, because a camera may be slightly irregular. No
+ * I/O. */
 #ifndef FROB_HOST_CAMERA_PAIR_H
 #define FROB_HOST_CAMERA_PAIR_H
 
@@ -22,8 +23,8 @@ struct pair {
     uint32_t count;    /* number of pairs that were taken */
     double apart_ns;   /* sum of the time differences within these pairs */
     int64_t most_ns;   /* maximum of these differences */
-    /* The smallest time difference, since the last pair, of two frames that were too far apart;
-     * INT64_MAX if there were none. */
+    /* The smallest time difference, since the last pair, between two frames that were too far
+     * apart; INT64_MAX if there were none. */
     int64_t nearest_ns;
 };
 

@@ -52,8 +52,8 @@ struct camera_options {
     double settings[CAMERA_SETTING_COUNT];
 };
 
-/* Sets the defaults, and the label to the first `length` bytes of `label`. Prints a line on
- * standard error and returns false if the label is too long. */
+/* Initializes the options with the default settings and the label, the first `length` bytes of
+ * `label`. Prints a line on standard error and returns false if the label is too long. */
 bool camera_options_init(struct camera_options *o, const char *label, size_t length);
 
 /* Returns the camera's pose, and its projection for frames of this size. */

@@ -28,14 +28,14 @@ struct source_kind {
     enum source_result (*next)(struct source *s, struct captured *frame, int wait_ms);
     void (*close)(struct source *s);
     bool reopens;        /* whether reopening it may help if no frames arrive */
-    const char *silence; /* the likely reason that no frames arrive, if `fault` contains none */
+    const char *silence; /* the likely reason why no frames arrive, used if `fault` is empty */
 };
 
 struct source {
     const struct source_kind *kind;
     const struct camera_options *options;
-    void *state;      /* what `kind` stores while the source is open */
-    bool is_recorded; /* whether its first frame waits until the program starts */
+    void *state;      /* private data of `kind` while the source is open */
+    bool is_recorded; /* whether its first frame is held back until the program starts */
     uint32_t lost;    /* total number of frames known to have been skipped */
     char fault[512];  /* cause and fix */
     char what[128];   /* how it captures while it is open, such as "YUYV at 30 Hz"; may be empty */

@@ -17,7 +17,7 @@ struct splitter {
     uint8_t *bytes;
     size_t from, to; /* range of the received bytes that have not been consumed yet */
     struct jpeg_scan scan;
-    int64_t begun_ns; /* time at which the first byte at `from` arrived */
+    int64_t begun_ns; /* time at which the byte at `from` arrived */
     int64_t fed_ns;
     uint32_t torn; /* number of truncated frames */
 };

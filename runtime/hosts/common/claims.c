@@ -161,8 +161,8 @@ void claims_see(struct claims *claims, int64_t time_ns, const void *output)
             see(claims, i, time_ns, output);
 }
 
-/* Returns whether no other assertion has the same label. Assertions that share a label are named
- * by their columns. */
+/* Returns whether the assertion's label is unique. Assertions that share a label are identified by
+ * their columns. */
 static bool is_alone(const struct frob_program *program, const struct frob_claim *claim)
 {
     for (size_t i = 0; i < program->claim_count; i++)

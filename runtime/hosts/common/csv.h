@@ -40,7 +40,7 @@ struct csv {
     size_t *starts; /* offsets of the cells in `text`; not pointers, because realloc may move it */
     size_t text_capacity, cells_capacity;
     char *read;                            /* the current line of the file */
-    size_t read_capacity, read_length, at; /* `at`: number of its bytes already consumed */
+    size_t read_capacity, read_length, at; /* `at`: number of bytes of `read` consumed */
 };
 
 enum csv_status {

@@ -20,23 +20,23 @@ enum csv_status dialect_translate(struct csv *csv);
 /* Hints for error messages. Each string is valid until the next call with this csv, and empty if
  * no option would help. */
 
-/* For the error that the first column of the header must be `time`. */
+/* Hint for the error that the first column of the header must be `time`. */
 const char *dialect_time_hint(struct csv *csv);
 
 /* The part of dialect_time_hint about a different separator; NULL if the separator seems right. If
- * it is not NULL, the header was split at the wrong places, so do not report other columns. */
+ * it is not NULL, the header was split in the wrong places, so the caller must not report other
+ * columns. */
 const char *dialect_separator_hint(const struct csv *csv);
 
-/* For the error that a column is missing; the recording has `unknown` unknown columns, one of
- * which is `other`. */
+/* Hint for the error that a column is missing. `unknown`: the number of columns in the recording
+ * that the program does not know; `other`: one of them. */
 const char *dialect_column_hint(struct csv *csv, const char *missing, size_t unknown,
                                 const char *other);
 
-/* For the error that the current row has a different number of cells than the header, which has
- * `width`. */
+/* Hint for the error that the current row does not have `width` cells, as the header does. */
 const char *dialect_width_hint(const struct csv *csv, size_t width);
 
-/* For the error that a cell is not a number. */
+/* Hint for the error that a cell is not a number. */
 const char *dialect_number_hint(const struct csv *csv, const char *cell);
 
 #endif

@@ -18,7 +18,7 @@ const void *frob_load_part(const char *robot, const char *part);
 /* Returns the descriptions of the loaded program's columns; NULL if it has none. */
 const struct frob_column *frob_load_columns(void);
 
-/* Returns the origins of the values in the columns of the loaded program; NULL if it has none. */
+/* Returns the origins of the values in the loaded program's columns; NULL if it has none. */
 const struct frob_origin *frob_load_origins(void);
 
 #endif

@@ -166,8 +166,8 @@ static bool put_tool(struct packer *packer, const struct format *format, int fil
     return packer->process > 0;
 }
 
-/* Truncates the file. This is the last step, so that its contents are lost only if everything else
- * succeeded. */
+/* Truncates the file. This must be the last step, so that the file's old contents are lost only if
+ * all other steps succeeded. */
 static bool make_empty(int file)
 {
     struct stat status;
@@ -261,7 +261,7 @@ FILE *packed_write(const char *name)
 
 struct unpacker {
     int pipe;
-    pid_t process; /* 0 once it has been waited for */
+    pid_t process; /* 0 once waitpid has collected it */
 };
 
 static ssize_t stream_get(void *cookie, char *bytes, size_t size)

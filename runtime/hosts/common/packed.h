@@ -46,8 +46,9 @@ struct packer {
     bool failed;
 };
 
-/* Like fopen, unbuffered fwrite, and fclose, but return false with errno set on failure.
- * packer_close returns true if an earlier call has already failed. */
+/* Like fopen, unbuffered fwrite, and fclose, but return false with errno set on failure. If an
+ * earlier call has failed, packer_close returns true, so that callers report only the first
+ * failure. */
 bool packer_open(struct packer *packer, const char *name);
 bool packer_put(struct packer *packer, const char *bytes, size_t size);
 bool packer_close(struct packer *packer);

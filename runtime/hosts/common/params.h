@@ -45,7 +45,7 @@ bool params_recorded(struct params *params, const char *name, const char *line);
 void params_write(struct frob_text *text, const struct frob_param *param, const void *values);
 
 /* A recording begins with a line for each parameter, such as `# param kTurn=4[1/m]`. params_room
- * returns the maximum length of these lines, and params_head appends them. */
+ * returns the maximum total length of these lines, and params_head appends them. */
 size_t params_room(const struct frob_program *program);
 void params_head(struct frob_text *text, const struct frob_program *program, const void *values);
 

@@ -38,7 +38,7 @@ static void become(char **command, int file, pid_t host)
     _exit(2);
 }
 
-/* Returns the viewer's process id, or a number below 1. */
+/* Returns the viewer's process id, or -1 on failure. */
 static pid_t start(const struct ring *ring, char *const *viewer)
 {
     const pid_t host = getpid();

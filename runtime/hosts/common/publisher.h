@@ -38,7 +38,7 @@ bool publisher_is_heard(struct publisher *p, int64_t now_ns);
 /* Reports that the run is over, and whether the robot is known to be at rest. */
 void publisher_end(struct publisher *p, enum ring_fate fate);
 
-/* Ends the viewer, so that no process keeps running. If `is_wanted`, first waits while a page is
+/* Ends the viewer, so that no process is left running. If `is_wanted`, first waits while a page is
  * open; SIGINT, SIGTERM or SIGHUP ends the wait, and so does a viewer that hangs. Call it after
  * publisher_end, when the run's results have been written and the robot's line has been closed. */
 void publisher_leave(struct publisher *p, bool is_wanted);

@@ -79,7 +79,7 @@ void record_report_interruption(const char *name, double time_s)
     fprintf(stderr, "interrupted at %.3f s: the summary covers the run until then", time_s);
     if (name != NULL)
         fprintf(stderr, ", and so does %s", name);
-    fprintf(stderr, "; run the same command to start again%s\n",
+    fprintf(stderr, "; run the same command again to start over%s\n",
             name != NULL ? " and overwrite that file" : "");
 }
 

@@ -31,7 +31,7 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
 bool record_row(struct record *r, int64_t time_ns, void *in, const void *out);
 bool record_close(struct record *r);
 
-/* Reports that the user interrupted the run at `time_s`, what was saved, and how to start again.
+/* Reports that the user interrupted the run at `time_s`, what was saved, and how to start over.
  * `name` is the name of the recording, or NULL. */
 void record_report_interruption(const char *name, double time_s);
 

@@ -10,7 +10,7 @@
  * The host validates all data that a reader writes. In the worst case, such data can end or pause
  * the run, or send unintended events.
  *
- * As in a recording, the duration of an instant is the difference between two times. */
+ * As in a recording, dt is the difference between the times of consecutive instants. */
 #ifndef FROB_HOST_RING_H
 #define FROB_HOST_RING_H
 
@@ -40,7 +40,7 @@ struct ring_event {
 
 #define RING_EVENTS 64 /* maximum number of pending events */
 
-/* Additional permissions of viewers. */
+/* Additional permissions for viewers. */
 enum ring_permission {
     RING_PACES = 1, /* pause the run, single-step it and set its speed */
     RING_SENDS = 2  /* send events */
@@ -70,11 +70,11 @@ void ring_publish(struct ring *ring, int64_t time_ns, const void *input, const v
  * host has reported this. */
 enum ring_fate {
     RING_GOES_ON,
-    RING_STOPPING,   /* the host is ending the run and sends the stop command */
+    RING_STOPPING,   /* the host is ending the run and sending the stop command */
     RING_AT_REST,    /* the run is over, and the robot was seen to stand still */
-    RING_TOLD,       /* the run is over; the stop was sent, but the robot was not seen to stand
-                      * still */
-    RING_NOT_REACHED /* the run is over; the stop could not be sent */
+    RING_TOLD,       /* the run is over; the stop command was sent, but the robot was not seen to
+                      * stand still */
+    RING_NOT_REACHED /* the run is over; the stop command could not be sent */
 };
 
 /* Reports that the host is ending the run. */
@@ -83,11 +83,11 @@ void ring_stopping(struct ring *ring);
 /* Reports that no more instants will come, and whether the robot is known to be at rest. */
 void ring_end(struct ring *ring, enum ring_fate fate);
 
-/* Updates the host's heartbeat, which tells readers that the host would obey a stop now. A host
- * must call this at least ten times a second, whether or not it publishes instants. If the previous
- * call was longer than RING_PATIENCE_NS ago, the host was frozen and pending events are stale, so
- * this function drops them and counts them as late. It also counts the freeze, so that callers can
- * discard events that they took earlier. */
+/* Updates the host's heartbeat, which tells readers that the host would act on a stop request now.
+ * A host must call this at least ten times a second, whether or not it publishes instants. If the
+ * previous call was longer than RING_PATIENCE_NS ago, the host was frozen and pending events are
+ * stale, so this function drops them and counts them as late. It also counts the freeze, so that
+ * callers can discard events that they took earlier. */
 #define RING_PATIENCE_NS INT64_C(500000000)
 void ring_show_alive(struct ring *ring);
 

@@ -74,7 +74,7 @@ bool seconds_read(const char *text, int64_t *result)
     return true;
 }
 
-/* Detects times since 1970 in smaller units; the current time is about 1.8e9 s. */
+/* Detects times since 1970 in units smaller than seconds; the current time is about 1.8e9 s. */
 const char *seconds_too_far(const char *text)
 {
     const double seconds = strtod(text, NULL);

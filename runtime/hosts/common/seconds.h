@@ -13,7 +13,7 @@
  * text is not a number of seconds, or exceeds MOST_SECONDS. */
 bool seconds_read(const char *text, int64_t *result);
 
-/* Returns a hint for the error message about a rejected text if its time exceeds the limit,
+/* If `text` was rejected because it exceeds MOST_SECONDS, returns a hint for the error message,
  * otherwise an empty string. */
 const char *seconds_too_far(const char *text);
 

@@ -130,7 +130,7 @@ static bool make_grey(struct tag_finder *finder, const struct frob_image *image)
     return true;
 }
 
-/* Returns twice the area between the corners. */
+/* Returns twice the area of the quadrilateral. */
 static double area(const struct frob_tag *tag)
 {
     const struct frob_vec2 *p = tag->corners;
@@ -143,7 +143,7 @@ static bool comes_before(const struct frob_tag *one, const struct frob_tag *othe
     return a > b || (a >= b && one->id < other->id);
 }
 
-/* Inserts a tag in order. If there are too many, the last one is dropped. */
+/* Inserts a tag into the sorted list. If there are too many tags, drops the last one. */
 static void insert(struct frob_tags *tags, const struct frob_tag *tag)
 {
     size_t at = tags->count;

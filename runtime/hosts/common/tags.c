@@ -22,7 +22,7 @@ static void set_numbers(void *input, const struct frob_value *value, const doubl
     frob_camera_set_number(input, value, *(*next)++);
 }
 
-/* Sets the lens; all zero if there is no image. */
+/* Sets the lens to that of the image, or to all zeros if there is no image. */
 static void set_lens(void *input, const struct frob_value *value, const struct frob_image *image)
 {
     struct frob_lens lens;

@@ -31,7 +31,7 @@ struct touches {
                                 * 0: not held */
     struct ring_event waiting; /* an event that waits for the next instant */
     bool has_waiting;          /* whether `waiting` is valid */
-    uint32_t freezes;          /* the ring's number of freezes when the event was taken */
+    uint32_t freezes;          /* the ring's `freezes` when the event was taken */
 };
 
 /* Returns false and prints a line on standard error if memory runs out. */

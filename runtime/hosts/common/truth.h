@@ -8,8 +8,8 @@ struct truth {
     double touches;
 };
 
-/* The value of `touches` for an object. In each instant, the robots come first, followed by the
- * objects: the boxes and then the balls, in the order of the world file. */
+/* The value of `touches` for an object. The data of an instant contains first the robots and then
+ * the objects: the boxes and then the balls, in the order of the world file. */
 #define TRUTH_OBJECT 2.0
 
 #endif

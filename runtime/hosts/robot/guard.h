@@ -1,7 +1,7 @@
 /* guard.h -- processes that stop the robot if the supervisor itself ends, hangs or is suspended.
  *
  * A guard also has the line open. It does nothing while it receives heartbeats from the supervisor.
- * If it receives none for longer than the patience, it sends the stop command ten times a second
+ * If it receives none for longer than `patience_ns`, it sends the stop command ten times a second
  * until the supervisor is back. If the supervisor ends without ending the guard, the guard stops
  * the robot and ends.
  *
@@ -35,12 +35,11 @@ struct guards {
  * a guard cannot be started, the run continues with a warning, and guards_hear tries again. */
 void guards_start(struct guards *g, struct frob_robot *robot, int64_t patience_ns, int closes);
 
-/* Sends a heartbeat to the guards; call this several times within the patience. Replaces a guard as
- * soon as it has ended, or when it has read nothing for a second, and prints a line on standard
- * error. */
+/* Sends a heartbeat to the guards; must be called several times per `patience_ns`. If a guard has
+ * ended, or has read nothing for a second, replaces it and prints a line on standard error. */
 void guards_hear(struct guards *g);
 
-/* Ends the guards, at the end of a session. */
+/* Ends the guards at the end of a session. */
 void guards_end(struct guards *g);
 
 #endif

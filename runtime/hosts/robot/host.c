@@ -20,7 +20,7 @@ int host_run(int argc, char **argv, const struct frob_program *program,
     struct options options;
     struct params params;
     int status = WRONG_USE;
-    /* Checks the arithmetic of the program, and that of this host, because the host limits the
+    /* Checks not only the program's arithmetic but also this host's, because the host limits the
      * program's commands. */
     const unsigned faults = program->arithmetic() | frob_arithmetic_faults();
     streams_open();

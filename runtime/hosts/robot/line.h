@@ -22,7 +22,7 @@ struct line_orders {
     uint32_t resets; /* number of resets requested so far */
 };
 
-/* How to open a line that is not a serial line. It has its own arguments on the command line. */
+/* How to open a line that is not a serial line. Such a line has its own command-line arguments. */
 struct line_opening {
     const char *option; /* its arguments follow this option, up to `--` or the end */
     const char *usage;  /* a description of the arguments, for --help */
@@ -41,15 +41,15 @@ struct line_opening {
      * NULL, instants are based on the monotonic clock. */
     int64_t (*time_ns)(const void *device, int64_t now_ns);
 
-    /* Returns the requests of other programs. NULL if they cannot request anything. */
+    /* Returns the requests of other programs. NULL if the line carries no requests. */
     struct line_orders (*orders)(const void *device);
 
-    /* Publishes a text: the instant with this number, or, for -1, the header with the columns.
-     * Drops the text if the line is busy; never waits. NULL if the line does not publish
-     * instants. */
+    /* Publishes the text of the instant with this number or, if the number is -1, of the header
+     * with the columns. Drops the text if the line is busy; never waits. NULL if the line does not
+     * publish instants. */
     void (*publish)(const struct line *line, int64_t number, const char *text, size_t length);
 
-    /* Maximum length of these texts; 0 if the settings disable them. */
+    /* Maximum length of the text of an instant; 0 if the settings disable publishing. */
     size_t (*publish_room)(const struct line *line);
 
     /* Publishes the verdict on an assertion of the program: whether it fails now, whether verdicts
@@ -62,7 +62,7 @@ struct line_opening {
      * the line has no viewers. */
     void (*show)(const struct line *line, const void *output);
 
-    /* Waits until the process at the other end has ended. The port is closed. */
+    /* Waits for the process at the other end to end. The port has already been closed. */
     void (*close)(struct line *line);
 };
 

@@ -212,7 +212,7 @@ static bool set(const struct frob_driver *driver, const char *text, struct optio
                           : set_driver(driver, text, o->settings);
 }
 
-/* Rejects a patience close to 0, which would disable the watchdog or stop the robot at every
+/* Rejects a `--patience` close to 0, which would disable the watchdog or stop the robot at every
  * step. */
 static bool patience(const char *text, double *result)
 {

@@ -6,8 +6,8 @@
 
 enum realtime_process { REALTIME_SUPERVISOR, REALTIME_CONTROLLER };
 
-/* Applies the options to this process. If the system does not permit this, the supervisor
- * prints a warning, and the run continues without it. */
+/* Applies the real-time options to this process. If the system does not permit them, the supervisor
+ * prints a warning, and the run continues without them. */
 void realtime_apply(const struct options *options, enum realtime_process process);
 
 #endif

@@ -40,7 +40,7 @@ struct run {
     struct record record;
     struct instants instants;
     struct claims claims;
-    size_t failing;    /* number of assertions that failed when verdicts were last published */
+    size_t failing;    /* number of assertions failing when verdicts were last published */
     int64_t judged_ns; /* time at which verdicts were last published */
     struct console console;
     struct touches touches;
@@ -51,17 +51,17 @@ struct run {
     bool tells;
 
     void *input, *output;
-    /* The program's time, which is based on the monotonic clock or on a simulator's
+    /* The program's time, which is based on the monotonic clock or on a simulator's clock
      * (line.h). */
     bool started;       /* whether the first instant has begun */
     int64_t first_ns;   /* the program's time in the first instant */
-    int64_t instant_ns; /* time of the last instant, counted from the first one */
+    int64_t instant_ns; /* time of the last instant, relative to the first one */
     int64_t due_ns;     /* the program's time at the next instant, if `scheduled` */
     bool scheduled;     /* if false, the next instant begins as soon as the robot is
                          * ready */
     int64_t asked_ns;   /* time at which the last step was requested */
     bool stepping;      /* whether a step was requested and has not been answered yet */
-    bool late;          /* whether this step has taken longer than the patience allows */
+    bool late;          /* whether this step has taken longer than `--patience` */
     bool paused;        /* whether other programs have requested a pause */
     bool was_paused;    /* whether the next instant is the first one after a pause */
     uint32_t resets;    /* number of resets requested so far */

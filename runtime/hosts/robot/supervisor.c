@@ -19,8 +19,8 @@
 
 #define JUDGE_NS INT64_C(1000000000)    /* period at which verdicts are published */
 #define BEAT_NS INT64_C(20000000)       /* maximum time between heartbeats to the guards */
-#define FAREWELL_NS INT64_C(2000000000) /* maximum time for a stopped robot to come to rest */
-enum { GIVE_UP = 10 }; /* maximum duration of a step, as a multiple of the patience */
+#define FAREWELL_NS INT64_C(2000000000) /* maximum time to come to rest after a stop command */
+enum { GIVE_UP = 10 }; /* maximum duration of a step, as a multiple of `--patience` */
 
 static volatile sig_atomic_t ended_by = 0;
 
@@ -31,7 +31,7 @@ static void on_signal(int number)
 
 /* ---- The controller */
 
-/* Handles a step that has exceeded the patience: stops the robot. The step's output will be
+/* Handles a step that takes longer than `--patience`: stops the robot. The step's output will be
  * discarded. */
 static void be_late(struct run *s)
 {
@@ -208,7 +208,7 @@ static void wait_for_something(struct run *s)
     struct timespec patience;
     if (line_is_open(&s->line))
         until = earlier(until, frob_robot_due_ns(&s->robot));
-    /* The time of a simulator changes only when a message arrives. */
+    /* A simulator's clock advances only when a message arrives. */
     if (session_is_ready(s) && !s->stepping && !s->paused && run_follows_our_clock(s, now))
         until = earlier(until, s->scheduled ? s->due_ns : now);
     if (s->stepping && !s->late)

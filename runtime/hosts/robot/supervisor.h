@@ -7,9 +7,9 @@
  *                                        │                     │
  *                                    guards  ── line ─────────┘
  *
- * The robot is stopped if there is no fresh reading within the patience, if a step exceeds the
- * patience, if the controller ends, on a signal, and at the end of the run. A lost line is reopened
- * when the device is back. */
+ * The supervisor stops the robot if there is no fresh reading within the `--patience` time, if a
+ * step takes longer than that, if the controller ends, on a signal, and at the end of the run. A
+ * lost line is reopened when the device is back. */
 #ifndef FROB_HOST_ROBOT_SUPERVISOR_H
 #define FROB_HOST_ROBOT_SUPERVISOR_H
 

@@ -13,8 +13,8 @@ static double s(int64_t ns)
     return (double)ns * 1e-9;
 }
 
-/* Reports a message with an implausible timestamp. Each kind of fault is reported once, until the
- * clock is set. */
+/* Reports a message with an implausible timestamp. Reports each kind of fault only once until the
+ * clock is set again. */
 static void tell_stamp(struct ros_topic *topic, enum stamps_verdict verdict, int64_t by_ns)
 {
     if (verdict == STAMPS_GOOD || topic->told[verdict])

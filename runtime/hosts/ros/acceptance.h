@@ -11,7 +11,7 @@ struct ros_topic;
 
 /* Decides whether to accept a message. Reports rejected messages, once for each reason. `bad`: the
  * reason why the message's content is invalid, or NULL. For an accepted message, stores in
- * `taken_ns` when it was sent, on our clock. */
+ * `taken_ns` the time on our clock at which it was sent. */
 bool ros_accepts(struct ros_device *device, struct ros_topic *topic, const char *bad,
                  int64_t stamp_ns, int64_t arrived_ns, int64_t *taken_ns);
 

@@ -1,6 +1,6 @@
-/* bumpers.h -- the bumpers of the robot `ros`. A program that reads one has a control of the kind
- * FROB_HOLD with its label, and the node subscribes to a topic of std_msgs/msg/Bool. The name of
- * this topic differs between robots, so the user must specify it. */
+/* bumpers.h -- the bumpers of the robot `ros`. A program that reads a bumper has a control of the
+ * kind FROB_HOLD with the bumper's label, and the node subscribes to a topic of std_msgs/msg/Bool.
+ * The name of this topic differs between robots, so the user must specify it. */
 #ifndef FROB_HOST_ROS_BUMPERS_H
 #define FROB_HOST_ROS_BUMPERS_H
 

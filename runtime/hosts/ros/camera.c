@@ -40,8 +40,8 @@ static const char *source_in(const char *argument)
     return found + strlen(scheme);
 }
 
-/* Replaces this process with a camera process. A node name in the arguments for ROS is that of the
- * program's node, so the camera's node gets this name with `_camera` added. */
+/* Replaces this process with a camera process. If the ROS arguments name a node, they mean the
+ * program's node, so the camera's node gets that name followed by `_camera`. */
 static void become_camera(int pipe, const char *topic, int argc, char **argv,
                           const struct frob_program *program)
 {
@@ -115,7 +115,7 @@ static bool add(struct camera_sources *sources, char *source)
     return source != NULL;
 }
 
-/* Starts one camera for each label in the program, even if several controls use the label. */
+/* Starts one camera per label, even if several of the program's controls have the same label. */
 static bool add_all(struct camera_sources *sources, int argc, char **argv,
                     const struct frob_program *program)
 {

@@ -154,7 +154,7 @@ static bool read_text(const struct mapping *m, const void *place, void *values,
         set_tag(m->value, k, values);
     if (m->optional != NULL)
         set_tag(m->optional, k < m->value->count ? 1 : 0, values);
-    /* `Nothing` is published as an empty text, so an empty text is not a fault in a `Maybe`. */
+    /* `Nothing` is published as an empty string, so an empty string is not a fault in a `Maybe`. */
     if (k == m->value->count && (m->optional == NULL || *text != '\0')) {
         fault->text = text;
         fault->of = m;

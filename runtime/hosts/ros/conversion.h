@@ -7,11 +7,11 @@
 /* The part of a message that does not match the program's type. */
 struct mapping_fault {
     const struct mapping *of; /* NULL if there is none */
-    const char *text;         /* an unknown text; NULL if an array has a different length */
+    const char *text;         /* an unknown string; NULL if an array has the wrong length */
 };
 
 /* Copies a message to the mapped value in `values`, a struct of the program. Returns false if the
- * message cannot be used. Reports an unknown text even if it becomes Nothing. */
+ * message cannot be used. Reports an unknown string even if it becomes Nothing. */
 bool mapping_read(const struct mapping *mapping, const void *message, void *values,
                   struct mapping_fault *fault);
 

@@ -53,14 +53,14 @@ struct ros_sensor {
     char why[ROS_REASON]; /* the reason why its messages are ignored */
 };
 
-/* A control of the console whose value other nodes may set. */
+/* A control on the console whose value other nodes may set. */
 struct ros_dial {
     bool is_known; /* whether the node has received the value */
     bool is_set;   /* whether another node has set it, and the program has not read it yet */
     double value;  /* the newest value */
 };
 
-/* The state of a managed node; others are always active. */
+/* The state of a managed node. Other nodes are always active. */
 struct ros_managed {
     bool is_active, is_final;
     uint32_t resets; /* number of resets requested so far */
@@ -99,7 +99,7 @@ struct ros_device {
     struct sim_clock sim_clock;
     struct ros_managed managed;
     struct ros_dial dials[ROS_CONTROLS_MOST]; /* indexed by the number of the control */
-    /* Handles the messages that this driver does not know; NULL if there are none. */
+    /* Handles messages of kinds that are unknown to this driver; NULL if none are expected. */
     void (*take_other)(struct ros_device *device, const struct ros_head *message);
     bool gave;      /* whether the program has had an instant in this session or an earlier one */
     bool commanded; /* whether a velocity was commanded; if so, the driver repeats it */
@@ -110,7 +110,7 @@ struct ros_device {
 
 extern const struct frob_driver frob_ros_driver;
 
-/* Sets the controls of the program's console for this instant. */
+/* Sets the controls on the program's console for this instant. */
 void ros_device_give(void *device, const struct frob_program *program, void *input, int64_t now_ns);
 
 /* Returns the time on which the program's instants are based: the time of /clock if use_sim_time is

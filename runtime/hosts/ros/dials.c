@@ -6,8 +6,8 @@
 
 #include "device.h"
 
-/* Handles a parameter that was set in the node. When the node restarts, its initial values are
- * ignored; the program's values apply. */
+/* Handles a change to one of the node's parameters. Ignores the initial values of a restarted node,
+ * because the program's current values still apply. */
 void ros_take_touch(struct ros_device *d, const struct ros_touch *touch)
 {
     struct ros_dial *dial;
@@ -48,8 +48,8 @@ static void tell_node(const struct ros_device *d, size_t control, double value)
     d->serial.operations->write(d->serial.port, (const uint8_t *)&touch, sizeof touch);
 }
 
-/* Applies the values of knobs and toggles that other nodes have set, and sends the node the values
- * that the operator has set here. */
+/* Applies the knob and toggle values that other nodes have set, and sends the node those that the
+ * operator has set here. */
 void ros_give_dials(struct ros_device *d, const struct frob_program *program, void *input)
 {
     for (size_t i = 0; i < program->control_count && i < ROS_CONTROLS_MOST; i++) {

@@ -11,8 +11,8 @@ struct ros_device;
 /* Handles a change to one of the node's parameters. */
 void ros_take_touch(struct ros_device *device, const struct ros_touch *touch);
 
-/* Applies the values of knobs and toggles that other nodes have set, and sends the node the values
- * that the operator has set here. */
+/* Applies the knob and toggle values that other nodes have set, and sends the node those that the
+ * operator has set here. */
 void ros_give_dials(struct ros_device *device, const struct frob_program *program, void *input);
 
 #endif

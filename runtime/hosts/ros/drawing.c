@@ -132,8 +132,8 @@ static void colour_of(const char *name, struct drawing_mark *mark)
     mark->blue = (float)colours[i].parts[2] / 255.0f;
 }
 
-/* Copies a text from the name of its constructor, which is in quotes and has escapes, as in
- * Frob. */
+/* Copies a string from the name of its constructor, which is a quoted string with Frob's escape
+ * sequences. */
 static void copy_text(const char *name, char text[DRAWING_TEXT])
 {
     size_t length = 0;

@@ -32,7 +32,7 @@ enum drawing_shape {
 /* Maximum size of a label, including the NUL. Longer labels are truncated. */
 enum { DRAWING_TEXT = 256 };
 
-/* A mark, in the frame of the odometry or of the robot. */
+/* A mark, in the odometry frame or the robot frame. */
 struct drawing_mark {
     bool is_on_robot;
     enum drawing_shape shape;

@@ -87,8 +87,7 @@ static bool has_frames(const struct inputs *inputs)
     return false;
 }
 
-/* Maximum number of topics that belong neither to sensors nor to controls, and are not the
- * program's own. */
+/* Maximum number of topics besides those of sensors and controls and the program's own. */
 enum { OTHERS_MOST = 6 };
 
 /* Adds the topics of the console's buttons and map. Returns false if two buttons have the same
@@ -367,8 +366,8 @@ static void send_clock(struct inputs *inputs, const struct input *input, int soc
     send_message(socket, &clock.head);
 }
 
-/* Returns whether to report a fault in a message. Each unknown text is reported only once, and none
- * after the maximum number of texts. */
+/* Returns whether to report a fault in a message. Each unknown string is reported only once, and
+ * none once `told_texts` is full. */
 static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
 {
     const size_t most = sizeof own->told_texts / sizeof own->told_texts[0];
@@ -389,7 +388,7 @@ static bool is_new(struct own_topic *own, const struct mapping_fault *fault)
     return true;
 }
 
-/* Writes the texts of an enumeration as a list. */
+/* Writes the strings of an enumeration as a list. */
 static void list_texts(const struct mapping *m, char *list, size_t room)
 {
     size_t length = 0;
@@ -402,7 +401,7 @@ static void list_texts(const struct mapping *m, char *list, size_t room)
 }
 
 /* Reports a message with a fault. `is_usable`: the message is accepted, with `Nothing` for an
- * unknown text. */
+ * unknown string. */
 static void tell(const struct input *input, const struct mapping_fault *fault, bool is_usable)
 {
     const char *type;

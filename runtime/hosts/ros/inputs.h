@@ -31,14 +31,14 @@ struct own_topic {
     void *message;
     uint32_t count; /* number of messages received */
     bool told;      /* whether a message with an array of the wrong length was reported */
-    /* Digests of the unknown texts that were reported. */
+    /* Hashes of the unknown strings that have been reported. */
     uint32_t told_texts[8];
     size_t told_text_count;
 };
 
 struct input {
     enum ros_kind kind;
-    uint32_t control; /* index in the program's console, for a sensor */
+    uint32_t control; /* index in the program's console, for a sensor or control */
     struct own_topic own;
     char name[ROS_NAME];
     rcl_subscription_t subscription;
@@ -62,18 +62,19 @@ struct inputs {
     struct input *each;
     size_t count;
     struct ros_scan scan;            /* the message to send next */
-    struct ros_topic_message *value; /* the same, for the program's own topics */
+    struct ros_topic_message *value; /* the next message on one of the program's own topics */
     char *values;                    /* a struct of the program's input, for conversions */
     struct tf tf;
     int64_t clock_ns; /* newest time of /clock; accessed atomically */
 };
 
-/* Determines the inputs of a program. `inputs` must be all zero; it is large, and most of its pages
- * are never used. Returns false on failure; then `why` contains the reason. */
+/* Sets up the inputs of a program. `inputs` must already be zero: clearing it here would touch all
+ * its pages, most of which are never used. Returns false on failure; then `why` contains the
+ * reason. */
 bool inputs_of(struct inputs *inputs, const struct frob_program *program, bool use_sim_time,
                bool has_joystick, char *why, size_t room);
 
-/* Returns whether the program cannot run before a message arrives. */
+/* Returns whether the program needs a message on this topic before it can run. */
 bool inputs_is_needed(const struct input *input);
 
 /* Returns whether the input is a sensor or bumper that the program uses. */

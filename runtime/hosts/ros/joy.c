@@ -168,7 +168,7 @@ void joy_take(struct joy *joy, const struct ros_joy *m, const struct frob_progra
             value = knob_at(control, (double)m->axes[uses[i] - 1]);
         else
             value = m->is_down[uses[i] - 1] ? 1.0 : 0.0;
-        /* A button that is already down in the first message has not just been pressed. */
+        /* A button that is already down in the first message does not count as a new press. */
         if (control->kind == FROB_BUTTON && !is_new && value > joy->value[i])
             joy->is_pressed[i] = true;
         joy->value[i] = value;
@@ -177,8 +177,8 @@ void joy_take(struct joy *joy, const struct ros_joy *m, const struct frob_progra
     joy->heard_ns = now_ns;
 }
 
-/* Passes a value to the program only if it has changed, because others may operate the control,
- * too. */
+/* Passes a value to the program only if it has changed, because the control may also be operated in
+ * other ways. */
 static void pass(struct joy *joy, size_t i, double value, const struct frob_program *program,
                  void *input)
 {

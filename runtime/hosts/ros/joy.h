@@ -1,8 +1,8 @@
-/* joy.h -- the joystick on the topic `joy`, which operates controls of the program's console.
+/* joy.h -- the joystick on the topic `joy`, which operates controls on the program's console.
  *
- * The user chooses the controls: `--set joy.LABEL=NUMBER` assigns a button of the joystick to a
- * button or a hold of the console, or an axis to a knob. At rest (0), an axis sets the knob to its
- * initial value; at its ends (-1 and 1), to the ends of the knob's range. */
+ * The user chooses the controls: `--set joy.LABEL=NUMBER` assigns a joystick button to a button or
+ * hold on the console, or an axis to a knob. At rest (0), an axis sets the knob to its initial
+ * value; at its ends (-1 and 1), to the ends of the knob's range. */
 #ifndef FROB_HOST_ROS_JOY_H
 #define FROB_HOST_ROS_JOY_H
 
@@ -28,8 +28,8 @@ bool joy_is_used(void);
 struct joy {
     bool heard;
     int64_t heard_ns;                   /* time at which the newest message arrived */
-    double value[ROS_CONTROLS_MOST];    /* for each control: 0 or 1 for a button, the setting of a
-                                      * knob */
+    double value[ROS_CONTROLS_MOST];    /* for each control: 0 or 1 for a button, or the knob's
+                                      * setting */
     bool is_pressed[ROS_CONTROLS_MOST]; /* for each button, whether a press is still to be passed to
                                          * the program */
     double given[ROS_CONTROLS_MOST];    /* for each control, the newest value passed to the
@@ -37,8 +37,8 @@ struct joy {
     bool is_given[ROS_CONTROLS_MOST];
 };
 
-/* Checks a message. Returns NULL, or the reason why it is ignored; `why` provides space
- * for the reason. */
+/* Checks a message. Returns NULL, or the reason why it is ignored; `why` is a buffer for the
+ * reason. */
 const char *joy_check(const struct ros_joy *message, const struct frob_program *program, char *why,
                       size_t room);
 
@@ -46,7 +46,7 @@ const char *joy_check(const struct ros_joy *message, const struct frob_program *
 void joy_take(struct joy *joy, const struct ros_joy *message, const struct frob_program *program,
               int64_t now_ns);
 
-/* Operates the controls for an instant. */
+/* Applies the joystick's state to the program's controls at an instant. */
 void joy_give(struct joy *joy, const struct frob_program *program, void *input, int64_t now_ns);
 
 #endif

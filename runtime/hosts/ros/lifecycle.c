@@ -75,7 +75,8 @@ const rcl_service_t *lifecycle_service(const struct lifecycle *l, size_t service
 
 /* ---- State changes */
 
-/* Tells the supervisor. This message must not be lost, so the call waits for room in the socket. */
+/* Sends the state to the supervisor. This message must not be lost, so the call waits for room in
+ * the socket. */
 static void tell_supervisor(const struct lifecycle *l, bool resets)
 {
     struct ros_state message;

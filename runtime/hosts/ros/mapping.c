@@ -125,7 +125,7 @@ struct search {
     const struct frob_node *node;
 };
 
-/* Returns the type with which the program must declare a member. */
+/* Returns the type that the program must declare for a member. */
 static const char *wanted(const member_type *member)
 {
     switch (member->type_id_) {
@@ -166,7 +166,7 @@ static bool is_whole(uint8_t type)
     return type == TYPE(CHAR) || (type >= TYPE(OCTET) && type <= TYPE(INT64));
 }
 
-/* Returns the texts of an enumeration; NULL if it has none. */
+/* Returns the strings of an enumeration; NULL if it has none. */
 static const struct frob_texts *texts_of(const struct frob_node *node,
                                          const struct frob_value *value)
 {
@@ -185,7 +185,8 @@ static const struct frob_value *maybe_of(const struct frob_value *value)
                : NULL;
 }
 
-/* Prepares the mapping of a text. Returns false if the value is not a text. */
+/* Prepares the mapping of a value to a string. Returns false if the value is not an enumeration
+ * with strings, or a Maybe of one. */
 static bool is_text(const struct search *s, struct mapping *m, const struct frob_value *value)
 {
     const struct frob_value *inner = maybe_of(value);
@@ -344,6 +345,6 @@ bool mapping_of(struct mapping *m, const struct message_type *type, const struct
     if (value->kind == FROB_PRODUCT && texts_of(node, value) == NULL)
         return value->constructors[0].count == 0 ||
                map_record(&s, m, type->members, &value->constructors[0]);
-    /* A Bool, Int, Float or text corresponds to the message's only member, `data`. */
+    /* A Bool, Int, Float or string corresponds to the message's only member, `data`. */
     return room_for(&s, m, 1) && map_one(&s, &m->parts[0], &type->members->members_[0], value);
 }

@@ -36,9 +36,9 @@ struct mapping {
     enum { MAPPING_NUMBER, MAPPING_TEXT, MAPPING_RECORD, MAPPING_ARRAY, MAPPING_SEQUENCE } kind;
     /* The member that contains the value; NULL if the value is the whole message. */
     const rosidl_typesupport_introspection_c__MessageMember *member;
-    const struct frob_value *value;    /* for a number or text */
-    const struct frob_texts *texts;    /* for a text: the texts of its enumeration */
-    const struct frob_value *optional; /* for a text: the Maybe that contains it, or NULL */
+    const struct frob_value *value;    /* for a number or string */
+    const struct frob_texts *texts;    /* for a string: the strings of its enumeration */
+    const struct frob_value *optional; /* for a string: the Maybe that contains it, or NULL */
     const struct frob_value *count;    /* for a variable-length sequence: its count */
     struct mapping *parts;             /* the fields of a record, or the elements */
     size_t part_count;
@@ -48,8 +48,8 @@ struct mapping {
     bool sets_stamp, sets_frame;
 };
 
-/* Maps a value of the program to messages of a type. `node` contains the texts of enumerations. If
- * the value does not match the type, returns false and explains the mismatch in `why`. */
+/* Maps a value of the program to messages of a type. `node` contains the strings of enumerations.
+ * If the value does not match the type, returns false and explains the mismatch in `why`. */
 bool mapping_of(struct mapping *mapping, const struct message_type *type,
                 const struct frob_value *value, const struct frob_node *node, char *why,
                 size_t room);

@@ -1,5 +1,4 @@
-/* markers.h -- publishes the program's drawing on ~/markers, in the frames of the odometry and of
- * the robot. */
+/* markers.h -- publishes the program's drawing on ~/markers, in the odometry and robot frames. */
 #ifndef FROB_HOST_ROS_MARKERS_H
 #define FROB_HOST_ROS_MARKERS_H
 
@@ -25,7 +24,7 @@ struct markers {
 bool markers_start(struct markers *m, const struct frob_program *program, const rcl_node_t *node,
                    char *why, size_t room);
 
-/* Publishes a drawing if another node subscribes. */
+/* Publishes a drawing if the topic has a subscriber. */
 void markers_take(struct markers *m, const struct ros_marks *marks, const struct tf *tf);
 
 /* Removes all markers. Returns false if rcl reports an error. */

@@ -1,5 +1,5 @@
 /* messages.h -- the messages between the supervisor and the node, which is a separate process
- * (node.h). Both processes run the same executable, so a message is a struct.
+ * (node.h). Both processes run the same executable, so a message can be a plain struct.
  *
  * Each message begins with its size and kind. The socket between the processes transfers each
  * message either completely or not at all. */
@@ -23,9 +23,9 @@ enum ros_kind {
     ROS_IMAGE,  /* the simulated robot's camera has taken an image; a struct ros_image */
     ROS_STATE,  /* a managed node has changed its state; the rest is a struct ros_state */
     ROS_JOY,
-    ROS_PRESS, /* a button of the console was pressed; a struct ros_press */
+    ROS_PRESS, /* a button on the console was pressed; a struct ros_press */
     ROS_CLICK, /* a click on a map; a struct ros_click */
-    ROS_TF,    /* only in the node: transforms of /tf, or of /tf_static */
+    ROS_TF,    /* used only inside the node: transforms from /tf, or from /tf_static */
     ROS_TF_STATIC,
     ROS_NAMED, /* the name of one of the program's own topics; the rest is a struct ros_named */
     ROS_TOPIC, /* a message on such a topic: a struct ros_topic_message, followed by the value */
@@ -39,7 +39,7 @@ enum ros_kind {
     ROS_REST,   /* publish zeros on the program's own topics that are commands */
     ROS_MARKS,  /* publish the program's drawing: a struct ros_marks, followed by its bytes */
     ROS_CLAIM,  /* the verdict on an assertion; the rest is a struct ros_claim */
-    /* Sent in both directions when a control of the console has a new value; a struct
+    /* Sent in both directions when a control on the console has a new value; a struct
      * ros_touch. */
     ROS_TOUCH
 };
@@ -51,7 +51,7 @@ struct ros_head {
 
 enum { ROS_NAME = 256, ROS_REASON = 1400 };
 
-/* Maximum number of lidars and inertial measurement units of a program. */
+/* Maximum number of lidars and inertial measurement units that a program can use. */
 enum { ROS_SENSORS_MOST = 8 };
 
 struct ros_started {
@@ -86,8 +86,7 @@ struct ros_odometry {
 
 /* The sensor that a message comes from, and the message's timestamps. */
 struct ros_origin {
-    uint32_t control; /* index of the first control of the program's console that uses the
-                       * sensor */
+    uint32_t control; /* index of the first control on the program's console that uses the sensor */
     int64_t stamp_ns; /* see struct ros_odometry */
     int64_t arrived_ns;
 };
@@ -104,7 +103,7 @@ enum ros_fate {
 struct ros_placing {
     uint32_t fate;         /* enum ros_fate */
     char frame[ROS_FRAME]; /* the message's frame */
-    char in[ROS_FRAME];    /* the robot's frame, or the frame of its odometry */
+    char in[ROS_FRAME];    /* the robot's frame, or the odometry frame */
 };
 
 /* The mounting pose of a lidar on the robot. */
@@ -120,7 +119,7 @@ struct ros_scan {
     struct ros_head head;
     struct ros_origin origin;
     struct ros_placing placing; /* in the robot's frame */
-    struct ros_seat seat;       /* valid for ROS_FOUND */
+    struct ros_seat seat;       /* valid if ROS_FOUND */
     bool is_tilted;             /* the same */
     double first_rad, step_rad, nearest_m, farthest_m;
     uint32_t count;
@@ -132,7 +131,7 @@ struct ros_imu {
     struct ros_head head;
     struct ros_origin origin;
     struct ros_placing placing; /* in the robot's frame */
-    double mounting[4]; /* the unit's orientation on the robot, a quaternion; valid for ROS_FOUND */
+    double mounting[4]; /* the unit's orientation on the robot, a quaternion; valid if ROS_FOUND */
     double rate_radps[3], acceleration_mps2[3];
     double rotation[4]; /* quaternion: x, y, z, w */
     bool has_rotation;
@@ -149,8 +148,8 @@ struct ros_bumper {
 struct ros_click {
     struct ros_head head;
     struct ros_origin origin;
-    struct ros_placing placing; /* in the frame of the odometry */
-    double x_m, y_m;            /* in that frame; valid for ROS_FOUND */
+    struct ros_placing placing; /* in the odometry frame */
+    double x_m, y_m;            /* in that frame; valid if ROS_FOUND */
 };
 
 /* Maximum number of controls that other nodes can operate. */
@@ -211,7 +210,7 @@ struct ros_state {
     struct ros_head head;
     bool is_active; /* the program steps */
     bool is_final;  /* the run ends */
-    bool resets;    /* the program starts again in its initial state */
+    bool resets;    /* the program restarts in its initial state */
 };
 
 /* The program's own topics, identified by their index in its table. */
@@ -239,8 +238,8 @@ struct ros_output {
     bool rests; /* publish zeros as commands */
 };
 
-/* The program's drawing. It follows this struct: the bytes of its span (topics.h) in the program's
- * output. */
+/* The program's drawing, which follows this struct: the bytes of its span (topics.h) in the
+ * program's output. */
 struct ros_marks {
     struct ros_head head;
 };
@@ -248,7 +247,7 @@ struct ros_marks {
 /* Maximum size of a value in these messages. It must be much smaller than the socket's buffer. */
 enum { ROS_VALUE_MOST = 60000 };
 
-/* A knob or toggle of the program's console, which is a parameter of the node. */
+/* A knob or toggle on the program's console, which is a parameter of the node. */
 struct ros_touch {
     struct ros_head head;
     uint32_t control; /* index in the program's console */

@@ -201,8 +201,8 @@ static bool advertise_instants(struct node *n)
            advertise_text(n, &n->instants, "~/instants", INSTANTS_KEPT);
 }
 
-/* Tells the supervisor that a part of the node cannot start. The reason is `why`, or the one that
- * rcl reports if `why` is empty. */
+/* Tells the supervisor that a part of the node cannot start. The reason is `why` or, if `why` is
+ * empty, the one that rcl reports. */
 static bool lacks(const struct node *n, const char *what, const char *why)
 {
     if (why[0] != '\0')

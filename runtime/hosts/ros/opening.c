@@ -25,7 +25,7 @@
 #include "node.h"
 #include "topics.h"
 
-/* Maximum time for the node to join the ROS 2 system, and to end. */
+/* Maximum times for the node to join the ROS 2 system and to exit. */
 enum { START_MS = 20000, END_MS = 1000 };
 
 /* Minimum time between two drawings. */
@@ -160,8 +160,8 @@ static enum frob_status open_node(struct line *line, const double *settings, cha
     return status;
 }
 
-/* Texts are dropped if this many bytes are waiting in the socket, so that texts never delay a
- * velocity. */
+/* Text messages are dropped if more bytes than this are waiting in the socket, so that they never
+ * delay a velocity. */
 enum { WAITING_MOST = 65536 };
 
 static size_t text_room(const struct line *line)

@@ -1,5 +1,5 @@
-/* operated.h -- handles the actions of other nodes on the program's console: presses of its
- * buttons, clicks on its map, and a joystick.
+/* operated.h -- handles what other nodes do on the program's console: they press its buttons, click
+ * on its map, or operate it with a joystick.
  *
  * Actions are ignored while the program does not run, because they would be outdated when it
  * continues. */
@@ -25,7 +25,7 @@ struct operated {
     bool is_clicked;                    /* whether the map was clicked and the program has not read
                                          * the click yet */
     double x_m, y_m;
-    char why[ROS_REASON];     /* the reason why messages of the joystick are ignored */
+    char why[ROS_REASON];     /* the reason why messages from the joystick are ignored */
     char why_not[ROS_REASON]; /* the reason why clicks are ignored */
 };
 

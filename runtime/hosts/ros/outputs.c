@@ -50,7 +50,7 @@ static bool start_velocity(struct outputs *o, const rcl_node_t *node, char *why,
     return advertise(o, 0, type, "cmd_vel", 1, node, why, room);
 }
 
-/* Returns the frame for a message whose frame the program omits: the odometry's frame for poses and
+/* Returns the frame for a message whose frame the program omits: the odometry frame for poses and
  * markers, the robot's frame for everything else. */
 static const char *frame_of(const char *type)
 {

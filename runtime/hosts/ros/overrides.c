@@ -129,7 +129,8 @@ static bool add(struct overrides *result, const char *option, const char *name, 
     return true;
 }
 
-/* Handles a value. Returns false after an error, which it has reported unless memory ran out. */
+/* Applies an override. Returns false after an error, which it has reported unless memory ran
+ * out. */
 static bool override_one(struct overrides *result, const struct parameters *parameters,
                          const struct frob_program *program, const struct override *override)
 {

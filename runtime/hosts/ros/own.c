@@ -20,11 +20,11 @@ struct own_input {
     uint32_t read;    /* number of the message that the program read last */
 };
 
-/* The state of this driver. After it, the memory contains the inputs, the names of the outputs, the
+/* The state of this driver. In memory, it is followed by the inputs, the names of the outputs, the
  * newest values in a struct of the program's input, and the message to send next. */
 struct own_device {
     struct ros_device base;
-    bool commanded; /* whether a command was sent since the last stop */
+    bool commanded; /* whether a command has been sent since the last stop */
 };
 
 struct output_name {
@@ -34,7 +34,7 @@ struct output_name {
 static const struct frob_program *program;
 static size_t output_size; /* size of the topics in the program's output struct */
 
-/* ---- Parts of the memory */
+/* ---- Memory layout */
 
 static size_t aligned(size_t size)
 {
@@ -138,8 +138,8 @@ static bool is_plain(const struct own_input *input)
     return input->parts.event == NULL;
 }
 
-/* Returns the time of the newest message on the plain topic that was updated least recently. Topics
- * that are events do not count, because their messages may arrive at any time. */
+/* Finds the plain topic that was updated least recently, and returns the time of its newest
+ * message. Topics that are events do not count, because their messages may arrive at any time. */
 static int64_t sensed_ns(const void *device)
 {
     const struct own_device *own = (const struct own_device *)device;

@@ -1,5 +1,6 @@
 /* own.h -- the driver for a node with its own topics (`node` of the library's module Ros). The
- * topics are its sensors and its commands. It uses the same line as device.h. */
+ * topics are its sensors and its commands. It uses the same connection to the node as the driver in
+ * device.h. */
 #ifndef FROB_HOST_ROS_OWN_H
 #define FROB_HOST_ROS_OWN_H
 

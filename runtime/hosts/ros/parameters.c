@@ -144,7 +144,7 @@ static void refuse_fixed(const struct parameter *p, char *reason, size_t room)
     else
         snprintf(reason, room,
                  "`%s` is fixed during a run: restart the node with `--ros-args -p %s:=VALUE`, or "
-                 "make it a knob of the program's console",
+                 "make it a knob on the program's console",
                  p->name, p->name);
 }
 

@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-/* Calls `set` for each value that the file contains for this node, in the order of the file. Values
- * are passed as text, as in `-p NAME:=VALUE`. `node`: the node's full name. Returns false if the
- * file cannot be read; rcl then reports why. */
+/* Calls `set` for each value that the file contains for this node, in file order. Values are passed
+ * as text, as in `-p NAME:=VALUE`. `node`: the node's full name. Returns false if the file cannot
+ * be read; rcl then reports why. */
 bool params_file_read(const char *file, const char *node,
                       void (*set)(void *context, const char *name, const char *value),
                       void *context);

@@ -11,12 +11,12 @@
 struct topic {
     const char *name; /* after remapping */
     const char *type; /* "nav_msgs/msg/Odometry" */
-    bool told;        /* whether a node with a different type was reported */
+    bool told;        /* whether a node that uses a different type was reported */
     bool told_silence;
-    bool told_reliability; /* whether a node with an incompatible reliability was reported */
-    bool told_durability;  /* whether a node with an incompatible durability was reported */
+    bool told_reliability; /* whether a node whose reliability is incompatible was reported */
+    bool told_durability;  /* whether a node whose durability is incompatible was reported */
     const char *kept; /* the messages that a late subscriber does not receive: "old velocities" */
-    const char *cure; /* advice for when a subscriber expects TwistStamped; "" if there is none */
+    const char *cure; /* advice if a subscriber expects TwistStamped; "" if there is none */
 };
 
 struct inputs;
@@ -33,8 +33,8 @@ struct graph {
 /* Returns the time of the monotonic clock. */
 int64_t node_now_ns(void);
 
-/* Returns the time for timestamps: the time of /clock with use_sim_time, otherwise this machine's
- * time. */
+/* Returns the time for timestamps: the time of /clock if use_sim_time is set, otherwise this
+ * machine's time. */
 int64_t node_stamp_ns(void);
 
 /* Checks the other nodes once a second. Reports topics without a publisher, messages of a

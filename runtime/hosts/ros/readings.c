@@ -94,7 +94,7 @@ int64_t ros_placed_ns(const struct ros_device *d, int64_t sensed_ns)
 }
 
 /* Records whether a sensor's position on the robot is known. `bad`: the reason why it is unknown,
- * or NULL. Returns whether to wait, because when a node starts, the transforms may arrive after the
+ * or NULL. Returns whether to wait: when a node starts, the transforms may arrive after the
  * messages. */
 static bool waits_for_frame(struct ros_sensor *sensor, const struct ros_placing *placing,
                             const char *bad, int64_t now_ns)

@@ -1,5 +1,5 @@
-/* readings.h -- the readings of the robot's lidars, inertial measurement units and bumpers, from
- * the node's messages to the program's input. */
+/* readings.h -- passes the readings of the robot's lidars, inertial measurement units and bumpers
+ * from the node's messages to the program's input. */
 #ifndef FROB_HOST_ROS_READINGS_H
 #define FROB_HOST_ROS_READINGS_H
 
@@ -16,16 +16,16 @@ void ros_take_scan(struct ros_device *device, const struct ros_scan *message);
 void ros_take_imu(struct ros_device *device, const struct ros_imu *message);
 void ros_take_bumper(struct ros_device *device, const struct ros_bumper *message);
 
-/* Sets the controls that represent sensors for this instant. */
+/* For this instant, sets the controls that represent sensors. */
 void ros_give_readings(struct ros_device *device, const struct frob_program *program, void *input,
                        int64_t now_ns);
 
-/* Explains in `why` that no transform for the frame of a message is known. `effect`: the
+/* Explains in `why` that no transform is known for the frame of a message. `effect`: the
  * consequence. `how`: how the user can do without the transform. */
 void ros_explain_frame(const struct ros_placing *placing, const char *effect, const char *how,
                        char *why, size_t room);
 
-/* Returns the time at which a lidar's position became unknown, so that its readings stopped.
+/* Returns the time at which a lidar's position became unknown and its readings therefore stopped.
  * Returns `sensed_ns` if that is earlier, or if all positions are known. */
 int64_t ros_placed_ns(const struct ros_device *device, int64_t sensed_ns);
 

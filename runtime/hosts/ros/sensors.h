@@ -12,12 +12,12 @@
 
 #include "messages.h"
 
-/* Converts a scan; `room` receives its distances and must be large enough for the message's
- * distances. Returns NULL, or the reason why the scan is invalid. */
+/* Converts a scan; `room` receives its distances, and must have space for all of them. Returns
+ * NULL, or the reason why the scan is invalid. */
 const char *ros_scan_of(const struct ros_scan *message, const struct ros_seat *seat, double *room,
                         struct frob_scan *scan);
 
-/* Measurements since a program last read an inertial measurement unit. */
+/* Measurements since the program last read the inertial measurement unit. */
 struct ros_measurements {
     double rate_radps[3], acceleration_mps2[3]; /* sums */
     double heading_rad; /* heading in the last measurement; NaN if that had none */
@@ -40,7 +40,7 @@ struct frob_imu ros_imu_mean(const struct ros_measurements *sums, int64_t taken_
 /* Resets the sums. */
 void ros_imu_restart(struct ros_measurements *sums);
 
-/* Writes to `name` the topic of a sensor, without namespace. For a bumper, that is a name such as
+/* Writes a sensor's topic to `name`, without the namespace. For a bumper, that is a name such as
  * `bumper_left`; for the lidar `lidar`, it is `scan`; for other sensors, it is the name in the
  * program. Returns false if the control is not a sensor. */
 bool ros_topic_of(const struct frob_control *control, char *name, size_t room);

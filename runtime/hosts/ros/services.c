@@ -59,7 +59,7 @@ static bool convert(const struct services *s, const rcl_interfaces__msg__Paramet
 
 /* ---- Changes */
 
-/* Reports a new value to the nodes that subscribe. */
+/* Publishes a new value on /parameter_events. */
 static void publish_change(const struct services *s, const struct parameter *p)
 {
     rcl_interfaces__msg__ParameterEvent event;
@@ -236,7 +236,8 @@ static bool describe_parameters(struct services *s, const void *request, void *r
     return ok;
 }
 
-/* Returns whether a name is below a prefix, at most `depth` levels deep; 0: at any depth. */
+/* Returns whether a name is below a prefix, at most `depth` levels deep, or at any depth if `depth`
+ * is 0. */
 static bool is_below(const char *name, const char *prefix, uint64_t depth)
 {
     const size_t length = strlen(prefix);
@@ -281,7 +282,7 @@ static bool list_parameters(struct services *s, const void *request, void *respo
 
 /* ---- The table of services */
 
-/* Space for a request or response of any of the services. */
+/* Large enough for a request or response of any service. */
 union message {
     rcl_interfaces__srv__SetParameters_Request set_parameters_request;
     rcl_interfaces__srv__SetParameters_Response set_parameters_response;
@@ -345,7 +346,7 @@ const char *services_start(struct services *s, const rcl_node_t *node, int socke
     pthread_mutex_init(&s->lock, NULL);
     options.qos = rmw_qos_profile_parameters;
     events.qos = rmw_qos_profile_parameter_events;
-    /* The profiles have a queue depth of 1000, for which Fast DDS would allocate memory. */
+    /* These profiles have a queue depth of 1000, and Fast DDS would allocate the whole queue. */
     options.qos.depth = events.qos.depth = QUEUED;
     for (size_t i = 0; i < SERVICES; i++) {
         s->each[i] = rcl_get_zero_initialized_service();

@@ -27,10 +27,10 @@ const char *services_start(struct services *services, const rcl_node_t *node, in
 /* Answers the requests to a service. */
 void services_take(struct services *services, size_t service);
 
-/* Sends a value from the ROS arguments to the supervisor. */
+/* Sends the supervisor a value that the ROS arguments set. */
 void services_set_initial(void *services, struct parameter *parameter, double value);
 
-/* Handles a control of the program's console that the operator has set. */
+/* Handles a new value that the operator has set with a control on the program's console. */
 void services_note(struct services *services, size_t control, double value);
 
 /* Returns false if rcl reports an error. */

@@ -17,7 +17,7 @@ struct sim_clock {
 };
 
 /* Handles the next message. If the time has jumped, returns the size of the jump, which is negative
- * for a jump back; otherwise 0. */
+ * for a jump back; otherwise returns 0. */
 int64_t sim_clock_take(struct sim_clock *clock, int64_t time_ns);
 
 /* Returns the program's time, which is valid only after the first message. */

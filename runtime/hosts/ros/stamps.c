@@ -1,8 +1,8 @@
 #include "stamps.h"
 
-/* A different clock is accepted after its messages have been arriving for this long. For the same
- * time after the start, timestamps may be ahead, because the first message may have been
- * delayed. */
+/* A different clock is accepted after its messages have been arriving for this long. Until this
+ * long after the first message, timestamps that are ahead are accepted, because the first message
+ * may have been delayed. */
 #define DOUBT_NS INT64_C(1000000000)
 
 /* Two clocks run at different speeds (clock drift), so the smallest difference may grow by the
@@ -21,7 +21,7 @@ static void accept(struct stamps *s, int64_t stamp_ns, int64_t arrived_ns)
     s->doubted = false;
 }
 
-/* Rejects a message with a different clock or, after DOUBT_NS, accepts that clock. */
+/* Rejects a message from a different clock or, after DOUBT_NS, accepts that clock. */
 static enum stamps_verdict doubt(struct stamps *s, enum stamps_verdict verdict, int64_t stamp_ns,
                                  int64_t arrived_ns, int64_t patience_ns)
 {

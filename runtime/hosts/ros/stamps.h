@@ -5,9 +5,9 @@
  * between arrival and timestamp had the shortest delay. A message with a larger difference was
  * delayed by the excess, so a message that waited in a queue is recognized as old.
  *
- * If timestamps go back or jump ahead, somebody has set the clock or restarted a simulation. At
- * first, such messages are rejected, because a single one may be due to an error. After such
- * messages have arrived for one second, the new clock is accepted. */
+ * If timestamps go back or jump ahead, somebody has probably set the clock or restarted a
+ * simulation. At first, such messages are rejected, because a single one may be due to an error.
+ * When they have been arriving for one second, the new clock is accepted. */
 #ifndef FROB_HOST_ROS_STAMPS_H
 #define FROB_HOST_ROS_STAMPS_H
 
@@ -20,7 +20,7 @@ struct stamps {
     int64_t previous_ns; /* arrival time of the previous message that was not STAMPS_BACK */
     int64_t shortest_ns; /* smallest difference between arrival time and timestamp */
     int64_t newest_ns;   /* timestamp of the newest accepted message */
-    bool doubted;        /* whether messages with another clock have arrived since the last accepted
+    bool doubted;        /* whether messages from another clock have arrived since the last accepted
                           * message */
     int64_t doubted_ns;  /* arrival time of the first such message */
     int64_t other_ns;    /* difference between arrival time and timestamp of the last such

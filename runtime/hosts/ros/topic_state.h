@@ -14,8 +14,8 @@ enum { ROS_VERDICTS = STAMPS_RESET + 1 };
 struct ros_topic {
     char name[ROS_NAME]; /* name of the topic; "" until it is known */
     struct stamps stamps;
-    int64_t received_ns; /* time at which the last message arrived, valid or not; INT64_MIN
-                          * if none did */
+    int64_t received_ns; /* arrival time of the last message, valid or not; INT64_MIN if there was
+                          * none */
     bool told_silence;
     bool told[ROS_VERDICTS]; /* timestamp faults that were reported */
     const char *told_bad;    /* the last reported reason for rejecting a message */

@@ -1,4 +1,4 @@
-/* topics.h -- finds the node's own topics in the program's input and output structs. */
+/* topics.h -- finds the program's own topics in its input and output structs. */
 #ifndef FROB_HOST_ROS_TOPICS_H
 #define FROB_HOST_ROS_TOPICS_H
 

@@ -353,7 +353,8 @@ static void take_velocity(struct robot *r)
         return; /* the next velocity replaces this one */
 }
 
-/* Reports, only once, that a node publishes velocities with the wrong type, which do not arrive. */
+/* Warns once if another node publishes velocities of the wrong type, which this node cannot
+ * receive. */
 static void look_at_type(struct robot *r)
 {
     rcutils_allocator_t allocator = rcutils_get_default_allocator();

@@ -12,7 +12,7 @@ static const char library_name[] = "libtf2_msgs__rosidl_typesupport_c.so";
 static const char function_name[] =
     "rosidl_typesupport_c__get_message_type_support_handle__tf2_msgs__msg__TFMessage";
 
-/* Number of messages that are stored for a subscriber, as in the package tf2_ros. */
+/* Queue depth of /tf, as in the package tf2_ros. */
 enum { KEPT = 100 };
 
 typedef const rosidl_message_type_support_t *type_function(void);

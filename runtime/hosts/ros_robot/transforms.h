@@ -2,8 +2,8 @@
  * of its sensors on /tf_static.
  *
  * A minimal installation of ROS 2 does not contain the package tf2_msgs. Therefore the node does
- * not use its headers. When it starts, it opens the library of the message's type support if the
- * library exists. */
+ * not use its headers. When it starts, it opens the message's type support library if it is
+ * installed. */
 #ifndef FROB_HOST_ROS_ROBOT_TRANSFORMS_H
 #define FROB_HOST_ROS_ROBOT_TRANSFORMS_H
 
@@ -31,8 +31,8 @@ struct transforms {
     struct transforms_message odometry, seats;
 };
 
-/* Publishes the frames of the sensors, which never change, if the type support is installed.
- * Returns false if rcl reports an error. */
+/* Publishes the sensors' frames, which never change, if the type support is installed. Returns
+ * false if rcl reports an error. */
 bool transforms_start(struct transforms *t, const rcl_node_t *node, const struct seat *seats,
                       size_t count, builtin_interfaces__msg__Time now);
 

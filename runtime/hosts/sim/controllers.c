@@ -118,7 +118,7 @@ static int look_through(struct controllers *c, size_t i)
     return number;
 }
 
-/* Opens the tag finder, and the cameras of the world whose labels the program uses. */
+/* Opens the tag finder and, by their labels, the cameras that the program uses. */
 static bool open_cameras(struct controllers *c)
 {
     const struct frob_program *program = c->program;

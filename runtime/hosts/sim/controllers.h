@@ -1,4 +1,4 @@
-/* controllers.h -- the program, run once for each robot of the simulation.
+/* controllers.h -- runs an instance of the program for each robot in the simulation.
  *
  * The robots share only the code: each has its own state, input, output and recording. */
 #ifndef FROB_SIM_CONTROLLERS_H
@@ -27,14 +27,14 @@ struct controller {
     char *record_name; /* NULL: no recording */
     bool ended;        /* whether the program's task has ended */
     int64_t ended_ns;  /* when it ended */
-    void *result;      /* the output when it ended */
+    void *result;      /* the output when the task ended */
 };
 
 struct controllers {
     const struct frob_program *program;
     const void *params; /* shared by all robots */
     struct frob_sim *sim;
-    /* For each control of the console that uses a camera: the camera's number in the world. */
+    /* For each control on the console that uses a camera: the camera's number in the world. */
     int *cameras;
     const struct frob_image **frames; /* each camera's new frame at this instant; NULL if it has
                                        * none */
@@ -53,15 +53,15 @@ struct controllers {
 };
 
 /* Creates a controller for each robot, running the program with these parameters, which must stay
- * valid. `record` is the file name of the recording for a single robot. If there are several, robot
- * k (from 1) records to NAME-k.csv instead of NAME.csv. NULL means that there is no recording.
- * Prints a line on standard error and returns false if memory runs out, if a file cannot be
- * written, if the world lacks a camera or another device that the program uses, or if the tag
+ * valid. `record` is the file name of the recording for a single robot. If there are several
+ * robots, robot k (from 1) records to NAME-k.csv instead of NAME.csv. NULL means that there is no
+ * recording. Prints a line on standard error and returns false if memory runs out, if a file cannot
+ * be written, if the world lacks a camera or another device that the program uses, or if the tag
  * finder is not installed. The caller must call controllers_close in this case, too. */
 bool controllers_open(struct controllers *c, const struct params *params, struct frob_sim *sim,
                       const char *record);
 
-/* Runs an instant of all controllers: each reads its sensors, runs a step and sends its commands.
+/* Runs one instant of all controllers: each reads its sensors, runs a step and sends its commands.
  * During an outage of the world, no steps run, nothing is recorded, and the robots are commanded to
  * stop. The first command after an outage is also a stop. `touches` apply to all robots. Returns
  * false if a recording cannot be written, or if memory runs out. */

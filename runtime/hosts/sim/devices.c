@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A kind of device: how to open one, the names of the devices in the world, and the names of the
- * kind in messages and world files. */
+/* A kind of device: how to open one, the names of the devices in the world, and what the kind is
+ * called in messages and world files. */
 struct kind {
     int (*open)(struct frob_sim *sim, const char *name);
     const char *(*name)(const struct frob_sim *sim, size_t number);

@@ -12,7 +12,7 @@
 struct devices {
     const struct frob_program *program;
     struct frob_sim *sim;
-    /* For each control of the console: the number of its lidar or inertial measurement unit in the
+    /* For each control on the console: the number of its lidar or inertial measurement unit in the
      * simulation; -1 for other controls. */
     int *numbers;
 };

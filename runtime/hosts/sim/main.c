@@ -38,7 +38,7 @@ enum { ENDS_WITHIN_S = 2 };
 
 static volatile sig_atomic_t interrupted = 0; /* number of the signal */
 
-/* The alarm ends the process even if a step in the user's C code does not end. */
+/* The alarm ends the process even if a step never returns from the user's C code. */
 static void interrupt(int signal_number)
 {
     interrupted = signal_number;

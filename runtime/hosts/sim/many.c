@@ -38,7 +38,7 @@ static uint64_t checksum(const char *text)
     return hash;
 }
 
-/* Writes the line, whose text already ends in a line feed. */
+/* Writes a line with `key`, the text of `said` up to its line feed, and a checksum. */
 static bool write_line(const char *key, char *said)
 {
     const size_t room = strlen(key) + strlen(said) + 2;

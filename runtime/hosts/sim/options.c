@@ -114,7 +114,7 @@ static bool valued(struct options *o, const char *name, const char *value)
     return true;
 }
 
-/* The simulator draws only these formats. Others are reported before the run. */
+/* Before the run starts, reports a format that the simulator cannot draw. */
 static bool is_picture(const char *name)
 {
     size_t length = strlen(name);

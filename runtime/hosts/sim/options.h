@@ -15,7 +15,7 @@ struct options {
     double wall_distance_m; /* 0: from the world file */
     bool realtime, strict, progress;
     bool console;            /* whether to pass keys typed on standard input to the program */
-    bool exit_when_done;     /* whether to end the run when the program has ended */
+    bool exit_when_done;     /* whether to end the run when the program ends */
     bool stop_when_violated; /* whether to end the run when an assertion is violated */
     const char *record;      /* CSV; NULL: none */
     const char *picture;     /* NULL: none */

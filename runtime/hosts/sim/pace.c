@@ -9,7 +9,7 @@
  * viewer would miss some instants. */
 #define UNSEEN_SPEED 100.0
 #define UNSEEN_NS INT64_C(500000)
-#define LATE_NS INT64_C(100000000) /* the run does not catch up after a longer delay */
+#define LATE_NS INT64_C(100000000) /* maximum delay that the run makes up for */
 
 static int64_t clock_now(void)
 {
@@ -39,7 +39,7 @@ void pace_start(struct pace *pace, struct publisher *publisher,
     pace->clock_ns = clock_now();
 }
 
-/* Restarts the pace, with `time_ns` as the current time of the run. */
+/* Restarts pacing at this speed, with `time_ns` as the current time of the run. */
 static void begin_again(struct pace *pace, int64_t time_ns, double speed)
 {
     pace->clock_ns = clock_now();

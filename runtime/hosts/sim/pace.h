@@ -18,12 +18,12 @@ struct pace {
     uint32_t steps;            /* number of steps taken while paused */
 };
 
-/* Starts the pace, with 0 as the current time of the run. */
+/* Starts pacing a run whose current time is 0. */
 void pace_start(struct pace *pace, struct publisher *publisher,
                 const volatile sig_atomic_t *interrupted, bool is_free);
 
-/* Waits until the instant at this time of the run is due. Returns false if the run was interrupted,
- * or stopped by a viewer. */
+/* Waits until the instant `time_ns` after the start of the run is due. Returns false if the run was
+ * interrupted, or stopped by a viewer. */
 bool pace_wait(struct pace *pace, int64_t time_ns);
 
 #endif

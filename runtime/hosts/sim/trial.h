@@ -30,8 +30,8 @@ bool trial_open(struct trial *trial, const struct frob_program *judge);
  *     failed);
  *   the time;
  *   the label of what failed, or `judge`;
- *   for the first robot at that time its x, y, heading, clearance, whether something touches it,
- *     the distance driven and the error of its odometry;
+ *   the first robot's x, y, heading and clearance at that time, whether something touches it, the
+ *     distance that it has driven, and its odometry error;
  *   the number of its collisions, and for the first collision the time, x, y, clearance and object;
  *   `name=value` for each probe of the judge.
  *

@@ -43,8 +43,8 @@ struct column {
     const struct frob_value *value;
     size_t cell; /* index of the column in the file's rows */
     bool found;
-    bool on_console; /* whether the column belongs to the console: if it is missing, nobody touched
-                      * the control */
+    bool on_console; /* whether the column belongs to a console control; if it is missing, nobody
+                      * touched that control */
 };
 
 struct trace {
@@ -52,7 +52,7 @@ struct trace {
     struct params params;
     const char *input_name;
     struct csv csv;
-    struct frame_reader frames; /* the frames next to the recording */
+    struct frame_reader frames; /* the camera frames, stored next to the recording */
     FILE *output;
     struct column *columns;
     size_t count, capacity;
@@ -184,7 +184,8 @@ static bool readable(const struct trace *t, enum csv_status status)
 }
 
 /* Returns the end of a message about a column's name or a time. Spaces next to commas are part of
- * the name or time but hard to see, so the text points them out. It is empty if there are none. */
+ * the name or time but hard to see, so the message points them out. Without such spaces, returns
+ * "". */
 static const char *on_blanks(const char *text)
 {
     size_t length = strlen(text);

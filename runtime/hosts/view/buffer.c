@@ -68,7 +68,7 @@ void buffer_format(struct buffer *b, const char *format, ...)
     b->length += (size_t)length;
 }
 
-/* Returns the number of bytes of the character at `at`; 0 if it is not valid UTF-8 (RFC 3629: the
+/* Returns the number of bytes in the character at `at`; 0 if it is not valid UTF-8 (RFC 3629: the
  * shortest form, no surrogates, at most U+10FFFF). */
 static size_t utf8_length(const unsigned char *at)
 {

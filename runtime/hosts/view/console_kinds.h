@@ -1,8 +1,8 @@
 /* console_kinds.h -- the kinds of controls on a program's console, with the names that the page
  * uses.
  *
- * This is the only list: page/build.sh generates the page's list from it (one kind per line). If
- * code does not handle one of the kinds, neither the C code nor the TypeScript code compiles. */
+ * This is the only list: page/build.sh generates the page's list from it (one kind per line). C or
+ * TypeScript code that does not handle every kind does not compile. */
 #ifndef FROB_VIEW_CONSOLE_KINDS_H
 #define FROB_VIEW_CONSOLE_KINDS_H
 

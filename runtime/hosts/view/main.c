@@ -1,15 +1,15 @@
-/* frob-view -- shows a recorded or live run of a program on a page.
+/* frob-view -- shows a recorded or live run of a program on a web page.
  *
  *   frob-view [--why-nan] [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
  *             [--param NAME=VALUE]... [--at SECONDS] [--compare OTHER.csv] [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
  * If --ring is given, N is the number of an open file descriptor, and frob-view shows the run of
  * its parent process (../common/ring.h); RUN.csv is then the file in which the run is recorded, or
- * `-`. COMMAND, to which frob-view appends the file of an edited program, compiles it in the same
- * way as PROGRAM.so, and prints the path of the result. frob-view prints the page's address, and
- * opens it in a browser unless --print is given. It ends on SIGINT or SIGTERM and, for a live run,
- * when the run is over and no page is open. Exit status: 0, or 2 if a file cannot be read or is not
- * a recording, or if the port is not available. */
+ * `-`. COMMAND, to which frob-view appends the path of an edited program, compiles that program in
+ * the same way as PROGRAM.so, and prints the path of the result. frob-view prints the page's
+ * address, and opens it in a browser unless --print is given. It ends on SIGINT or SIGTERM and, for
+ * a live run, when the run is over and no page is open. Exit status: 0, or 2 if a file cannot be
+ * read or is not a recording, or if the port is not available. */
 #include "../common/dialect.h"
 #include "../common/load.h"
 #include "../common/streams.h"
@@ -46,8 +46,8 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
     files->own_count += is_own ? 1 : 0;
 }
 
-/* Reads the two commands, separated by `--`, that build and drive an edited program. Each
- * becomes an array that ends with NULL. */
+/* Reads the two commands, separated by `--`, that build an edited program and run it in the
+ * simulator. Each becomes an array that ends with NULL. */
 static void read_commands(struct options *o, char **at)
 {
     if (*at == NULL)

@@ -63,7 +63,7 @@ static inline unsigned frob_arithmetic_faults(void)
     const double three = three_, least = least_, most = most_;
     unsigned faults = 0;
 
-    /* Only binary64 represents 1 and -1/3 by these bits. */
+    /* Only binary64 represents 1 and -1/3 with these bits. */
     if (FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || sizeof(double) != 8)
         return FROB_ARITHMETIC_FORMAT;
     if (frob_arithmetic_bits(one) != UINT64_C(0x3ff0000000000000) ||
@@ -175,7 +175,7 @@ static inline unsigned frob_arithmetic_float_faults(void)
 
 /* Describes the faults and how to fix them, as the end of a sentence that starts with "the
  * arithmetic". If there are several faults, names the one that may have caused the others. Returns
- * an empty text for 0. */
+ * an empty string for 0. */
 static inline const char *frob_arithmetic_reason(unsigned faults)
 {
     if ((faults & FROB_ARITHMETIC_FORMAT) != 0)

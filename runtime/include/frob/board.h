@@ -34,7 +34,7 @@ struct frob_board {
      * struct. Each event is passed once. */
     void (*sense)(void *board, const void *input, int64_t now_ns);
 
-    /* Handles a received byte, which arrives at the time of the last call to `sense` or
+    /* Handles a byte that was received at the time passed to the last call of `sense` or
      * `advance`. */
     void (*receive)(void *board, uint8_t byte, struct frob_answer *answer);
 

@@ -47,8 +47,8 @@ struct frob_senses {
     /* One reading for each ranger: the range of an echo that has arrived since the last instant, or
      * NaN. */
     const double *echoes_m;
-    /* One reading for each floor sensor: the fraction of its light that the floor reflects,
-     * from 0 (black, or no floor) to 1 (white), with noise. */
+    /* One reading for each floor sensor: the fraction of the sensor's light that the floor
+     * reflects, from 0 (black, or no floor) to 1 (white), with noise. */
     const double *floor;
     const double *light_lux; /* one reading for each photocell: the illuminance */
 };

@@ -23,8 +23,9 @@ size_t frob_camera_label(const struct frob_control *control);
 void frob_camera_give(const struct frob_control *camera, void *input,
                       const struct frob_image *image, int64_t now_ns);
 
-/* Sets a number that comes with a frame, `age` or `number`, chosen by the field's name; 0 if
- * `image` is NULL. Also used for other data that comes with frames, such as tags (frob/tags.h). */
+/* Sets an input field to the frame's age at the time `now_ns` if the field is called `age`, and
+ * otherwise to the frame's number. Sets it to 0 if `image` is NULL. Also used for other data that
+ * comes with frames, such as tags (frob/tags.h). */
 void frob_camera_give_number(const struct frob_field *field, void *input,
                              const struct frob_image *image, int64_t now_ns);
 

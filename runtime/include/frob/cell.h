@@ -28,7 +28,7 @@ size_t frob_cell_room(const struct frob_value *value);
 /* Describes why a cell could not be read. */
 struct frob_cell_error {
     size_t position;      /* byte offset in the cell */
-    const char *expected; /* a static text: "a number" */
+    const char *expected; /* a static string, such as "a number" */
     /* If not NULL, one of this value's constructors was expected. */
     const struct frob_value *choice;
 };

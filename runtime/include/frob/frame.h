@@ -1,4 +1,4 @@
-/* frob/frame.h -- represents a camera frame as a file, and by a name in a trace's cell.
+/* frob/frame.h -- stores a camera frame in a file, and refers to it by name in a cell of a trace.
  *
  * The file is in a netpbm format: PGM for grey pixels, PPM for colours. Depth images have no file
  * format. Comments in the header store the other members of struct frob_image with all their
@@ -47,8 +47,8 @@ size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD
  * "it". */
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
-/* Finds the frames that cells name. `find` returns an image that is valid until the end of the
- * instant. If there is none, it returns NULL and sets `expected` to the words that follow
+/* Looks up the frames that cells refer to. `find` returns an image that is valid until the end of
+ * the instant. If there is none, it returns NULL and sets `expected` to the words that follow
  * "expected" in the error message. */
 struct frob_frames {
     const struct frob_image *(*find)(void *context, const struct frob_frame_name *name,

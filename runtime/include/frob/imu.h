@@ -1,7 +1,7 @@
 /* frob/imu.h -- readings of an inertial measurement unit as part of a program's input.
  *
- * In the program's table, `console` lists the units that the program uses, with the kind FROB_IMU,
- * under their names. */
+ * In the program's table, `console` has a control of the kind FROB_IMU for each unit that the
+ * program uses. The label of such a control is the unit's name. */
 #ifndef FROB_IMU_H
 #define FROB_IMU_H
 

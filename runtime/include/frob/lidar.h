@@ -28,7 +28,7 @@ struct frob_scan {
     double x_m, y_m;              /* the device's position, ahead of the robot's centre and to the
                                    * left of it */
     int64_t taken_ns;             /* time at which the device measured the scan */
-    uint32_t number;              /* number of the scan, counting lost ones */
+    uint32_t number;              /* number of the scan; lost scans count too */
 };
 
 /* Returns the length of the lidar's name in a control's label; 0 if the control is not a lidar. */
@@ -39,7 +39,7 @@ size_t frob_lidar_label(const struct frob_control *control);
  *
  * Direction k of n has the bearing k * 360 / n degrees, and covers the sector of 360 / n degrees
  * around it. Its distance is the smallest one measured by the rays in the sector and by those at
- * most half a step_rad away from its bearing. Therefore no object is lost if the device has more
+ * most step_rad / 2 away from its bearing. Therefore no object is lost if the device has more
  * rays than the program has directions, and no direction is empty if the device has fewer. */
 void frob_lidar_give(const struct frob_control *lidar, void *input, const struct frob_scan *scan,
                      int64_t now_ns);

@@ -23,7 +23,8 @@ enum {
 };
 
 struct frob_source {
-    const char *column; /* a column, or the common start of several names, such as `in.sonar` */
+    const char *column; /* a column's name, or a common prefix of several names, such as
+                         * `in.sonar` */
     int back;           /* how many instants earlier the source is read (0: in the same
                          * instant), or FROB_FIRST or FROB_ENTRY */
     /* The machine, if the source applies only in one of its modes; otherwise "". */
@@ -50,12 +51,12 @@ struct frob_transition {
 
 struct frob_origin {
     const char *column;
-    /* Where the column's equation is in the source; for a parameter, where the argument is. */
+    /* Source position of the column's equation or, for a parameter, of the argument. */
     const char *file;
     unsigned line, last;
     const struct frob_source *sources; /* NULL, or an array that ends with a NULL column */
-    /* If the column is a machine's running mode, its transitions. The array ends with one whose
-     * label is NULL. */
+    /* The machine's transitions if the column is a machine's running mode. The array ends with a
+     * transition whose label is NULL. */
     const struct frob_transition *transitions;
 };
 

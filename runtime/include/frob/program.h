@@ -25,7 +25,7 @@ enum frob_kind {
     FROB_ROUNDED, /* double, rounded by the program to the nearest float */
     FROB_PRODUCT, /* a tuple, a record, or () */
     FROB_SUM,     /* uint8_t tag, and slots for the arguments of the constructors */
-    FROB_ARRAY,   /* like a tuple; the elements are the fields of its only constructor */
+    FROB_ARRAY,   /* like a tuple: the elements are the fields of the only constructor */
     FROB_IMAGE    /* const struct frob_image * (frob/image.h), valid during the instant */
 };
 
@@ -49,7 +49,7 @@ struct frob_value {
     enum frob_kind kind;
     size_t offset; /* position of the bool, int32_t, double, float or pointer, or of a sum's tag */
     int is_event;  /* whether it is a sum of type `Event a`, in which constructor 0 is NoEvent */
-    /* Number of constructors: 1 for a product or array, which store no tag. */
+    /* Number of constructors: 1 for a product or an array, neither of which stores a tag. */
     size_t count;
     const struct frob_constructor *constructors;
 };
@@ -68,14 +68,14 @@ struct frob_machine {
 };
 
 enum frob_control_kind {
-    FROB_BUTTON, /* an event of () */
+    FROB_BUTTON, /* an event with the value () */
     FROB_HOLD,   /* a bool: whether a button is held down */
     FROB_KNOB,   /* a number from `least` to `most` */
     FROB_TOGGLE, /* a bool */
-    FROB_MAP,    /* an event of a position: two numbers, in metres, in the odometry frame */
-    FROB_CAMERA, /* an event of a frame (frob/camera.h), set by the host, not by the operator */
-    /* An event of the tags in a frame (frob/tags.h), also set by the host. Its label is the
-     * camera's label and " tags". */
+    FROB_MAP,    /* an event with a position: two numbers, in metres, in the odometry frame */
+    FROB_CAMERA, /* an event with a frame (frob/camera.h), set by the host, not by the operator */
+    /* An event with the tags in a frame (frob/tags.h), also set by the host. Its label is the
+     * camera's label followed by " tags". */
     FROB_TAGS,
     /* An event with a scan of a lidar (frob/lidar.h), set by the host. Its label is the lidar's
      * name and the number of directions. */
@@ -99,7 +99,7 @@ struct frob_control {
 /* A parameter of the program, which is fixed when a run starts. */
 struct frob_param {
     const char *name;               /* "kTurn", or "M.kTurn" if it is from the module M */
-    const char *unit;               /* the unit in the source: "1/m", "1"; "" for a truth value */
+    const char *unit;               /* the unit as in the source: "1/m", "1"; "" for a bool */
     const struct frob_value *value; /* a bool, int32_t, double or float in the parameter struct */
 };
 
@@ -122,17 +122,17 @@ struct frob_topic {
     const char *field; /* field of the program's input or output, which are records */
     const char *name;  /* before remapping: "cmd_vel" */
     const char *type;  /* "geometry_msgs/msg/Twist" */
-    int is_counted;    /* whether the value is an event of a Counted */
+    int is_counted;    /* whether the value is an event with a Counted */
     int is_command;    /* whether an all-zero message stops the controlled device */
 };
 
-/* The texts that represent an enumeration in ROS 2 messages. */
+/* The strings that represent an enumeration in ROS 2 messages. */
 struct frob_texts {
     /* The constructors of a value of this type in the program's input or output. Each value has its
      * own table of constructors, so the pointer identifies the value. */
     const struct frob_constructor *constructors;
     const char *type;         /* name from the source: "Mode" */
-    const char *const *texts; /* one text for each constructor */
+    const char *const *texts; /* one string for each constructor */
 };
 
 /* A program that is a ROS 2 node with topics of its own. */

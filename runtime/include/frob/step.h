@@ -4,7 +4,8 @@
  *
  * Functions whose names end in f take floats, as in <math.h>, for programs in single precision.
  * Everything is static inline, so functions that a program does not call cost nothing. No function
- * has state or traps, and the only parts of the C library that they use are <math.h> and memcpy.
+ * keeps state or causes a trap, and the only parts of the C library that they use are <math.h> and
+ * memcpy.
  *
  * frobc reads this header too: `frobc compile --standalone` copies the definitions that a program
  * needs into the generated file, and generated code avoids the names defined here. frobc splits
@@ -200,7 +201,8 @@ static inline bool frob_runs_out(uint32_t *left, int64_t ns)
     return false;
 }
 
-/* Does the same if the condition holds; otherwise, resets the remaining time to `all`. */
+/* Does the same as frob_runs_out if the condition holds; otherwise, resets the remaining time
+ * to `all`. */
 static inline bool frob_runs_out_while(bool condition, uint32_t *left, int64_t ns, uint32_t all)
 {
     if (condition) {
@@ -325,8 +327,8 @@ static inline double frob_limit(double x, double y)
     return high > -x ? high : -x;
 }
 
-/* Clamps y to -x … x, or to 0 if x is negative; NaN if either is NaN: frob_limit(frob_above_zero(x),
- * y). If x is -0.0, the result is -0.0, as for 0.0. */
+/* Equivalent to frob_limit(frob_above_zero(x), y): clamps y to -x … x, or to 0 if x is negative;
+ * NaN if either is NaN. The result for x = -0.0 is -0.0, the same as for x = 0.0. */
 static inline double frob_limit_above_zero(double x, double y)
 {
     if (FROB_BRANCH(!(x > 0.0))) {
@@ -402,9 +404,10 @@ static inline int64_t frob_whole_ns(double dt)
 }
 
 /* Rounds dt, in seconds, to whole nanoseconds. dt is almost always the double nearest to such a
- * number already, and checking its bits is faster than dividing. From 2^-10 to 2^22 s, the bits of
- * dt, times 4e9 and shifted left by the exponent, are the fraction of a nanosecond as a 64-bit
- * number; 4e9, shifted in the same way, is one unit in the last place of dt. */
+ * number already, and checking its bits is faster than dividing. For dt from 2^-10 to 2^22 s, the
+ * function multiplies the bits of dt by 4e9 and shifts the product left by the exponent; the 64-bit
+ * result is the fraction of a nanosecond. 4e9, shifted by the same amount, is one unit in the last
+ * place of dt. */
 static inline double frob_whole_dt(double dt)
 {
 #ifndef __OPTIMIZE_SIZE__
@@ -428,7 +431,8 @@ static inline double frob_nanoseconds(double seconds)
 }
 
 /* Converts a local time, which is stored in nanoseconds, to seconds and applies frob_nanoseconds.
- * During the first 13 days, the conversion to seconds and back changes nothing. */
+ * Skips the conversion for times below 13 days, because converting them to seconds and back changes
+ * nothing. */
 static inline double frob_time_in_ns(int64_t time)
 {
     const double ns = (double)time;
@@ -551,8 +555,8 @@ static inline float frob_limitf(float x, float y)
     return high > -x ? high : -x;
 }
 
-/* Clamps y to -x … x, or to 0 if x is negative; NaN if either is NaN: frob_limitf(frob_above_zerof(x),
- * y). If x is -0.0, the result is -0.0, as for 0.0. */
+/* Equivalent to frob_limitf(frob_above_zerof(x), y): clamps y to -x … x, or to 0 if x is negative;
+ * NaN if either is NaN. The result for x = -0.0 is -0.0, the same as for x = 0.0. */
 static inline float frob_limit_above_zerof(float x, float y)
 {
     if (FROB_BRANCH(!(x > 0.0f))) {

@@ -69,8 +69,8 @@ struct frob_blobs {
 };
 #endif
 
-/* Finds all pixels of the region that are in the colour range, as one blob. A grey image has
- * colours with saturation 0; a depth image has no colours. */
+/* Finds all pixels of the region that are in the colour range, as one blob. In a grey image, all
+ * colours have saturation 0; a depth image has no colours. */
 void frob_find_blob(const struct frob_image *image, const struct frob_region *roi,
                     const struct frob_colour_range *colours, struct frob_blob *result);
 
@@ -129,8 +129,9 @@ struct frob_edge {
 };
 #endif
 
-/* The strongest edges along a segment: a rising edge gets brighter, a falling edge gets darker and
- * has a negative gradient. Parts of the segment outside the image have no edges. */
+/* The strongest edges along a segment. Brightness increases at the rising edge and decreases at the
+ * falling edge, whose gradient is negative. Parts of the segment outside the image have no
+ * edges. */
 #ifndef FROB_EDGES_DEFINED
 #define FROB_EDGES_DEFINED
 struct frob_edges {
@@ -175,10 +176,10 @@ struct frob_placement {
 void frob_get_patch(const struct frob_image *image, const struct frob_placement *place,
                     double result[FROB_PATCH_SIZE]);
 
-/* The best placement of a patch, and how well it matches: the square root of 1 - r^2, where r is
- * the correlation between the brightness of the patch and of the image. It does not depend on
- * brightness offset or contrast. 0 is a perfect match, 1 no similarity at all. The residual is also
- * 1 if more than a quarter of the patch is outside the image. */
+/* The best placement of a patch, and the residual there: the square root of 1 - r^2, where r is the
+ * correlation between the brightness of the patch and that of the image. A residual of 0 means a
+ * perfect match, and 1 no similarity at all; brightness offset and contrast have no effect. The
+ * residual is also 1 if more than a quarter of the patch is outside the image. */
 #ifndef FROB_MATCH_DEFINED
 #define FROB_MATCH_DEFINED
 struct frob_match {
@@ -204,9 +205,9 @@ struct frob_search {
 void frob_match_patch(const struct frob_image *image, const double patch[FROB_PATCH_SIZE],
                       const struct frob_search *search, struct frob_match *result);
 
-/* Finds the best match in a region, on a grid of a few samples, for a patch with the angle and
- * scale of `like`. Use the result as the start of frob_match_patch at level 2. A region is searched
- * at a resolution of at most 160 by 120 cells. */
+/* Finds where in a region the patch matches best, at the angle and scale of `like`, on a grid with
+ * a spacing of a few samples. Use the result as the starting placement for frob_match_patch at
+ * level 2. The region is searched at a resolution of at most 160 by 120 cells. */
 void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
                         struct frob_match *result);
@@ -241,11 +242,11 @@ struct frob_stereo {
 /* Returns the number of bytes of memory that frob_match_stereo needs for a region of this width. */
 size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
 
-/* Computes the disparity of each pixel of the region, in 1/16 pixels. It is -1 if unknown: the
- * texture is too weak, two disparities match equally well, or the corresponding pixel in the right
- * image, if it is within the region, matches best at a different disparity. `stride` is the number
- * of elements from one row of the result to the next. Returns false and writes nothing if the
- * images are not a pair or `room` is too small. */
+/* Computes the disparity of each pixel of the region, in units of 1/16 pixel. It is -1 if unknown:
+ * the texture is too weak, two disparities match equally well, or the corresponding pixel in the
+ * right image, if it is within the region, matches best at a different disparity. `stride` is the
+ * number of elements from one row of the result to the next. Returns false and writes nothing if
+ * the images are not a pair or `room` is too small. */
 bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
                        const struct frob_stereo *how, uint16_t *room, size_t room_size,
                        int16_t *result, int32_t stride);

@@ -17,11 +17,11 @@ MARKS = "()[]{},="
 
 
 DEEPEST = 200
-"""Maximum nesting of parentheses, brackets and braces: deeper than any type."""
+"""Maximum nesting of parentheses, brackets and braces: more than any type needs."""
 
 
 class CellError(ValueError):
-    """Raised if a text is not a value."""
+    """Raised if a string is not a valid value."""
 
 
 def words(cell: str) -> List[str]:
@@ -119,7 +119,7 @@ def _plain(word: str, args: List[Any]) -> Any:
 
 
 def finite(word: str) -> float:
-    """Converts a word to a number. It may be infinite only if it is written as `inf`."""
+    """Converts a word to a number. Accepts `inf`, but rejects digits that overflow to infinity."""
     number = float(word)
     if math.isinf(number) and any(c.isdigit() for c in word):
         raise CellError(f"expected a number up to 1.79e308, or `inf`, found `{word}`")

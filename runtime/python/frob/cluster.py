@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from distributed import Client
 
 LEAST_RUNS = 50
-"""Minimum number of runs per task. Each task costs the scheduler milliseconds, and `frobc sweep` has
-to read the plan.
+"""Minimum number of runs per task. Each task costs the scheduler some milliseconds and makes
+`frobc sweep` read the plan again.
 """
 
 MOST_RUNS = 500

@@ -159,7 +159,7 @@ def read(memory: Any, size: int, leaves: Leaves, count: int) -> "Dict[str, NDArr
 
 
 def dt_of_time(time: Any) -> "NDArray[np.int64]":
-    """Converts times in seconds to the nanoseconds between them; the first element is 0."""
+    """Converts times in seconds to time steps in nanoseconds; the first step is 0."""
     np = numpy()
     column = as_column("time", time)
     if column.dtype.kind in "Mm":

@@ -14,8 +14,8 @@ from .simulator import Simulator, Truth, robot_of, world_path
 
 
 def number_of(leaf: shapes.Leaf) -> Optional[shapes.Scalar]:
-    """Returns the scalar type of a column that is a number, a boolean, or an event with such a
-    value; None for other columns."""
+    """Returns the scalar type of a column that is a number, a boolean, or an event that carries
+    one; None for other columns."""
     if isinstance(leaf, shapes.Sum) and leaf.is_optional:
         (inner,) = leaf.constructors[1].parts
         return inner if isinstance(inner, shapes.Scalar) else None
@@ -63,7 +63,7 @@ class Drive:
 
     def numbers(self, names: Sequence[str]) -> List[shapes.Scalar]:
         """Returns the scalar types of the named columns. Each column must be a number, a boolean,
-        or an event with such a value."""
+        or an event that carries one."""
         for name in names:
             if name not in self._columns:
                 known = ", ".join(self._columns)
@@ -100,8 +100,9 @@ class Drive:
 
     def step(self, inputs: Mapping[str, Any], outputs: Mapping[str, Any]) -> None:
         """Runs one instant of the program; `inputs` and `outputs` override the program's own
-        values. Then runs the world to the program's next instant and reads the sensors. The program
-        has no instants during an outage of the world, so its next instant is after the outage."""
+        values. Then advances the world to the program's next instant and reads the sensors. The
+        program has no instants during an outage of the world, so its next instant is after the
+        outage."""
         sim = self._running()
         now = self._time_ns(self._instant)
         self._put(inputs)
@@ -115,7 +116,7 @@ class Drive:
         self._arrive()
 
     def _arrive(self) -> None:
-        """Runs the world to the next instant of the program, or to the end of the run."""
+        """Advances the world to the program's next instant, or to the end of the run."""
         sim = self._running()
         while not sim.read(self._time_ns(self._instant), self._input) and self.time < self._lasts:
             self._instant += 1

@@ -91,7 +91,7 @@ class _Looked:
                 f"the results of {self._ended} search{'' if self._ended == 1 else 'es'} are above"
             )
         if not self._label:
-            return f"{kept}; run the same command to start again"
+            return f"{kept}; to start over, run the same command again"
         return (
             f"{kept}; `{tools.command('--only', self._label)}` restarts the search that "
             f"had performed {self._runs} of at most {self._most} runs"

@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Moment:
-    """The instant after an action. The reward function takes it as its argument."""
+    """The instant after an action, as passed to `reward` and `done`."""
 
     time: float
     """Seconds since the start."""

@@ -89,8 +89,8 @@ class Subject:
         return value + self.voided(void), None
 
     def void(self, memory: "NDArray[Any]") -> int:
-        """Returns the first instant at which an assumption fails, or the number of instants. Later
-        instants do not count.
+        """Returns the first instant at which an assumption fails, or the number of instants if none
+        fails. That instant and all later ones do not count.
         """
         assumed = [one for one in self.claims if one.is_assumption]
         return min((self._first_failure(one, memory) for one in assumed), default=len(self.time))
@@ -120,7 +120,7 @@ class Subject:
         return output
 
     def _margin(self, claim: Claim, memory: "NDArray[Any]", void: int) -> float:
-        """Returns the smallest margin of the run before the instant `void`."""
+        """Returns the smallest margin at an instant before `void`."""
         np = columns.numpy()
         if claim.margin is None:
             return FAR

@@ -109,7 +109,8 @@ def _within(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _held_for(ns: "Times", q: Optional[int], p: "Series") -> "Series":
-    """The minimum since the latest instant at least q earlier; minus infinity if there is none."""
+    """The minimum since the latest instant that is at least q nanoseconds in the past; minus
+    infinity if there is no such instant."""
     np = columns.numpy()
     if q is None:
         return np.full(len(ns), -np.inf)  # type: ignore[no-any-return]
@@ -127,8 +128,8 @@ def _by(ns: "Times", q: Optional[int], p: "Series") -> "Series":
 
 
 def _responds(ns: "Times", q: Optional[int], p: "Series", answer: "Series") -> "Series":
-    """The minimum over all instants more than q earlier. At each of these, p must be false, or the
-    answer must have come since."""
+    """The minimum over all instants more than q nanoseconds ago: at each of them, p must have been
+    false, or the answer must have come since."""
     np = columns.numpy()
     count = len(ns)
     if q is None:

@@ -70,10 +70,10 @@ def read(
 ) -> "Table":
     """Reads a recording, or any trace, as a DataFrame; without pandas, as `Columns`.
 
-    Numbers and booleans are Python's; `frob.Data` describes all other values. An event that does
-    not occur is None. `attrs` contains `params` (the values that the program ran with), `units`
-    (their units) and `assertions` (the result of each assertion). Files whose names end in .gz or
-    .zst are decompressed; for .zst, this needs the program zstd.
+    Numbers and booleans are Python's own; `frob.Data` describes all other values. An event that
+    does not occur is None. `attrs` contains `params` (the values that the program ran with),
+    `units` (their units) and `assertions` (the result of each assertion). Files whose names end in
+    .gz or .zst are decompressed; for .zst, this needs the program zstd.
 
     These options read recordings from other programs: `separator` is the separator between cells
     (`"tab"` or a character); `decimal_comma` is True if numbers have a decimal comma; `time_column`
@@ -191,7 +191,7 @@ def as_table(columns: Dict[str, Any]) -> Any:
 
 
 def _head(text: str) -> Tuple[List[str], str, int]:
-    """Splits a file into the comment lines before the header, and the rest; also returns the number
+    """Splits a file into the comment lines before the header and the rest; also returns the number
     of comment lines.
     """
     head: List[str] = []
@@ -223,8 +223,8 @@ def _cells(text: str, dialect: Dialect) -> Iterable[List[str]]:
 
 
 def _times(seconds: List[Any], texts: Sequence[str], dialect: Dialect) -> Tuple[List[Any], int]:
-    """Counts times from the first row if floats cannot represent them. Also returns the origin in
-    ns."""
+    """Makes the times relative to the first row if floats cannot represent them to the nanosecond.
+    Also returns the origin in ns."""
     if not any(isinstance(one, float) and abs(one) * 1e9 > times.IN_A_FLOAT for one in seconds):
         return seconds, 0
     exact = [times.of_text(dialect.cell(text)) for text in texts]
@@ -290,8 +290,8 @@ VERDICTS = {"NotAsked", "Holds", "Open", "Fails", None}
 
 
 def _assertions(columns: Dict[str, List[Any]]) -> Dict[str, Assertion]:
-    """Computes the results of the assertions as a host prints them. Once an assumption fails, that
-    instant and all later ones do not count.
+    """Computes the results of the assertions as a host prints them. The first instant at which an
+    assumption fails, and all later instants, do not count.
     """
     told = {
         name: column

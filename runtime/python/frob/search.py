@@ -62,7 +62,7 @@ class Space:
     def inputs_at(
         self, point: Sequence[float], time: "NDArray[Any]", duration: float
     ) -> "Dict[str, NDArray[Any]]":
-        """The inputs at these times. They are constant from each control point to the next, or
+        """The inputs' values at these times: constant from each control point to the next, or
         linear between control points that are spread evenly from the first instant to the last."""
         np = columns.numpy()
         found = {}
@@ -95,10 +95,10 @@ class Space:
 
     def sketch(self, most: int, drawn: random.Random, is_restless: bool) -> "Sketch":
         """Draws a random point: parameters anywhere in their ranges, and inputs that change a few
-        times. An input has at most `most` constant parts, or, if `is_restless`, as many parts as
-        there are control points. Half of the changes are early, so that they can take effect during
-        the rest of the run. Many values are at an end of their range, especially the last value of
-        each input, which stays in effect until the end of the run."""
+        times. An input has at most `most` constant parts, or, if `is_restless` is true, as many
+        parts as there are control points. Half of the changes are early, so that they can take
+        effect during the rest of the run. Many values are at an end of their range, especially the
+        last value of each input, which stays in effect until the end of the run."""
 
         def value(at_end: float) -> float:
             return float(drawn.getrandbits(1)) if drawn.random() < at_end else drawn.random()
@@ -122,7 +122,8 @@ class Space:
 
 @dataclass(frozen=True)
 class Sketch:
-    """A point of a space, described by fewer numbers than the point has, each from 0 to 1."""
+    """A point, described by when and how its inputs change instead of by their control points. All
+    numbers are from 0 to 1."""
 
     space: Space
     parts: List[int]

@@ -291,7 +291,7 @@ def from_text(shape: Shape, text: str, place: str) -> Any:
 
 
 Defaults = Mapping[int, Any]
-"""Maps the addresses of tables to the defaults of their values, for values that may be omitted."""
+"""For each value that may be omitted, maps the address of its `table.Value` to its default."""
 
 
 def of_value(value: table.Value, defaults: Defaults) -> Shape:

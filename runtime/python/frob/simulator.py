@@ -160,7 +160,7 @@ class Simulator:
         sensors.
 
         During an outage of the world, commands a stop instead and returns False, because the
-        program has no instant."""
+        program has no instants then."""
         with self._lock:
             sim = self._open()
             self._lib.frob_sim_advance(sim, time_ns)

@@ -58,8 +58,8 @@ def of_dt(seconds: float) -> int:
 
 
 def hint(seconds: Any) -> str:
-    """For a time that is too large: if it looks like a time since 1970 in a smaller unit, returns a
-    hint, in the words of `frobc`; otherwise, returns an empty string.
+    """Returns a hint, in the words of `frobc`, if a time that is too large looks like a time since
+    1970 in a smaller unit; otherwise, returns an empty string.
     """
     try:
         size = abs(float(seconds))

@@ -55,7 +55,8 @@ def prefix() -> str:
 
 
 def run(arguments: Sequence[str]) -> str:
-    """Runs frobc and returns its standard output. Its messages become an exception or a warning.
+    """Runs frobc and returns its standard output. If frobc fails, raises its messages as an
+    exception; otherwise, issues them as a warning.
 
     frobc and its child processes end when this process ends, for whatever reason."""
     command = [frobc(), *arguments]
@@ -118,7 +119,7 @@ def command(*arguments: str) -> str:
 
 
 def existing(path: PathLike, what: str) -> str:
-    """Converts a path to text and checks that the file exists."""
+    """Converts a path to a string and checks that the file exists."""
     text = path_text(path, what)
     if not os.path.isfile(text):
         raise Error(f"there is no {what} {text}")

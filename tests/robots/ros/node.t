@@ -57,7 +57,7 @@ are parameters too, which they can change.
   $ run_ros paced.frob --for 0.6s --ros-args -p pace:=0.1 --; cat messages velocities
   0.000 0.000
   0.100 0.000
-  set_parameters: `pace` is fixed during a run: restart the node with `--ros-args -p pace:=VALUE`, or make it a knob of the program's console
+  set_parameters: `pace` is fixed during a run: restart the node with `--ros-args -p pace:=VALUE`, or make it a knob on the program's console
   0.000 0.000
   $ cat >tuned.frob <<END
   > import Robot

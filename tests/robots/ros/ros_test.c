@@ -419,7 +419,7 @@ static void test_parameters(void)
           "and so is a text");
     check(answers(&p, "kTurn", half,
                   "`kTurn` is fixed during a run: restart the node with `--ros-args -p "
-                  "kTurn:=VALUE`, or make it a knob of the program's console"),
+                  "kTurn:=VALUE`, or make it a knob on the program's console"),
           "a parameter of the program is fixed");
     check(answers(&p, "speed", half,
                   "the node has no parameter `speed`; its parameters are `kTurn`, `count`, `pace`, "
@@ -431,7 +431,7 @@ static void test_parameters(void)
     check(!parameters_read(&p, parameters_find(&p, "pace"), "fast", &value, reason, sizeof reason),
           "unless it is not a number");
     parameters_describe(parameters_find(&p, "pace"), description, sizeof description);
-    check(strcmp(description, "m/s; knob of the program's console") == 0, "the unit is described");
+    check(strcmp(description, "m/s; knob on the program's console") == 0, "the unit is described");
     free(p.each);
 }
 

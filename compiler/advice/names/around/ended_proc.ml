@@ -114,7 +114,7 @@ let rec count name (node : Syntax.Node.t) =
   let own = match node with Expression e when is_named [ name ] e -> 1 | _ -> 0 in
   List.fold_left (fun n child -> n + count name child) own (Syntax.Node.children node)
 
-(* The largest application of a [switch] with the name in one of its arguments. *)
+(* The whole application of the innermost [switch] that has the name in one of its arguments. *)
 let switch_around program (name : name) =
   let is_switch e =
     let head, arguments = spine e in
@@ -126,8 +126,8 @@ let switch_around program (name : name) =
       let same (_, (head : expr), _) = Span.compare head.span first.span = 0 in
       Some (List.nth all (List.length (List.filter same all) - 1))
 
-(* Returns the application whose last argument is the name, or the name itself if there is none, and
-   the place of this expression, including any parentheses around an application. *)
+(* Returns the application whose last argument is the name, and its place, including any parentheses
+   around it. If there is no such application, returns the name itself and its place. *)
 let value_of program (name : name) =
   let rec go (value : expr) = function
     | ({ desc = Apply (_, x); _ } as whole : expr) :: outer when x.span = value.span ->

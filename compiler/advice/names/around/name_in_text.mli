@@ -13,12 +13,13 @@ val line_of : string -> Span.t -> string
 (** The line on which the place starts. *)
 
 val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> unit_ option
-(** The unit that contains the name, if the unit follows a number without brackets, as in [0.5 m/s].
+(** The unit that contains the name, if the unit follows a number and has no brackets, as in [0.5
+    m/s].
 *)
 
 val number_with_unit : text:string -> Span.t -> (string * Span.t) option
-(** The number before the brackets that contain only this name, and the place of the number with its
-    brackets. *)
+(** For a name alone in its brackets, as in [20[h]]: the number before the brackets, and the place
+    of the number together with the brackets. *)
 
 val before : text:string -> Span.t -> char
 (** The character before the name. *)
@@ -62,8 +63,8 @@ val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)
 
 val replaced : name:string -> by:string -> string -> (int * string) option
-(** The number of occurrences of the name in an expression, and the expression with this text in
-    place of each of them. [None] if the name does not occur. *)
+(** The number of occurrences of the name in an expression, and the expression with each occurrence
+    replaced by this text. [None] if the name does not occur. *)
 
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
@@ -85,16 +86,16 @@ val divided_difference : text:string -> Span.t -> (Span.t * string) option
     parentheses if it needs them as an argument. *)
 
 val product : text:string -> Span.t -> (Span.t * string * string) option
-(** The product of the name and another name, if it is not part of a longer product: its place, and
-    the two names. *)
+(** The product of the name and another name: the place of the product, and the two names. [None] if
+    the product is part of a longer one. *)
 
 val record : text:string -> Span.t -> (Span.t * (string * string) list) option
 (** The record expression on one line that begins with this name: its place, and the names and the
     values of its fields. *)
 
 val in_parentheses : text:string -> Span.t -> (Span.t * string) option
-(** The call that begins with the name, as in [f(x, y)], without a space before the parenthesis: its
-    place, and the text in parentheses. *)
+(** The call that begins with the name, as in [f(x, y)], if there is no space before the
+    parenthesis: the place of the call, and the text in the parentheses. *)
 
 val application : text:string -> Span.t -> (Span.t * string list) option
 (** The application of the name to arguments on its line: its place, and the text of each argument.

@@ -1,6 +1,6 @@
 (** The signals of [proc]s, for messages about signals that are used outside their scope: after the
-    bracket or comma that ends the [proc], or in a [where] after [proc … -> do], which belongs to
-    the enclosing definition. *)
+    bracket or comma that ends the [proc], or in a [where] after [proc … -> do], because such a
+    [where] belongs to the enclosing definition. *)
 
 type t = {
   name : Syntax.Ir.name;
@@ -8,8 +8,8 @@ type t = {
 }
 
 val of_surroundings : Syntax.Ir.right list -> t list
-(** The right-hand sides are nested, innermost first. Returns the names bound by every [proc] in the
-    outermost one, and by each right-hand side that is itself a [proc] with a [do]. *)
+(** The right-hand sides are nested, innermost first. Returns the names bound by all [proc]s in the
+    outermost right-hand side, and by each right-hand side that is itself a [proc] with a [do]. *)
 
 val of_module : Syntax.Ir.program -> t list
 (** The names bound by all [proc]s in the module's definitions. *)

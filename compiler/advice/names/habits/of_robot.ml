@@ -19,7 +19,7 @@ let of_a_reading (t : Unknown.t) =
         (Phrasebook.applied Reading t.name.text input)
   | Some _ | None -> None
 
-(* The names whose previous value this name may denote: `v` for `v_prev` and `prevV`. *)
+(* The variables whose previous value this name may denote: `v` for `v_prev` and `prevV`. *)
 let current name =
   let n = String.length name in
   let without_end suffix =

@@ -97,8 +97,9 @@ let container word =
   | "forward" | "turnBy" | "driveTo" | "ask" | "mkTask" | "timeOut" | "abortWhen" -> Some "Task"
   | _ -> if word <> "" && word.[0] = '[' then Some "Array" else None
 
-(* The kind of container that this argument evaluates to, if the argument, or the right-hand side of
-   the equation that defines it, begins with a library function that returns a container. *)
+(* The kind of container that this argument evaluates to. It is known if the argument begins with a
+   library function that returns a container, or if the right-hand side of the equation that defines
+   the argument does. *)
 let kind_of (t : Unknown.t) argument =
   let first text =
     let text = String.map (fun c -> if c = '(' then ' ' else c) text in

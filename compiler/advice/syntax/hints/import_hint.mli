@@ -4,13 +4,13 @@ val path : Found.rule
 (** A module name written as a file path. *)
 
 val mathematics : Found.rule
-(** [import math], whose functions are built in. *)
+(** [import math], whose functions are built into Frob. *)
 
 val of_library : string -> string option
 (** The hint for a Python or ROS module that a Frob program does not need. *)
 
 val of_python : Found.rule
-(** [import rclpy], a module of Python. *)
+(** [import rclpy], a Python module. *)
 
 val capital : Found.rule
 (** A module name that begins with a lower-case letter. *)

@@ -92,7 +92,7 @@ let misplaced_line found =
       | _ -> None)
   | Some _ | None -> None
 
-(* A hint about a block in braces. Because of its topic, the lines of the block are not reported
+(* A hint about a block in braces. Its topic keeps the lines of the block from being reported
    separately. *)
 let of_block format = Diagnostic.suggestion ~topic:Syntax_topic.Block_in_braces format
 let written value = Option.value (Other_notation.expression value) ~default:value

@@ -129,7 +129,7 @@ let combines_commands found =
            (Text_place.without_closing second))
   | _ -> None
 
-(* An operator of another language that starts with a Frob operator. *)
+(* An operator from another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
   else

@@ -3,7 +3,7 @@
 open Basis
 
 val foreign : Found.t -> Diagnostic.hint option
-(** An operator of another language that starts with a Frob operator. *)
+(** An operator from another language that starts with a Frob operator. *)
 
 val row : Found.rule
 (** [m ! 0, 1], an index consisting of two numbers. *)

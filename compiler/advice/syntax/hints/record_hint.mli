@@ -7,7 +7,7 @@ val with_points : Found.rule
 (** [P { .x = 1 }], as in C. *)
 
 val in_a_unit : Found.rule
-(** [kg.m], meaning a product of units. *)
+(** [kg.m], meant as a product of units. *)
 
 val without_comma : Found.rule
 (** Two fields without a comma between them. *)

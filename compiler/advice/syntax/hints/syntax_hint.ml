@@ -28,8 +28,8 @@ let python_import found =
 (* `math` in `from math import sqrt` *)
 let first_module found bol = part found (first_word_from found (snd (word_from found bol)))
 
-(* The position and hint for a definition, or the current line, that begins like code in another
-   language. *)
+(* If the definition or the current line begins like code in another language: where it begins, and
+   the hint. *)
 let beginning found =
   let start = found.token.start in
   let bol = start_of_definition found in
@@ -271,7 +271,7 @@ let hint found ~state_hints =
   | None, [], Some hint -> [ hint ]
   | None, [], None -> []
 
-(* The operator of another language that contains the token. *)
+(* The operator from another language that contains the token. *)
 let foreign_operator_around found =
   let is_foreign =
     match (found.token.token, found.before) with

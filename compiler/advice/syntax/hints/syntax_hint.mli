@@ -8,7 +8,7 @@ val hint : Found.t -> state_hints:string list -> Basis.Diagnostic.hint list
     none either, the hint for the most common mistake at such a token. *)
 
 val foreign : Found.t -> (string * Basis.Span.t) option
-(** The word or operator of another language at which the parser stops, and its place. *)
+(** The word or operator from another language at which the parser stops, and its place. *)
 
 val other_place : Found.t -> Basis.Diagnostic.t -> Basis.Diagnostic.t
 (** Adds a label at the token that the found token should match, if the two are on different lines.

@@ -78,7 +78,7 @@ let open_brace text at =
   in
   back (at - 1) 0
 
-(* The line of the innermost open brace, up to that brace. *)
+(* The text before the innermost open brace on its line. *)
 let line_of_brace text at =
   Option.map
     (fun brace ->

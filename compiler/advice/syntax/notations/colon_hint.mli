@@ -14,5 +14,5 @@ val of_elements : string
 (** The hint that suggests a replacement for a function that deconstructs a list. *)
 
 val of_each_line : Diagnostic.hint -> Diagnostic.topic list
-(** The topics of the hints that become superfluous for later colons once this hint has been given.
+(** The topics of the hints that this hint makes superfluous for later colons.
 *)

@@ -52,4 +52,4 @@ val array : string -> int -> string option
 (** The hint for [float gains[2] = {1.0, 0.5};] at this offset. *)
 
 val body_of_lambda : string -> int -> string option
-(** The expression at this offset, up to a comma or the closing bracket, translated to Frob. *)
+(** The expression at this offset, up to a comma or the closing bracket, translated into Frob. *)

@@ -2,8 +2,7 @@
 
 val without_module : string -> string option
 (** The name without its module: [cos] for [math.cos], [norm] for [np.linalg.norm] and [max] for
-    [std::max]. [None] if the module is not one whose functions are built into Frob, as those of
-    [math] are. *)
+    [std::max]. [None] if the module's functions are not built into Frob. *)
 
 val constant : string -> string option
 (** The Frob equivalent of a constant of such a module: [pi] for [math.pi]. *)

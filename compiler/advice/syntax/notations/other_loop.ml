@@ -41,7 +41,7 @@ let block_stop text first =
   in
   go (line_stop text first)
 
-(* The array that is indexed with this variable. *)
+(* The array that is indexed by this variable. *)
 let rec indexed by = function
   | xs :: "[" :: i :: "]" :: _ when is_name xs && i = by -> Some xs
   | xs :: "!" :: i :: _ when is_name xs && i = by -> Some xs
@@ -96,7 +96,8 @@ let is_head text word first =
 
 let is_sign c = String.contains "=<>!+-*/|&:" c
 
-(* The loop after the first `=` of the line that starts here. It may start on the next line. *)
+(* The loop after the first `=` of the line that starts here. The loop may start on the next
+   line. *)
 let on_line text start =
   let stop = line_stop text start in
   let rec equal i =

@@ -1,8 +1,8 @@
 (** Loops in the notation of C, Python and MATLAB. *)
 
 val over_array : string -> int -> string
-(** The hint for the [for] at this offset or later on its line, with the name of the array whose
-    elements the loop visits. *)
+(** The hint for the [for] at this offset or later on its line. It names the array over which the
+    loop iterates. *)
 
 type t = {
   word : string;  (** [for] or [while] *)

@@ -62,7 +62,7 @@ let tokens text =
 
 (* {1 Expressions} *)
 
-(* A part of an expression that is already translated to Frob. *)
+(* A part of an expression, already translated into Frob. *)
 type part = Operand of string | Operator of string
 
 let operator = function

@@ -2,7 +2,7 @@
 
 val expression : string -> string option
 (** The expression in Frob: [max(0, min(a, b))] becomes [max 0 (min a b)], and [x > 0 and not y]
-    becomes [x > 0 && not y]. The meaning of an expression that is already in Frob does not change.
+    becomes [x > 0 && not y]. An expression that is already in Frob keeps its meaning.
     [None] if the text contains anything unknown. *)
 
 val arguments : string -> string list option

@@ -1,4 +1,4 @@
-(** Frob's equivalents of expressions that use operators of other languages. *)
+(** Frob's equivalents of expressions that use operators from other languages. *)
 
 val negation : string -> int -> (string * int) option
 (** [not (f x)] for the application [f x] at this offset, which follows a [!] or a [~], and the

@@ -14,5 +14,5 @@ val is_its_definition : string -> int -> string -> bool
 (** Does the code at this offset define this name at the top level? *)
 
 val hint : string -> int -> string * string -> string
-(** The hint to declare the parameter in this way, and to write its name instead of the call at this
-    offset. *)
+(** The hint that suggests declaring the parameter in this way, and writing its name instead of the
+    call at this offset. *)

@@ -2,7 +2,7 @@
     Frob. *)
 
 val changed_copy : string -> int -> Basis.Diagnostic.hint option
-(** The hint to write [p { x = 1 }] for the braces at this offset, if they contain a record update:
+(** The hint that suggests [p { x = 1 }] for the braces at this offset, if they contain a record update:
     [{ p | x = 1 }], [{ p with x = 1 }], [{ ...p, x: 1 }] or [P { x: 1, ..p }]. *)
 
 val value : string -> int -> string option

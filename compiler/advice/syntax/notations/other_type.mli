@@ -1,8 +1,8 @@
 (** Frob equivalents of types in C++, Java and Python notation. *)
 
 val known : string -> string option
-(** The Frob type for this name, which may be a type of another language or differ in case: [Float]
-    for [double], and [Distance] for [distance]. *)
+(** The Frob type for this name, which may come from another language ([Float] for [double]) or
+    differ only in case ([Distance] for [distance]). *)
 
 val is_of_elements : string -> bool
 (** Is this the name of an array or list type, such as [vector]? *)
@@ -12,8 +12,8 @@ val in_angles : string -> int -> (string * int) option
     after it. *)
 
 val of_text : string -> string option
-(** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. The meaning of a type
-    that is already in Frob does not change. [None] if the text contains anything unknown. *)
+(** The whole type in Frob: [Array n Float -> Bool] for [List[float] -> bool]. A type that is
+    already in Frob keeps its meaning. [None] if the text contains anything unknown. *)
 
 val signature : string -> int -> string option
 (** The signature on the line that contains this offset, in Frob: [f :: Array n Float -> Bool] for

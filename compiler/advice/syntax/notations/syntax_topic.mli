@@ -3,7 +3,7 @@
 
 open Basis
 
-(** The subjects of hints about the whole program or block. Each of them is only mentioned once. *)
+(** The subjects of hints about the whole program or block. Each subject is mentioned only once. *)
 type shared =
   | Own_operator
   | No_procedures
@@ -18,10 +18,10 @@ type Diagnostic.topic +=
   | Function_keyword  (** the message that Frob has no `function` *)
   | Block_in_braces
   | Changed_copy  (** a record update, written in braces *)
-  | Choice of string  (** a choice, as written in Frob *)
+  | Choice of string  (** a choice, translated into Frob *)
   | Colon_of_a_block
   | Class_of_objects
-  | Switch of string  (** a C `switch`, as written in Frob *)
+  | Switch of string  (** a C `switch`, translated into Frob *)
 
 val suggestion : shared -> string -> Diagnostic.hint
 

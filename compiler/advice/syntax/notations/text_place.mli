@@ -10,7 +10,7 @@ val line_start : string -> int -> int
 (** The offset of the start of the line that contains this offset. *)
 
 val start_of_line : string -> int -> int
-(** The offset of the start of the line with this number, counted from 1. *)
+(** The offset of the start of this line. Lines are numbered from 1. *)
 
 val offset : string -> Basis.Span.position -> int
 (** The offset of this position. *)

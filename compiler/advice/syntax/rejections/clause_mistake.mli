@@ -4,4 +4,5 @@ open Basis
 open Syntax.Rejection
 
 val diagnostic : clause -> clause -> clause list -> Diagnostic.t
-(** The message about a function that is defined by several clauses. Its fix writes a [case]. *)
+(** The message about a function that is defined by several clauses. The fix rewrites the clauses as
+    a [case]. *)

@@ -27,8 +27,8 @@ let foreign_word ~expected (found : Ir.name) =
 
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
-(* The Frob equivalent of the signature that contains this `<`. If the signature has none, only that
-   of the C++ type. *)
+(* The Frob equivalent of the signature that contains this `<` or, if there is none, of the C++ type
+   alone. *)
 let type_in_angles ~text (at : Span.t) =
   let sign = Text_place.offset text at.start in
   let rec start i = if i > 0 && Character.is_name text.[i - 1] then start (i - 1) else i in

@@ -57,8 +57,7 @@ let exchange a b ~of_:n =
       let i = i + 1 in
       if i = a then b else if i = b then a else i)
 
-(* Two arguments are swapped, or the first argument is in the last position, or the last one in the
-   first. *)
+(* Two arguments are swapped, the first argument comes last, or the last argument comes first. *)
 let order ({ words; call; mistake; _ } as fact) =
   let arguments = List.map fst call.arguments in
   let exchanged =
@@ -189,7 +188,7 @@ let parentheses ({ words; call; mistake; _ } as fact) =
   let { Application_fact.head; arguments; failed; _ } = call in
   let all = List.length arguments in
   let type_at i = snd (List.nth arguments (i - 1)) in
-  (* Is this argument a tuple with a part for each parameter of the function before it? *)
+  (* Is this argument a tuple with one component for each parameter of the preceding function? *)
   let separates_arguments i =
     match (fst (List.nth arguments (i - 1))).desc with
     | Tuple (_ :: _ as parts) -> List.compare_length_with parts (arity (type_at (i - 1))) = 0

@@ -1,5 +1,6 @@
-(** Messages about classes and instances: a second instance ([E0361]), its head ([E0362]), missing
-    methods ([E0363]), types of methods ([E0364], [E0365]), and classes without instances ([E0366]).
+(** Messages about classes and instances: a duplicate instance ([E0361]), an invalid instance head
+    ([E0362]), missing methods ([E0363]), types of methods ([E0364], [E0365]), and instances of
+    built-in classes ([E0366]).
 *)
 
 open Basis

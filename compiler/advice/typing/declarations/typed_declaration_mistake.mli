@@ -1,5 +1,5 @@
-(** Messages about declarations: units ([E0324]), parameters of the program ([E0390]), and those of
-    {!Foreign_type_mistake} and {!Class_mistake}. *)
+(** Messages about declarations: units ([E0324]), program parameters ([E0390]), and the declarations
+    covered by {!Foreign_type_mistake} and {!Class_mistake}. *)
 
 open Basis
 

@@ -53,8 +53,8 @@ let counts fact =
   | Some e -> Plain_name.of_head e = Some "count"
   | None -> false
 
-(* For a comparison such as `e < 0.4[m]`: an initial value that makes it false until the event
-   occurs. *)
+(* For a comparison such as `e < 0.4[m]`: an initial value that makes the comparison false until the
+   event occurs. *)
 let false_at_first fact =
   match (fact.expected.because, other_operand fact) with
   | Operand { operator; _ }, Some other when not (counts fact) -> (

@@ -90,7 +90,7 @@ let default fact wanted =
 
 (* {1 Hints}
 
-   Each function returns its hint if it applies. *)
+   Each function returns its hint, or [None] if the hint does not apply. *)
 
 (* `isEvent` applied to a condition, as in `isEvent (bumped i)`. *)
 let asked_of_a_truth fact =
@@ -248,7 +248,7 @@ let of_a_maybe fact =
               m start m)
   | _ -> None
 
-(* `hold` for a value that exists at every instant. *)
+(* `hold` applied to a value that exists at every instant. *)
 let held_value fact =
   match fact.expected.because with
   | Parameter { callee = Some (("hold" | "dHold") as hold); _ }
@@ -344,7 +344,7 @@ let without_output fact =
         (Printf.sprintf "write the output and the event as a pair: `(output, %s)`" (raw fact "…"))
   | _ -> None
 
-(* A function applied to an event whose value has the argument's type. *)
+(* A function applied to an event whose value has the type of the function's parameter. *)
 let applied_to_an_event fact =
   match (fact.expected.because, content fact.found) with
   | Parameter { callee = Some f; takes; _ }, Some content

@@ -85,7 +85,7 @@ let hint_for_an_output fact wanted given =
     | Some other when Type.expand other = Bool -> Some by_an_event
     | _ -> None
 
-(* The hint for a function of the program that is applied to the signal. *)
+(* The hint for one of the program's functions applied to the signal. *)
 let hint_for_a_function fact (name, argument) =
   let argument = Option.value (Wording.quote fact.words argument) ~default:"x" in
   Printf.sprintf

@@ -15,7 +15,7 @@ val ends_it : string -> string
 (** The hint that shows how to end a mode: return this output paired with an event. *)
 
 val goes_on : Expected.t -> bool
-(** Does the context expect the function that returns the next mode, given the event's value? *)
+(** Does the context expect a function that takes the event's value and returns the next mode? *)
 
 val three_arguments :
   Wording.t -> name:string -> at:Span.t -> (Resolve.Ir.expr * Type.t) list -> Diagnostic.t option

@@ -1,4 +1,4 @@
-(** Messages about the index of [!]: it is not constant ([E0347]), or out of range ([E0332]). *)
+(** Messages about an index of [!] that is not constant ([E0347]) or is out of range ([E0332]). *)
 
 open Basis
 open Typing

@@ -1,5 +1,6 @@
 (** Messages about levels: signal functions that run or are bound without being static ([E0340],
-    [E0344]), recursive lets ([E0346]), and those of {!Misplaced_instance} and {!Index_mistake}. *)
+    [E0344]), recursive lets ([E0346]), and the mistakes covered by {!Misplaced_instance} and
+    {!Index_mistake}. *)
 
 open Basis
 

@@ -24,7 +24,7 @@ let own_equation sources h e =
   Diagnostic.hint "to run it at every instant, add the equation %s, and write `%s` here"
     (equation sources h e) (signal h)
 
-(* The hint for pausing an integral while the branch is not chosen. *)
+(* The hint that explains how to pause an integral while the branch is not chosen. *)
 let paused sources condition h input =
   match (head_name h, condition) with
   | Some "integral", Some ({ test; chosen_if } : Level_fact.condition) -> (
@@ -42,7 +42,7 @@ let paused sources condition h input =
       | _ -> Fun.id)
   | _ -> Fun.id
 
-(* The hint for restarting the signal function whenever the branch is chosen. *)
+(* The hint that explains how to restart the signal function whenever the branch is chosen. *)
 let anew sources condition h input =
   let resets ({ test; chosen_if } : Level_fact.condition) =
     match (quote sources h, quote sources input, quote sources test) with
@@ -63,8 +63,8 @@ let anew sources condition h input =
          "to restart it whenever this alternative is chosen, use `switch` to change between signal \
           functions")
 
-(* The signature of this definition with `SF a b` in place of its last `a -> b`, if it has one arrow
-   for each parameter. *)
+(* The signature of this definition with its last `a -> b` replaced by `SF a b`, if the signature
+   has one arrow for each parameter. *)
 let as_a_signal_function sources (span : Span.t) name parameters =
   let prefix = name ^ " :: " in
   let is_plain text = not (String.exists (fun c -> c = '(' || c = ')') text) in

@@ -1,4 +1,4 @@
-(** The message about two types of a signature that are in the wrong order. *)
+(** The message about two types in a signature that are in the wrong order. *)
 
 open Basis
 open Typing

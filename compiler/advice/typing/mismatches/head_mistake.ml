@@ -198,7 +198,7 @@ let initial_value fact =
             it when an event occurs, write `resetOn integral (v, e)`")
   | _ -> None
 
-(* Splits a text into two arguments, each a name or in parentheses. *)
+(* Splits the text of two arguments at its only space outside brackets. *)
 let two_arguments text =
   let rec spaces i depth found =
     if i >= String.length text then found
@@ -225,7 +225,7 @@ let of_three fact =
       Some (hint "for three values, write `%s`" written)
   | _ -> None
 
-(* An extra argument of a prelude signal function: a time step, or an event that should restart
+(* An extra argument to a prelude signal function: a time step, or an event that should restart
    it. *)
 let started_afresh fact =
   match fact.head.desc with
@@ -331,8 +331,8 @@ let event_when fact =
             `tag (when condition) x`")
   | _ -> None
 
-(* The first rule that applies is used. The rules for a kind of head come first, then those for
-   functions of the prelude, then those for any task, local name or definition. *)
+(* The first rule that applies is used. The rules for particular kinds of heads come first, then
+   those for functions of the prelude, and then those for any task, local name or definition. *)
 let rules =
   [
     event_when;

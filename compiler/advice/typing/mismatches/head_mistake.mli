@@ -28,7 +28,7 @@ val negative_argument :
   Type.t ->
   Diagnostic.t
 (** The message about [f -1], where [f] is a function of the given type. [operand]: the expression
-    after the minus. *)
+    after the minus sign. *)
 
 val not_a_signal_function : Wording.t -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The message about the head of [sf -< e]. *)

@@ -52,7 +52,8 @@ let about_foreign words t diagnostic =
       Diagnostic.hint "only C can compare two values of type `%s`: import a C function that does"
         tycon.name diagnostic
 
-(* Does the program itself declare the class or the type? Then a missing instance is a likely cause.
+(* Is the class from outside these library modules, and is the type a number, a Boolean or a type
+   from outside the prelude? Then a missing instance is a likely cause.
    *)
 let is_of_the_program (class_ : Ir.Global.t) culprit =
   (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
@@ -411,7 +412,7 @@ let of_no_robot fact =
       Some (Diagnostic.hint "%s" (takes_a_robot fact))
   | _ -> None
 
-(* A missing instance for a class or type that the program declares. *)
+(* A missing instance that the program can declare. *)
 let not_declared fact =
   match fact.lack.lacking with
   | Declared class_ when is_asked_itself fact && is_of_the_program class_ fact.lack.culprit ->
@@ -467,7 +468,8 @@ let no_instance words required (lack : lack) =
 
 (* {1 Other messages} *)
 
-(* The hint with an example of a condition on the asserted value. A limit has the value's unit. *)
+(* The hint with an example of a condition on the asserted value. It compares a number with a limit
+   in the number's own unit. *)
 let asserted words ~(at : Span.t) culprit =
   let e = Option.fold (Wording.quote words at) ~none:"x" ~some:Source.grouped in
   match Type.expand culprit with

@@ -275,7 +275,7 @@ let takes_a_record words input field =
   | Some (constructor, fields) when List.mem field fields -> Some constructor
   | Some _ | None -> None
 
-(* The type of the quantity that a field of this name usually has. *)
+(* The type of quantity that a field with this name usually contains. *)
 let usual_type = function
   | "distance" | "dist" | "range" | "depth" | "length" | "d" | "r" -> Some "Float[m]"
   | "speed" | "velocity" | "vel" | "v" -> Some "Float[m/s]"

@@ -75,7 +75,7 @@ let alike a b =
   | Number _, Number _ | Function _, Function _ | Signal_function _, Signal_function _ -> true
   | _ -> false
 
-(* Keeps the arguments that determined a variable only if that variable causes the mismatch. *)
+(* Drops the arguments that determined a variable, unless that variable causes the mismatch. *)
 let without_idle_deciders (expected : Expected.t) found (clash : Unify.clash) : Expected.t =
   let is_variable (t : Type.t) = match t with Flexible _ -> true | _ -> false in
   let of_sizes = match clash with Different (Size _, Size _) -> true | _ -> false in

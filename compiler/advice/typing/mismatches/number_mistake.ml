@@ -4,7 +4,8 @@ open Diagnostic
 
 (* {1 Units} *)
 
-(* The angle unit, if the literal has exactly that unit. An angle is a dimensionless number. *)
+(* The angle unit, `deg` or `rad`, if the literal has exactly that unit. Types do not show it,
+   because angles are dimensionless. *)
 let angle : Resolve.Ir.unit_ option -> string option = function
   | Some { factors = [ (Declared { name = ("deg" | "rad") as name; _ }, _) ]; _ } -> Some name
   | Some _ | None -> None

@@ -5,7 +5,8 @@ open Instance_fact
 let owner words missing = Wording.owner words missing.variable
 let constraint_ words (m : promise) = Wording.constraint_ words m.class_ m.of_
 
-(* The corrected context, if the context lists all needed classes, but for the wrong variables. *)
+(* The corrected context, if the context lists all the needed classes but applies them to the wrong
+   variables. *)
 let of_other_variables needed promised =
   let class_of text = List.hd (String.split_on_char ' ' (String.trim text)) in
   let promised = List.map String.trim (String.split_on_char ',' promised) in

@@ -11,4 +11,5 @@ val add : Wording.t -> Expected.t -> Diagnostic.t -> Diagnostic.t
 
 val add_all :
   Wording.t -> subject:Resolve.Ir.expr option -> Expected.t -> Diagnostic.t -> Diagnostic.t
-(** Like {!add}. If no place determines the type, labels where the offending variable is bound. *)
+(** Like {!add}. If no place determines the type, labels the place where the offending variable is
+    bound. *)

@@ -18,8 +18,8 @@ val general_representation :
   Wording.t -> at:Span.t -> Units.rigid -> Type.representation -> Diagnostic.t
 
 val promised_unit : Units.t * Units.t -> (Units.rigid * Units.t) option
-(** If one of two clashing units is a single variable of a signature, and the other contains no such
-    variables: that variable and the other unit. *)
+(** The variable and the other unit, if one of two clashing units is a single variable of a
+    signature and the other contains no such variables. *)
 
 val variable_like_a_type : Wording.t -> at:Span.t -> Ir.variable -> string -> Diagnostic.t
 (** The warning [W0302] about a type variable with a name like that of a type, such as [float]. The

@@ -97,8 +97,8 @@ let missing_output fact ~missing d =
       |> Option.some
   | _ -> None
 
-(* The last argument, if it is the input of the enclosing proc and the missing last parameter has
-   that type. Then the arguments before it are missing. *)
+(* The last argument, if it is the input of the enclosing proc and the last parameter, which still
+   lacks an argument, could have its type. Then the arguments before it are missing. *)
 let input_given fact =
   let rec last t =
     match Type.expand t with

@@ -13,7 +13,7 @@ val more_missing_than_expected : Shape_fact.rule
 (** A function that still needs more arguments than a function of the expected type takes. *)
 
 val lambda_with_too_few_parameters : Shape_fact.rule
-(** The body of a lambda that is called with one argument more than it has parameters. *)
+(** The body of a lambda that is called with one more argument than it has parameters. *)
 
 val missing_in_an_operand : Shape_fact.rule
 (** A number and a function that lacks its last argument, as operands of the same operator. *)

@@ -3,8 +3,8 @@ open Shape_fact
 
 let with_each fields = String.concat ", " (List.map (Printf.sprintf "%s = …") fields)
 
-(* The hint for building the record that is the first of two arguments, if only the second one is
-   given. *)
+(* The hint for building the missing record, if it is the first of two arguments and only the second
+   is given. *)
 let before fact ~callee ~(next : Resolve.Ir.expr) whole =
   match Wording.quote fact.words next.span with
   | Some next ->

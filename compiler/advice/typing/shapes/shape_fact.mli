@@ -69,7 +69,7 @@ val elements : t -> string option list
     only [None]. *)
 
 val all : string option list -> string list option
-(** All texts, or [None] if one of them is missing. *)
+(** All the strings, or [None] if any of them is missing. *)
 
 val names : int -> string list
 (** Names for parts that the programmer did not name: [a], [b], … *)

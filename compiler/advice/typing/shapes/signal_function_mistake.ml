@@ -61,8 +61,8 @@ let condition_of_an_event fact =
       |> Option.some
   | _ -> None
 
-(* The hint for a function of the program that runs signal functions and so must be a `proc`, such
-   as `drive i = f (frontSonar i)`. *)
+(* The hint for a function in the program that must be a `proc` because it runs signal functions,
+   such as `drive i = f (frontSonar i)`. *)
 let as_a_proc fact =
   let rec runs (e : Resolve.Ir.expr) =
     match e.desc with
@@ -124,7 +124,7 @@ let rec lacking t =
   | Signal_function _ -> Some []
   | _ -> None
 
-(* A value for a parameter: a definition of the program that has this type, or an example. *)
+(* A value for a parameter: a definition in the program that has this type, or an example. *)
 let value fact t =
   match (Wording.values fact.words t ~file:fact.at.file, Type.expand t) with
   | name :: _, _ -> name

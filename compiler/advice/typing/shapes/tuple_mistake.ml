@@ -30,7 +30,8 @@ let of_an_input fact =
   | _ -> None
 
 (* The call with one tuple of this length in place of the mismatched argument and all later ones. If
-   the number of these arguments differs from the length, generated names replace the later ones. *)
+   the number of these arguments differs from the length, all components but the first have
+   generated names. *)
 let gathered fact length =
   let before, after =
     match fact.expected.because with

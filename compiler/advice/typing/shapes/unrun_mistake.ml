@@ -62,8 +62,9 @@ let instead (e : Resolve.Ir.expr option) text d =
   | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
   | None -> d
 
-(* The definition of a local name, if it is the application of a signal function, such as
-   `hysteresis 1 x` for `far` in `far = hysteresis 1 x`. Otherwise the subject itself. *)
+(* The definition of the subject, if the subject is a local name for the application of a signal
+   function, such as `hysteresis 1 x` for `far` in `far = hysteresis 1 x`. Otherwise, the subject
+   itself. *)
 let meant words (subject : Resolve.Ir.expr option) =
   match subject with
   | Some { desc = Local x; _ } -> (
@@ -162,8 +163,8 @@ let truth_of_event words ~(subject : Resolve.Ir.expr option) ~wanted ~found =
   | _ -> None
 
 (* The hint for a signal function of the robot, such as `frontSonar`, that is not applied to a
-   signal, or for a name defined as one, as in `let x = frontSonar`. Either the `proc` has no name
-   for its input, or the code is probably in a task. *)
+   signal, or for a name defined as such a function, as in `let x = frontSonar`. Either the `proc`
+   has no name for its input, or the code is probably in a task. *)
 let sense_without_input words ~(subject : Resolve.Ir.expr option) input =
   let is_robot = Wording.needs_class words input in
   match subject with

@@ -87,8 +87,8 @@ let field words (e : Resolve.Ir.expr) =
 (* Maximum length of a chain of names to follow. *)
 let deepest = 6
 
-(* Is this a function or signal function whose result has the unit of its last argument and of no
-   other argument? *)
+(* Is this a function or signal function whose last argument alone determines the unit of its
+   result? *)
 let keeps_the_unit (head : Resolve.Ir.expr) =
   match head.desc with
   | Global { name = "abs" | "previous"; _ } -> true
@@ -102,8 +102,8 @@ let keeps_the_unit (head : Resolve.Ir.expr) =
       true
   | _ -> false
 
-(* The result of an application of a function without a signature, if only one expression can be the
-   result. *)
+(* For the application of a function without a signature: its result, if only one expression can be
+   the result. *)
 let rec result words (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply { head = { desc = Apply _; _ } as head; style = Juxtaposed; _ } -> result words head

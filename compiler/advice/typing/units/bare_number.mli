@@ -26,15 +26,15 @@ val written_factor : Wording.t -> Resolve.Ir.expr -> (t * int) list
     unit. *)
 
 val gain : Wording.t -> Resolve.Ir.expr -> (t * int) list
-(** Like {!factor}, for numbers whose unit has only negative exponents apart from angles, such as
+(** Like {!factor}, for numbers whose unit, apart from angles, has only negative exponents, such as
     [1/s] and [rad/(m s)]. The numbers may have names or be written in the expression. *)
 
 val is_per_millisecond : Wording.t -> Resolve.Ir.expr -> bool
-(** Is the expression a number in [[ms^-1]], probably intended as meters per second? *)
+(** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
 
 val own_function : Wording.t -> Resolve.Ir.expr -> Resolve.Ir.binding option
-(** The definition of a function that has parameters and no signature, if it is in the file of the
-    expression. *)
+(** The definition of a function that has parameters and no signature, if it is in the same file as
+    the expression. *)
 
 val value : Wording.t -> Resolve.Ir.expr -> Resolve.Ir.expr
 (** The definition of a name, the result of a function without a signature, or the expression
@@ -44,4 +44,4 @@ val give : Wording.t -> t -> string -> Diagnostic.t -> Diagnostic.t
 (** Labels the literal, and suggests adding this unit to it. *)
 
 val give_literals : (t * string) list -> Diagnostic.t -> Diagnostic.t
-(** Suggests adding a unit to each of several literals, as one fix. *)
+(** Suggests adding a unit to each of several literals in a single fix. *)

@@ -1,5 +1,4 @@
-(** The parts, units and texts of formulas in the source, for hints that suggest a different
-    formula. *)
+(** The parts, units and source text of formulas, for hints that suggest a different formula. *)
 
 open Basis
 open Typing
@@ -31,7 +30,7 @@ val as_factor : Wording.t -> Resolve.Ir.expr -> string option
 (** The text with parentheses if it needs them as a factor of a product. *)
 
 val with_parts : Wording.t -> Resolve.Ir.expr -> (Span.t * string) list -> string option
-(** The text of the expression with these texts in place of the parts, which must not overlap. *)
+(** The text of the expression with these strings in place of the parts, which must not overlap. *)
 
 val with_part : Wording.t -> Resolve.Ir.expr -> part:Span.t -> string -> string option
 (** The text of the expression with another text in place of one part. *)

@@ -12,7 +12,7 @@ type edit = {
   part : Resolve.Ir.expr;  (** the part of the formula that changes *)
   at : Span.t;  (** the text to replace *)
   text : string;
-  whole : string;  (** the part after the change *)
+  whole : string;  (** the text of the part after the change *)
   factor : Units.t;  (** the change multiplies the unit of the formula by this one *)
   kind : kind;
 }
@@ -141,7 +141,7 @@ let suggest ~elsewhere words ~subject ~(expected : Expected.t) units =
         if is_certain = elsewhere then Some (complete edit) else None
     | None -> None
 
-(* The largest product or quotient around the mistake. *)
+(* The largest product or quotient that contains the mistake. *)
 let product_around words =
   let rec largest found = function
     | ({ expr; wanted } : Surroundings.enclosing) :: rest -> (
@@ -206,7 +206,7 @@ let exchanged_angle words ~(subject : Resolve.Ir.expr option) ~(expected : Expec
 
 (* {1 Records} *)
 
-(* A change to another field that gives that field the unit of this one. *)
+(* A change that gives another field the unit of this one. *)
 let of_a_field words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
   let record =
     List.find_map

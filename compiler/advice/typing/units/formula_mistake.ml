@@ -10,7 +10,7 @@ let is_of_square words ~subject (wanted, given) =
   && (not (Units.equal given Units.one))
   && Option.fold subject ~none:false ~some:(Formula.is_square words)
 
-(* Writes the expression [e] as [text], in parentheses. *)
+(* Adds the fix that replaces the expression [e] with [text] in parentheses. *)
 let replace (e : Resolve.Ir.expr) text =
   fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ]
 
@@ -81,7 +81,7 @@ let root words ~subject ~(expected : Expected.t) (wanted, given) =
 
 let is_rate words u = List.mem (Wording.measure words u) [ "s"; "1/s"; "Hz" ]
 
-(* Does the expected unit of the field come from another field, which may be the wrong one? The
+(* Does the expected unit of the field come from another field, which may itself be wrong? The
    fields of a vector have the same unit. *)
 let depends_on_another_field (expected : Expected.t) =
   match expected.because with

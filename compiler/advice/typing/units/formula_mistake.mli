@@ -10,7 +10,7 @@ val is_of_square : Wording.t -> subject:Resolve.Ir.expr option -> Units.t * Unit
 (** Is the expression a square or a sum of squares, and does its root have the expected unit? *)
 
 val power : Unit_rule.t
-(** A product that lacks a factor with the unit of one of its variables: [v / (2 * a)] for
+(** A product whose missing factor has the unit of one of its variables: [v / (2 * a)] for
     [v ^ 2 / (2 * a)]. *)
 
 val rate : Unit_rule.t

@@ -12,7 +12,7 @@ let needed (wanted, given) power = Units.power (Units.divide wanted given) (Rati
 let give words units d ((number : Bare_number.t), power) =
   Bare_number.give words number (Wording.measure words (needed units power)) d
 
-(* The unit that the largest sum around the mistake must have, if the context determines it. *)
+(* The unit that the largest sum containing the mistake must have, if the context determines it. *)
 let unit_of_the_sum words =
   let rec largest found = function
     | ({ expr; wanted } : Surroundings.enclosing) :: rest -> (

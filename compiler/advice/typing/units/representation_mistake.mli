@@ -21,5 +21,5 @@ val without_open_units : Expected.t -> Expected.t
 (** Replaces undetermined units with 1. In a mismatch between Int and Float they are irrelevant. *)
 
 val makes : string -> string -> string option
-(** For a few types, a sentence that explains how to build a value of the type with this name from a
-    number. The second string is the source text of the number. *)
+(** For a few types, a sentence that explains how to build a value of the named type from a number.
+    The second string is the source text of the number. *)

@@ -119,8 +119,7 @@ let has_other_reason words ~given ~decided =
       && not (is_zero e || is_general words e))
     given
 
-(* The unit as written in a program, which includes the unit of an angle. An empty string means no
-   unit. *)
+(* The unit as written in a program, including the unit of an angle. Empty if there is no unit. *)
 let written words (number : Bare_number.t) unit_ =
   let angle =
     match number.unit_ with
@@ -213,8 +212,8 @@ let is_a_time words ~callee { number; current; _ } =
   String.equal callee "delay" && number.unit_ <> None
   && String.equal (Wording.measure words current) "s"
 
-(* The argument [e] contains a constant that lacks a unit; with the unit, the argument would be
-   correct. The numbers with units among the other arguments are right. *)
+(* Reports a constant in the argument [e] that lacks a unit. With that unit, the argument would be
+   correct. Numbers with units among the other arguments are assumed to be right. *)
 let of_a_constant words ~callee ~(subject : Resolve.Ir.expr) ~found ~place (e : Resolve.Ir.expr)
     ~current unit_ constants =
   let text = Wording.measure words in

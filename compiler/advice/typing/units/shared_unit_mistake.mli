@@ -11,6 +11,6 @@ val of_an_earlier_number :
   subject:Resolve.Ir.expr option ->
   Units.t * Units.t ->
   Diagnostic.t option
-(** Handles a mismatch at an argument whose expected unit comes from an earlier argument, a number
-    literal. The message reports that literal and the unit that it should have. The pair contains
-    the expected unit and the actual one. *)
+(** Handles a mismatch at an argument whose expected unit comes from a number literal among the
+    earlier arguments. The message reports that literal and the unit that it should have. The pair
+    contains the expected unit and the actual one. *)

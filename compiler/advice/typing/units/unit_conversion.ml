@@ -198,7 +198,7 @@ let gain_of_an_earlier_argument words ~(expected : Expected.t) (wanted, given) =
       | _ -> None)
   | _ -> None
 
-(* Suggests the product with a time, or the sum over time. *)
+(* Suggests multiplying by a time or integrating over time. *)
 let over_time words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) diagnostic =
   let with_e format = changed words subject (Printf.sprintf format) in
   let times = with_e (if is_of_time subject then "time () * %s" else "1[s] * %s") in
@@ -232,7 +232,7 @@ let between_rate_and_time words ~subject ~expected ~wanted d =
       d
     |> replace (with_e "(1 / %s)")
 
-(* A function whose result has the unit of its numbers, such as `knob`. *)
+(* A function whose result has the same unit as its numeric arguments, such as `knob`. *)
 let of_numbers words ~subject ~wanted d =
   let digits = List.hd (numbers_without_units words subject) in
   let unit_ = Wording.measure words wanted in

@@ -14,7 +14,7 @@ val constant : Unit_rule.t
 (** A name that is defined as a number with the wrong unit. *)
 
 val bare_parameter : Unit_rule.t
-(** A factor that is a parameter, whose type in the signature has no unit. *)
+(** A parameter used as a factor, whose type in the signature has no unit. *)
 
 val parameter : Unit_rule.t
 (** A parameter whose type in the signature has the wrong unit. *)

@@ -1,7 +1,7 @@
 open Basis
 
-(* Adds a fix that removes the statement if the next one starts on the next line. Otherwise, the fix
-   would also remove the lines between them. *)
+(* If the next statement starts on the next line, adds a fix that removes the statement. Otherwise,
+   the fix would also remove the lines between them. *)
 let without (e : Resolve.Ir.expr) next d =
   match (next : Span.t option) with
   | Some next when Span.line next.start = Span.line e.span.stop + 1 ->

@@ -1,5 +1,5 @@
 /* answers.h -- the answers to a page's requests (see view.h), one kind per file. Each function
- * appends its answer; the caller has checked the numbers of signals and instants. */
+ * appends its answer; the caller has already validated the signal and instant numbers. */
 #ifndef FROB_VIEW_ANSWERS_H
 #define FROB_VIEW_ANSWERS_H
 
@@ -15,7 +15,7 @@ const char *view_without_folder(const char *path);
 bool view_is_live(const struct view *view);
 double view_seconds_at(const struct view *view, size_t k);
 
-/* Returns the last instant that is not after a time; the first instant if all are after it. */
+/* Returns the last instant at or before a time; the first instant if all are later. */
 size_t view_instant_at(const struct view *view, double seconds);
 
 /* Returns whether the signal's values are known. If the program cannot be run, only the values of
@@ -64,14 +64,14 @@ void answer_way(struct view *view, size_t robot, size_t count, size_t first, str
 
 /* ---- In contacts.c */
 
-/* Appends the number of times that the first robot began to touch an object, and the time and the
- * robot's true position for each contact. */
+/* Appends the number of times that the first robot began to touch an object and, for each of these
+ * contacts, the time and the robot's true position. */
 void answer_contacts(const struct view *view, struct buffer *answer);
 
 /* ---- In align.c */
 
-/* Shifts the recording to compare with so that a condition first becomes true at the same time in
- * both recordings. An empty condition aligns the starts. */
+/* Shifts the other recording so that a condition first becomes true at the same time in both
+ * recordings. An empty condition aligns the starts. */
 void answer_align(struct view *view, const char *condition, struct buffer *answer);
 
 /* Appends the member `other`, which describes the recording to compare with; nothing if there is

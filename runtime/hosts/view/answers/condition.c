@@ -134,8 +134,8 @@ static struct operation *add_operand(struct reader *r, enum operator operator, d
     return operation;
 }
 
-/* Returns the dimension of a signal. An inner signal for which no unit is listed may have an
- * unknown unit. */
+/* Returns the dimension of a signal. If no unit is listed for an inner signal, its dimension is
+ * unknown. */
 static struct dimension dimension_of(const struct signal *signal)
 {
     struct dimension dimension = { 0 };
@@ -154,7 +154,7 @@ static void skip_blanks(struct reader *r)
         r->at++;
 }
 
-/* Reads a symbol if it comes next. */
+/* Skips blanks, and reads `symbol` if it comes next. */
 static bool take(struct reader *r, const char *symbol)
 {
     size_t length = strlen(symbol);
@@ -393,8 +393,7 @@ static const char *name_at(const struct names *names, size_t i)
     return names->machine != NULL ? names->machine->modes[i] : names->constructors[i].name;
 }
 
-/* Reports a name that is not in `names`, the modes or constructors of a signal, and is not a
- * signal's name either. */
+/* Reports a name that is neither in `names` nor the name of a signal. */
 static void not_one_of(struct reader *r, const struct names *names, const char *name)
 {
     complain(r, "there is no mode or value", name);
@@ -402,8 +401,8 @@ static void not_one_of(struct reader *r, const struct names *names, const char *
         buffer_format(r->why, "%s `%s`", i == 0 ? "; it can be" : ",", name_at(names, i));
 }
 
-/* If the next token is the name of a mode or constructor of the signal that was read last,
- * reads it and returns its number. */
+/* If the next token is the name of a mode or constructor of `signal`, reads it, adds its number as
+ * an operand, and returns true. */
 static bool read_name_of(struct reader *r, const struct signal *signal)
 {
     const char *before = r->at;

@@ -68,7 +68,7 @@ static void add_truth(const struct view *view, size_t k, struct buffer *answer)
 #define RECENT_NS 400000000
 
 /* Appends the position and heading of the first robot: the true ones if they are known, otherwise
- * those of the odometry. */
+ * those from odometry. */
 static void add_pose(struct view *view, size_t k, struct buffer *answer)
 {
     static const char *const names[] = { "in.odometry.position.x", "in.odometry.position.y",
@@ -117,8 +117,9 @@ static bool carries_record(const struct signal *signal)
     return signal->shown->constructors[1].fields[0].value->kind == FROB_PRODUCT;
 }
 
-/* Appends the recent events of the input that carry a value, such as echoes: the number of the
- * signal, the value as a number, and where the robot was; for a record, also its cell. */
+/* Appends each recent event of the input that carries a value, such as an echo, with the number of
+ * its signal, the value as a number, and the robot's pose at that time. If the value is a record,
+ * also appends its cell. */
 static void add_recent(struct view *view, size_t k, struct buffer *answer)
 {
     const char *comma = "";

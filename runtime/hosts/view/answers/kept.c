@@ -20,7 +20,7 @@ static uint64_t number_of(const char *path)
     return number;
 }
 
-/* Stores the path of the file for a program in `path`. If `creates` is true, also creates the
+/* Stores in `path` the path of the file for a program. If `creates` is true, also creates the
  * file's folders. Returns false if the program's file does not exist or the environment does not
  * name a folder. */
 static bool find(const char *source, bool creates, char *path, size_t size)

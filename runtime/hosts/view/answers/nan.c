@@ -20,7 +20,7 @@ static bool is_nan(struct view *view, const struct signal *signal, size_t k)
            claims_has_nan(signal->value, base);
 }
 
-/* Returns the instant since which a signal has been NaN without interruption. */
+/* Returns the instant from which a signal has been NaN without interruption. */
 static size_t since(struct view *view, const struct signal *signal, size_t k)
 {
     while (k > 0 && is_nan(view, signal, k - 1))

@@ -80,7 +80,7 @@ static void add_transitions(const struct view *view, const struct signal *signal
     buffer_text(answer, "]");
 }
 
-/* Returns whether an inner signal is independent of all other signals, so that it is constant
+/* Returns whether an inner signal is independent of all other signals, and therefore constant
  * unless it depends on the time or a mode. */
 static bool is_fixed(const struct view *view, const struct signal *signal)
 {
@@ -163,7 +163,7 @@ static const char *console_kind(enum frob_control_kind kind)
     return "unknown";
 }
 
-/* Appends the controls of the console, in the order of their numbers, each with its signal. */
+/* Appends the controls on the console, in the order of their numbers, each with its signal. */
 static void add_console(const struct view *view, struct buffer *answer)
 {
     buffer_text(answer, ",\"console\":[");

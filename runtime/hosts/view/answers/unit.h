@@ -21,8 +21,8 @@ struct dimension {
 };
 
 /* Reads a unit such as `cm/s^2`, and determines its dimension and its scale relative to the
- * base units (m, s, rad). A name that is not a unit of the library counts as a base unit of the
- * program if `takes_any`. Returns false if there is no such unit. */
+ * base units (m, s, rad). If `takes_any` is true, a name that is not a unit in the library counts
+ * as a base unit of the program. Returns false if there is no such unit. */
 bool unit_read(const char *text, size_t length, bool takes_any, struct dimension *dimension,
                double *scale);
 

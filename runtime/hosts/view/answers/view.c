@@ -378,7 +378,7 @@ static bool take_edit(const char *at, struct what_if_edit *edit)
         return false;
     if (*at == ' ')
         edit->text = at + 1;
-    /* Without a text, neither `drive` nor settings are allowed. */
+    /* The text may be missing only from a `what-if` request without settings. */
     return *at == ' ' || (*at == '\0' && !edit->drives && !has_settings);
 }
 

@@ -10,7 +10,7 @@
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, in WIDTH columns
- *   path SIGNAL SIGNAL COUNT K a robot's path, with the positions in two signals: the first
+ *   path SIGNAL SIGNAL COUNT K a robot's path, whose positions are in two signals: the first
  *                              instant, the corners and the last instant, from instant K on (0 if
  *                              K is missing); at most about COUNT of them. `next` is the last
  *                              corner, from which the page can request the continuation
@@ -18,7 +18,7 @@
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) becomes true:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              their number, and the times during which it is true
- *   claims                     the program's assertions: the result of each, as far as the program
+ *   claims                     for each assertion of the program, its result as far as the program
  *                              has been run, and the times at which it was violated
  *   drive TEXT                 runs the program with the text TEXT in the simulator, under the
  *                              conditions of the recorded run
@@ -37,9 +37,8 @@
  *                              HAS is one more than the instant of the image that the page
  *                              already has, which is then not sent again; 0 if it has none
  *
- *   align CONDITION            shifts the recording to compare with so that CONDITION holds in both
- *                              for the first time at the same time; without CONDITION, aligns
- *                              the starts
+ *   align CONDITION            shifts the other recording so that CONDITION first becomes true at
+ *                              the same time in both; without CONDITION, aligns the starts
  *
  *   keep TEXT                  keeps TEXT for the next page of this program (see kept.h)
  *

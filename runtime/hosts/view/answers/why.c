@@ -6,7 +6,7 @@
 /* Maximum number of instants to search back for the start of a value. */
 #define FARTHEST 16384
 
-/* Maximum number of signals that the name of an array can represent. */
+/* Maximum number of signals in one source, such as an array. */
 #define MOST 64
 
 /* ---- Instants */
@@ -98,8 +98,8 @@ static bool same(const struct buffer *a, const struct buffer *b)
     return strcmp(a->data == NULL ? "" : a->data, b->data == NULL ? "" : b->data) == 0;
 }
 
-/* Returns the last instant in a block at which a signal's value differs from that at the instant
- * before; the block's first instant if the signal is constant. Stores its cells at the
+/* Returns the last instant in a block at which a signal's value differs from its value at the
+ * previous instant; the block's first instant if the signal is constant. Stores its cells at the
  * block's first and last instants in `first` and `last`. */
 static size_t last_change(struct why *why, const struct signal *signal, size_t from, size_t to,
                           struct buffer *first, struct buffer *last)
@@ -120,8 +120,8 @@ static size_t last_change(struct why *why, const struct signal *signal, size_t f
     return changed;
 }
 
-/* Returns the instant since which a signal has had the value that it has at `k`. If that is too
- * long ago, returns a later instant and sets *is_longer. */
+/* Returns the instant at which a signal took on the value that it has at `k`. If that is too long
+ * ago, returns a later instant and sets *is_longer. */
 static size_t since(struct why *why, const struct signal *signal, size_t k, bool *is_longer)
 {
     const size_t end = k > FARTHEST ? k - FARTHEST : 0;
@@ -207,7 +207,7 @@ const struct frob_origin *why_origin(const struct frob_origin *origins, const st
     return found;
 }
 
-/* Maximum number of modes that one instant can pass through in an answer. */
+/* Maximum number of transitions in one instant that an answer lists. */
 #define LONGEST 16
 
 /* Finds how a machine changed from one mode to another in an instant: by one transition, or by

@@ -13,10 +13,11 @@ const struct frob_origin *why_origin(const struct frob_origin *origins,
 
 /* Appends the known facts about a signal's value at instant `k`, as members of a JSON object:
  *
- *   "since": {"k", "time", "longer"}: the instant since which it has had this value;
+ *   "since": {"k", "time", "longer"}: the instant from which it has had this value;
  *            if that is too long ago, a later instant, and `longer` is true
  *   "file", "line", "last": the location of its equation; "" if it has none
- *   "sources": [{"signal", "k", "time", "cell"}, …]: the values it was computed from, and when
+ *   "sources": [{"signal", "k", "time", "cell"}, …]: the values it was computed from, and the
+ *              instants at which they were read
  *   "switches": if the signal is the running mode of a machine that had a different mode before,
  *               the transitions of one instant that led here: [{"from", "to", "label", "k",
  *               "time", "file", "line", "last", "sources"}, …]

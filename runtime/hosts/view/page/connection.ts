@@ -132,7 +132,7 @@ export class Connection implements Link {
     if (this.isOpen) this.socket?.send("more");
   }
 
-  /** Returns false if the command cannot be sent; it is not sent later. */
+  /** If the command cannot be sent now, returns false and never sends it. */
   command(text: string): boolean {
     if (!this.isOpen) return false;
     // A stop has no timestamp, because the viewer must never reject it as too old.

@@ -1,9 +1,9 @@
 // Monitors the contact between the page and the run. The page must not present old data as current:
-// after half a second without news it turns grey, and shows the time of the last news.
+// after half a second of silence it turns grey, and shows when the silence began.
 //
 // Ten times a second, the viewer sends a heartbeat with the state of the host, which is the process
-// that runs the program. The viewer reads that state from memory that it shares with the host. New
-// instants of a live run also count as news.
+// that runs the program. The viewer reads that state from memory that it shares with the host. In a
+// live run, a lack of new instants also counts as silence.
 import type { Beat, Live, Program, RunFate } from "./protocol";
 
 /** Maximum silence, in ms. */
@@ -33,7 +33,7 @@ export class Contact {
   private readonly counts = document.createElement("span");
   /** The state of the run, as its host reports it. */
   fate: RunFate = "goes on";
-  /** Times of the last news, according to the page's clock. */
+  /** Times of the last sign of life from each source, according to the page's clock. */
   private viewerHeard = performance.now();
   private hostHeard = Infinity;
   private instantHeard = Infinity;
@@ -69,7 +69,7 @@ export class Contact {
     return this.silent !== "nobody" && this.silent !== "instants";
   }
 
-  /** The time of the last news, formatted for display. */
+  /** The time at which the silence began, formatted for display. */
   get sinceWhen(): string {
     return new Date(Date.now() - (performance.now() - this.since)).toLocaleTimeString();
   }
@@ -88,7 +88,7 @@ export class Contact {
     }
   }
 
-  /** Updates the number of instants; `seconds` is the duration of one instant. */
+  /** Updates the number of instants; `seconds` is the real time between two instants. */
   extent({ instants, live }: Program | Live, seconds: number): void {
     this.isLive = live;
     this.instantPatience = Math.max(patience, 3000 * seconds);
@@ -120,8 +120,8 @@ export class Contact {
       isLate = late > 2 * period;
     this.lateness = late + (this.wasLate ? this.lateness : 0);
     this.lastTick = now;
-    // After the page was blocked, skips one check, so that the page first reads the messages that
-    // have arrived in the meantime.
+    // If the page was blocked, skips one check, so that the page first reads the messages that
+    // arrived in the meantime.
     if (isLate && !this.wasLate) {
       this.wasLate = true;
       return;
@@ -139,8 +139,8 @@ export class Contact {
     if (this.silent === "nobody") this.until = now;
     else if (before === "nobody") {
       this.since = since;
-      // The time from the last news until the page reports the silence, and the part of that time
-      // in which the page was blocked.
+      // The time from the start of the silence until the page reports it, and the part of that time
+      // during which the page was blocked.
       this.box.dataset["after"] = (now - since).toFixed(0);
       this.box.dataset["late"] = this.lateness.toFixed(0);
     }

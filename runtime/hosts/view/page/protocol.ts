@@ -9,14 +9,14 @@ export interface Signal {
   readonly names: readonly string[];
   /** The unit in Frob's syntax, such as `m/s`; empty if the signal has none. */
   readonly unit: string;
-  /** For a probe: the instance of a signal function that contains it, its name in that instance, and
-   * the place of its definition. Otherwise empty. */
+  /** For a probe: the signal-function instance that contains the probe, the probe's name in that
+   * instance, and the file and line where it is defined. Otherwise empty. */
   readonly instance: string;
   readonly own: string;
   readonly file: string;
   readonly line: number;
-  /** Whether it is independent of all other signals, so that it is constant unless it depends on the
-   * time or a mode. */
+  /** Whether the signal is independent of all other signals. Such a signal is constant unless it
+   * depends on the time or a mode. */
   readonly fixed: boolean;
   /** For the running mode of a machine: the transitions between its modes. */
   readonly transitions?: readonly Transition[];
@@ -93,7 +93,7 @@ export interface Program {
   readonly world: Source | null;
   /** The recording to compare with, if there is one. */
   readonly other?: Other;
-  /** The state that a page of an earlier run of this program has kept, as JSON; empty if there is
+  /** The page state saved during an earlier run of this program, as JSON; empty if there is
    * none. */
   readonly kept: string;
 }
@@ -157,8 +157,8 @@ export interface Instant {
   readonly cells: readonly string[];
   /** The values in the edited program, if there is one; null for signals that it does not have. */
   readonly others?: readonly (string | null)[];
-  /** Events of the input in the last 0.4 s: the number of the signal, its value, and the position
-   * and heading of the first robot at that time, either true or according to odometry. For records,
+  /** Input events in the last 0.4 s. For each: the number and the value of its signal, and the
+   * first robot's position and heading at that time, either true or from odometry. For records,
    * also the cell. */
   readonly recent: readonly (readonly [
     signal: number,
@@ -195,7 +195,7 @@ export interface Path {
   readonly y: number;
   /** Time, and the values of the two signals. */
   readonly points: readonly (readonly [number, number | null, number | null])[];
-  /** Path of the edited program, if it ran in the simulator. */
+  /** The same points in the other recording, or in the simulator run of the edited program. */
   readonly others?: readonly (readonly [number, number | null, number | null])[];
 }
 
@@ -216,7 +216,7 @@ export interface Origin {
   readonly cell: string;
 }
 
-/** The place of an equation; the file is empty if there is none. */
+/** The place of an equation; `file` is the empty string if there is none. */
 export interface Place {
   readonly file: string;
   readonly line: number;
@@ -248,7 +248,7 @@ export interface Why extends Place {
 
 export interface Found {
   readonly is: "found";
-  /** The error in the condition. If it is present, the other members are missing. */
+  /** The error in the condition, if there is one; then the other members are missing. */
   readonly why?: string;
   readonly count?: number;
   readonly first?: number | null;
@@ -262,7 +262,7 @@ export interface Found {
 /** The result of an assertion. */
 export interface Fate {
   readonly failed: boolean;
-  /** Whether it had to hold at some instant. */
+  /** Whether there was any instant at which the assertion had to hold. */
   readonly asked: boolean;
   readonly open: boolean;
   /** A summary, such as `violated, first at 3.200 s; in total at 2 instants`. */
@@ -290,8 +290,8 @@ export interface Claims {
   readonly all: readonly Claim[];
 }
 
-/** The number of times that the first simulated robot began to touch an object, and the time and
- * position of each contact. */
+/** How often the first simulated robot came into contact with an object, and the time and position
+ * of each contact, for at most 1000 contacts. */
 export interface Contacts {
   readonly is: "contacts";
   readonly count: number;
@@ -305,10 +305,10 @@ export interface WhatIf {
   readonly there: boolean;
   /** Whether the edited program drove the simulated robot, from the first instant. */
   readonly drives?: boolean;
-  /** The reason why there is no edited program, in the compiler's words; missing if none was
-   * requested. */
+  /** If the program could not be compiled or run, the reason, such as the compiler's messages. */
   readonly why?: string;
-  /** The first instant at which its outputs differ; missing if they do not differ. */
+  /** The first instant at which its outputs differ, and the name of an output that differs; missing
+   * if they do not differ. */
   readonly first?: number;
   readonly signal?: string;
 }
@@ -318,10 +318,10 @@ export interface Picture {
   readonly is: "picture";
   /** The instant of the request. */
   readonly k: number;
-  /** Whether the program shows this image; otherwise it is the camera's. */
+  /** True if this is the image that the program shows; false if it is the camera's last image. */
   readonly chosen: boolean;
-  /** A frame that the recording mentions but does not contain. If it is present, the other members
-   * are missing. */
+  /** Set if the frame is missing or has changed since it was recorded; then the members below are
+   * missing. */
   readonly lost?: { readonly number: number; readonly k: number; readonly changed: boolean };
   /** The instant at which the program received the image; missing if there is no image yet. */
   readonly at?: number;
@@ -331,8 +331,8 @@ export interface Picture {
   /** Age in seconds. */
   readonly age?: number;
   readonly marks?: readonly string[];
-  /** The pixels, each of which is the mean of `by` by `by` image pixels; missing if the page already
-   * has them. */
+  /** The pixels, each the mean of a square of image pixels whose side is `by`; missing if the page
+   * already has them. */
   readonly by?: number;
   readonly columns?: number;
   readonly rows?: number;
@@ -344,14 +344,16 @@ export interface Picture {
 /** A recording to compare with. */
 export interface Other {
   readonly name: string;
-  /** Whether it is from this version of the program, so that its inner signals are known. */
+  /** Whether the recording is from this version of the program. Only then are its inner signals
+   * known. */
   readonly runs: boolean;
-  /** The time in this recording that corresponds to time 0 of the shown recording, in seconds. */
+  /** The time, in seconds, in this recording that corresponds to time 0 of the displayed
+   * recording. */
   readonly shift: number;
   /** Its parameters whose values differ from those of the displayed recording, as NAME=VALUE. */
   readonly set: readonly string[];
-  /** The first instant at which the outputs differ, and the output; missing if they do not
-   * differ. */
+  /** The first instant at which the outputs differ, and the name of an output that differs; missing
+   * if they do not differ. */
   readonly first?: number;
   readonly signal?: string;
 }
@@ -364,7 +366,7 @@ export interface Align {
   readonly other?: Other;
 }
 
-/** Confirms that the viewer has kept the state of the page. */
+/** Confirms that the viewer has saved the page's state. */
 export interface KeepDone {
   readonly is: "keep";
 }

@@ -1,5 +1,5 @@
 // Restores the state of the page from its address, from the tab's storage after a reload, or from
-// an earlier run of the program. Saves each change of the state.
+// an earlier run of the program. Saves every change to the state.
 import { shown, update } from "./address";
 import type { Kept, Json } from "./kept";
 import type { Layout, Sizes } from "./layout";
@@ -70,7 +70,7 @@ function restoreEdited(store: Store, kept: Kept): void {
   });
 }
 
-/** The range that a saved page shows first; its address contains none. */
+/** The range that a saved page shows first, because its address contains none. */
 function keptRange(kept: Kept): readonly [number, number] | undefined {
   const range = kept.get("range");
   const [from, to] = Array.isArray(range) ? (range as readonly Json[]) : [];

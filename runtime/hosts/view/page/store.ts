@@ -40,7 +40,7 @@ export type Change =
   | "contacts"
   /** Emitted when the text of the edited program has changed. */
   | "edited"
-  /** Emitted when the plots must adapt their sizes. */
+  /** Emitted when the plots must be resized. */
   | "sizes"
   /** Emitted when the map shows another part of the world. */
   | "view"
@@ -66,7 +66,7 @@ export class Store {
   /** The time range of the plots, in seconds. */
   range: readonly [number, number];
   plots: Plot[] = [];
-  /** The plot to which the next picked signal is added; null if the signal gets a plot of its
+  /** The plot that receives the next signal the user picks; null if that signal gets a plot of its
    * own. */
   target: Plot | null = null;
   playing = false;
@@ -91,7 +91,7 @@ export class Store {
   edited: string | null = null;
   continueEditing: (text: string) => void = () => undefined;
 
-  /** The explanation of the last explained value; null if there is none. */
+  /** The most recent explanation of a value; null if there is none. */
   why: Why | null = null;
   /** Explains a signal that is clicked; null if a click plots it instead. */
   asker: ((signal: number) => void) | null = null;
@@ -205,8 +205,8 @@ export class Store {
     return this.program.live && this.run !== null && this.run.operates && this.run.sends;
   }
 
-  /** Sends a command of control.h to the run, immediately or not at all. If it cannot be sent,
-   * informs the user and returns false. */
+  /** Sends a command (see control.h) to the run. If it cannot be sent now, informs the user and
+   * returns false. */
   command(request: string): boolean {
     const isSent = !this.contact.isLost && this.connection.command(request);
     if (!isSent) this.undone("not done: no contact with the run");
@@ -218,8 +218,8 @@ export class Store {
     this.changed("undone");
   }
 
-  /** Sends a stop even if contact with the host is lost. Returns false if there is no connection to
-   * the viewer. */
+  /** Sends the `stop` command even if contact with the host is lost. Returns false if there is no
+   * connection to the viewer. */
   stop(): boolean {
     return this.connection.command("stop");
   }
@@ -264,7 +264,7 @@ export class Store {
     this.connection.ask(request);
   }
 
-  /** Requests instants that are not displayed, for saving. */
+  /** Requests instants in order to save them, without displaying them. */
   instants(from: number, to: number): Promise<Instant[]> {
     return new Promise((resolve) => {
       const all: Instant[] = [];
@@ -313,8 +313,8 @@ export class Store {
     return this.whatIf?.there ? "edited" : (this.other?.name ?? "");
   }
 
-  /** Aligns the other recording by when a condition first holds or, if the condition is empty, by
-   * its start. */
+  /** Aligns the other recording at the instant when a condition first holds or, if the condition is
+   * empty, at its start. */
   align(condition: string): void {
     this.connection.ask(condition === "" ? "align" : `align ${condition}`);
   }

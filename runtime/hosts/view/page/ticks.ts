@@ -1,7 +1,6 @@
 // Chooses the positions to label on axes.
 
-/** Returns the smallest of the numbers 1, 2 and 5 times a power of ten that is not less than
- * `least`. */
+/** Returns the smallest number that is at least `least` and is 1, 2 or 5 times a power of ten. */
 export function niceStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5].map((x) => x * power).find((x) => x >= least * (1 - 1e-9)) ?? 10 * power;

@@ -24,8 +24,7 @@ export function formatNumber(x: number): string {
   return String(Number(x.toPrecision(6)));
 }
 
-/** The largest absolute value of a signal that has been shown so far, and the number of decimals
- * for the signal. */
+/** For a signal: the largest absolute value shown so far, and the number of decimals to show. */
 interface Look {
   largest: number;
   decimals: number;
@@ -70,7 +69,7 @@ export function formatName(name: string): string {
   return name.replace(/\.(\d+)$/, " ($1)");
 }
 
-/** Formats the cell of a trace in Frob's syntax. */
+/** Formats a cell of a trace in Frob's syntax. */
 export function formatCell(signal: Signal, cell: string): string {
   if (cell === "") return signal.kind === "event" ? "NoEvent" : "";
   if (cell === "true") return "True";

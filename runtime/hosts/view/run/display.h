@@ -13,9 +13,9 @@
 
 /* The display after an instant. */
 struct shown {
-    size_t image; /* instant that showed the image, or NO_INSTANT */
+    size_t image; /* instant at which the image was shown, or NO_INSTANT */
     int32_t key;  /* key of the image (frob/lens.h) */
-    size_t marks; /* instant that drew the marks, or NO_INSTANT */
+    size_t marks; /* instant at which the marks were drawn, or NO_INSTANT */
 };
 
 /* One element of the drawing: an event that contains a mark. */

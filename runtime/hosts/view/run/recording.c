@@ -35,7 +35,8 @@ struct reader {
     struct {
         char *text;
         size_t *starts;    /* offsets of its cells in the text */
-        size_t room, next; /* `next`: the instant after it; 0 if there is no previous row */
+        size_t room, next; /* `next`: the instant after the previous row; 0 if there is no such
+                            * row */
     } before;
 };
 
@@ -62,7 +63,7 @@ static size_t signal_number_of(const struct reader *r, const struct signal *sign
     return (size_t)(signal - r->signals->all);
 }
 
-/* Returns whether the viewer computes a column itself, so that the recorded one is ignored. */
+/* Returns whether the viewer computes a column itself and therefore ignores the recorded one. */
 static bool is_computed(const char *name)
 {
     return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0;

@@ -19,7 +19,8 @@ struct recording {
     unsigned char *inputs; /* `count` input structs of the program */
     /* The recorded part of `count` output structs. Signals that were not recorded are zero. */
     unsigned char *outputs;
-    size_t output_size;   /* size of that part; inner signals follow it in the struct */
+    size_t output_size;   /* size in bytes of the recorded part; inner signals follow it in the
+                           * struct */
     bool *recorded;       /* for each signal: whether the recording has its column */
     struct buffer params; /* recorded parameters: NAME=VALUE, each ending with a NUL */
     bool has_all_inputs;  /* whether the program can be run on the recording */
@@ -54,9 +55,9 @@ struct lost_frame {
 };
 
 /* Opens a file and reads its first rows, which are usually all of its rows. Ignores columns that
- * the program does not have, and all rows from the first one that cannot be read; adds a line about
- * each problem to `notes`. If nothing is left, prints a line on standard error and returns
- * false. */
+ * the program does not have. Stops at the first row that cannot be read, and ignores the rest. Adds
+ * a line about each problem to `notes`. If nothing is left, prints a line on standard error and
+ * returns false. */
 bool recording_read(struct recording *recording, const struct signals *signals, const char *name,
                     const struct csv_dialect *dialect);
 

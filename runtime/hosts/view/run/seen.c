@@ -39,8 +39,8 @@ bool seen_start(struct recording *recording)
     return recording->eyes != NULL;
 }
 
-/* Returns the place and the reason in the frame reader's last message, which follow the expected
- * text. */
+/* Returns the part in brackets of the frame reader's last message, which contains the path and the
+ * reason. */
 static const char *reason(const struct recording *recording)
 {
     const char *said = strchr(recording->frames.expected, '(');

@@ -7,12 +7,12 @@
 /* Returns whether a value is an event that contains an image. */
 bool seen_is_eye(const struct frob_value *value);
 
-/* Finds all events that contain an image in the program's input, and stores them in `eyes`. Returns
+/* Finds all events in the program's input that contain an image, and stores them in `eyes`. Returns
  * false if memory runs out. */
 bool seen_start(struct recording *recording);
 
-/* Records that a frame of an instant is missing or has changed, and removes its event from the
- * input. The program cannot be run for this or any later instant. */
+/* Records that a frame is missing at instant `k` or has changed, and removes the frame's event from
+ * the input. The program cannot be run for this or any later instant. */
 void seen_lose(struct recording *recording, size_t k, unsigned char *input,
                const struct frob_value *eye, uint32_t number, bool is_there);
 

@@ -109,8 +109,8 @@ static size_t add_modes(struct series *series, struct kept_series **wanted, size
     return count;
 }
 
-/* Adds the other signals for which at least as many values are known as for the first one, because
- * the page of a live run requests all of them again. */
+/* Adds the other signals that have at least as many values as the first one, because the page of a
+ * live run requests all of them again. */
 static size_t add_others(struct series *series, struct kept_series **wanted, size_t count)
 {
     for (size_t i = 0; i < SERIES_KEPT && count < TOGETHER; i++) {

@@ -30,10 +30,10 @@ void series_forget(struct series *series);
  * stay valid until SERIES_KEPT / 2 other signals have been requested or the recording has grown. */
 const double *series_of(struct series *series, const struct signal *signal);
 
-/* Calls `visit`, in order, for the instants that a plot of `numbers` from instant `from` up to, but
- * not including, `to` shows in approximately `width` columns. If each column has at least five
+/* Calls `visit`, in order, for the instants needed to plot `numbers` in approximately `width`
+ * columns, from instant `from` up to, but not including, `to`. If each column has at least five
  * instants, these are the first and last instants of each column, and those with its least and
- * greatest values; otherwise, all instants. */
+ * greatest values; otherwise, they are all instants. */
 void series_visit(const double *numbers, size_t from, size_t to, size_t width,
                   void (*visit)(void *context, size_t k), void *context);
 

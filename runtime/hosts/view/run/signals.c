@@ -235,7 +235,7 @@ bool signal_values_equal(const struct frob_value *value, const void *a, const vo
     case FROB_SINGLE:
         x = number_at(value, (const char *)a);
         y = number_at(value, (const char *)b);
-        /* A trace writes all NaNs in the same way. */
+        /* In a trace, all NaNs look the same. */
         return (isnan(x) && isnan(y)) || memcmp(&x, &y, sizeof x) == 0;
     case FROB_SUM:
         return *at == *bt && parts_equal(&value->constructors[*(const unsigned char *)at], a, b);

@@ -42,7 +42,8 @@ bool signals_start(struct signals *signals, const struct frob_program *program,
                    const struct frob_column *columns);
 void signals_end(struct signals *signals);
 
-/* Returns the size of the program's output in the output struct; its inner signals follow it. */
+/* Returns the size in bytes of the program's output in the output struct; the inner signals follow
+ * the output. */
 size_t signals_output_size(const struct signals *signals);
 
 /* Returns the signal with this name; NULL if there is none. */
@@ -62,8 +63,8 @@ void signal_write(const struct signals *signals, const struct signal *signal,
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment);
 
-/* Returns whether a trace writes two values in the same way. This is the case if they are equal bit
- * for bit, or if both are NaN. */
+/* Returns whether two values look the same in a trace. They do if they are equal bit for bit, or if
+ * both are NaN. */
 bool signal_values_equal(const struct frob_value *value, const void *a, const void *b);
 
 #endif

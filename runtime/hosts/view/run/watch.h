@@ -1,13 +1,13 @@
-/* watch.h -- the results of a program's assertions over the instants that it has been run for, and
- * the instants at which each was violated. */
+/* watch.h -- the results of a program's assertions for the instants run so far, and the instants at
+ * which each assertion was violated. */
 #ifndef FROB_VIEW_WATCH_H
 #define FROB_VIEW_WATCH_H
 
 #include "../../common/claims.h"
 
 struct watched {
-    /* The starts and ends of violations, alternately. A violation lasts up to, but not including,
-     * its end. One that still continues has no end yet. */
+    /* Alternating starts and ends of violations. A violation lasts up to, but not including, its
+     * end. A violation that still continues has no end yet. */
     size_t *ends;
     size_t count, room;
 };

@@ -171,7 +171,7 @@ static int run(what_if_command command, const char *const *more, struct buffer *
     return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/* Appends a text from which each occurrence of the folder's path is removed. */
+/* Appends a text without any occurrences of the folder's path. */
 static void add_without(struct buffer *out, const char *text, const char *folder)
 {
     const size_t length = strlen(folder);
@@ -423,8 +423,8 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     return false;
 }
 
-/* Returns whether the edit changed the default value of the parameter in a setting. If so, the new
- * default overrides the setting. */
+/* Returns whether the edit changed the default value of the parameter that a setting sets. If so,
+ * the new default overrides the setting. */
 static bool is_edited(const struct frob_program *edited, const struct frob_program *recorded,
                       const char *setting)
 {

@@ -8,8 +8,8 @@
 struct what_if {
     bool is_there;          /* whether there is an edited program, which the other members
                              * describe */
-    bool drives;            /* whether it ran in the simulator, so its inputs are not the recorded
-                             * ones */
+    bool drives;            /* whether it has its own inputs, from the simulator or another
+                             * recording */
     bool compares;          /* whether this is another recording (compare.h) rather than an edited
                              * program */
     int64_t shift_ns;       /* time in this run that corresponds to time 0 of the displayed
@@ -30,11 +30,11 @@ struct what_if {
 typedef const char *const *what_if_command;
 
 struct what_if_commands {
-    /* Compiles a program and prints the path of the shared object. The program's file is appended
-     * to the command. NULL if it is not available. */
+    /* The command that compiles a program and prints the path of the shared object; NULL if it is
+     * not available. The program's file is appended to the command. */
     what_if_command build;
-    /* Runs a program in the simulator. The options and the file for `frobc run` are appended to the
-     * command. NULL if it is not available. */
+    /* The command that runs a program in the simulator; NULL if it is not available. The options
+     * and the file for `frobc run` are appended to the command. */
     what_if_command drive;
 };
 

@@ -40,8 +40,8 @@ static bool write_page(const char *address)
     return ok;
 }
 
-/* Starts the browser in the background. Its output is discarded, because it does not help users of
- * Frob. */
+/* Starts the browser in the background. Its output is discarded, because it is of no use to Frob
+ * users. */
 static void start_browser(void)
 {
     pid_t child = fork();

@@ -51,7 +51,7 @@ const char *control_in_time(const char **request);
 /* Executes a command. Returns NULL, or the reason why it is refused. */
 const char *control_do(struct control *control, const char *request, bool operates);
 
-/* Returns whether the host has dropped events since the last call, because it was frozen. */
+/* Returns whether the host was frozen and therefore dropped events since the last call. */
 bool control_was_late(struct control *control);
 
 /* Appends the state of the run, and the page's permissions. */

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Accepts an empty text, or a colon and a number from 1 to 65535. */
+/* Accepts an empty string, or a colon and a number from 1 to 65535. */
 static bool is_port(const char *text, size_t length)
 {
     unsigned long port = 0;

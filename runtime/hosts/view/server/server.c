@@ -41,7 +41,7 @@ struct server {
 /* Data that libwebsockets keeps for each connection. */
 struct connection {
     struct client *client;  /* for a WebSocket connection */
-    const char *rest, *end; /* for a request for a file: the bytes that remain to be sent */
+    const char *rest, *end; /* when sending a file: the bytes that remain to be sent */
 };
 
 static struct lws_context *serving;
@@ -453,8 +453,8 @@ static const struct lws_protocols protocols[] = {
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
 
-/* Checks, at each beat of a live run, whether the viewer must end because no page is open, because
- * the host has requested it, or because the host has ended. */
+/* Checks, at each beat of a live run, whether the viewer must exit: because no page is open,
+ * because the host has requested it, or because the host has ended. */
 static bool is_to_end(struct server *server, bool is_over)
 {
     const long patience_s = server->was_visited ? SERVER_RELOADS : SERVER_LINGERS;
@@ -559,7 +559,7 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
         control_start(&server.control, view->live.ring);
         server.has_terminal = isatty(STDERR_FILENO) == 1;
         /* In a live run, only the host reacts to SIGINT; the page stays open after the run. Ctrl-Z
-         * is ignored, because it cannot suspend the robot and must not suspend its Stop button. */
+         * is ignored, because it would disable the Stop button without stopping the robot. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
         if (view->live.ring != NULL)
             signal(SIGTSTP, SIG_IGN);

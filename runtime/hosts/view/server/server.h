@@ -27,14 +27,14 @@
 #define SERVER_STRANGER_MESSAGE 64 /* maximum length of a request from a stranger, in bytes */
 #define SERVER_BEAT_US 100000
 
-/* Called when the server is ready. Returns false if it cannot report the address, because serving
- * would then be useless. */
+/* Called when the server is ready. Returns false if it cannot report the address; the server then
+ * exits, because no page could find it. */
 typedef bool server_ready(void *context, int port);
 
 /* Serves until the process receives SIGTERM, or SIGINT if the run is not live. A live run is served
  * until it is over and no page is open. Port 0 means any free port. Returns false if `ready` fails,
- * or if the server cannot start, for example because the port is in use; then a line on standard
- * error states the reason. */
+ * or if the server cannot start, for example because the port is in use. In the latter case, prints
+ * the reason on standard error. */
 bool server_run(struct view *view, int port, const char *token, server_ready *ready, void *context);
 
 #endif

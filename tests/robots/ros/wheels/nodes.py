@@ -227,7 +227,7 @@ def test_parameter_services():
     assert list(base.call(lambda: client.get_parameter_types(["gain", "x"])).types) == [3, 0]
     described = base.call(lambda: client.describe_parameters(["gain", "pace"])).descriptors
     assert described[0].read_only and not described[1].read_only
-    assert described[1].description == "m/s; knob of the program's console", described[1]
+    assert described[1].description == "m/s; knob on the program's console", described[1]
     assert described[1].floating_point_range[0].to_value == 0.5
     assert set_one(base, client, "pace", 0.3) == (True, "")
     base.until(lambda: base.v == 0.3, "a knob is set during the run")

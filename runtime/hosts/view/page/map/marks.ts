@@ -1,5 +1,5 @@
-// Reads and draws the program's drawing at an instant. It consists of the cells of the probe
-// `draw`, each of which contains a mark in Frob's syntax.
+// Parses and draws the marks that the program draws at an instant. Each cell of the probe `draw`
+// contains one mark, in Frob's syntax.
 import type { Signal } from "../protocol";
 import { isDark } from "../theme";
 import { formatNumber } from "../values";
@@ -194,7 +194,7 @@ export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: 
   return { marks, readings };
 }
 
-// Okabe and Ito's colours, adapted to light and dark backgrounds.
+// The Okabe-Ito palette, adapted to light and dark backgrounds.
 const colours: Readonly<Record<string, readonly [string, string]>> = {
   Red: ["#d03b00", "#ff7043"],
   Orange: ["#c98500", "#e69f00"],

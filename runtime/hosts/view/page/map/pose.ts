@@ -7,7 +7,7 @@ export interface Pose {
   readonly heading: number;
 }
 
-/** Converts a pose relative to `frame` to the coordinates in which `frame` is given. */
+/** Converts a pose relative to `frame` into the coordinates in which `frame` itself is given. */
 export function within(frame: Pose, pose: Pose): Pose {
   const [x, y] = placed(frame, [pose.x, pose.y]);
   return { x, y, heading: frame.heading + pose.heading };

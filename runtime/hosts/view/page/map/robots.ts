@@ -15,7 +15,7 @@ export interface Robot {
   /** Half the distance between the driving wheels, and their radius; 0 if they are unknown. */
   readonly wheelSide: number;
   readonly wheelRadius: number;
-  /** Distance of the arrow's tip from the origin. */
+  /** Distance from the robot's origin to the tip of the arrow that shows its heading. */
   readonly tip: number;
   readonly sonars: readonly Sonar[];
   /** Half the opening angle of a sonar's cone. */
@@ -24,7 +24,8 @@ export interface Robot {
   readonly reach: number;
 }
 
-// The sonars of stdlib/Pioneer.frob: metres ahead, metres to the left, degrees.
+// The position of each sonar in stdlib/Pioneer.frob, in metres ahead and to the left, and its
+// direction, in degrees.
 const pioneerSonars = [
   [0.069, 0.136, 90],
   [0.114, 0.119, 50],

@@ -7,7 +7,7 @@ import { blend, type Pen } from "./scene";
 import type { Track } from "./track";
 import type { Point } from "./world";
 
-/** Number of pieces, each with a colour of its own. */
+/** Number of pieces into which a path is divided, each with its own colour. */
 const pieces = 48;
 /** Approximate number of time marks. */
 const marks = 6;

@@ -6,14 +6,14 @@ import { Track } from "./track";
 import type { Extent } from "./view";
 import type { Point } from "./world";
 
-/** Approximate maximum number of points of a path. */
+/** Approximate maximum number of points in a path. */
 const mostPoints = 6000;
 
 export class Ways {
   readonly believed: Track;
   /** The true paths of simulated robots; empty if they are unknown. */
   readonly true: Track[] = [];
-  /** The path of the edited program, if it ran in the simulator. */
+  /** The robot's path with the edited program, if that ran in the simulator. */
   other: Point[] = [];
   private pending = 0;
   private turn = 0;

@@ -6,7 +6,7 @@ import type { Store } from "../store";
 const patience = 500;
 const period = 50;
 
-/** Texts that say how a run has ended. */
+/** Messages that say how a run ended. */
 const fates = {
   "at rest": "Stopped.",
   told: "A stop command was sent to the robot, but it may still be moving.",

@@ -83,7 +83,7 @@ export function findLargest(
   });
 }
 
-/** Saves the values of signals at all instants of the visible range, with those of the other
+/** Saves the values of signals at all instants of the visible range, in this run and in the other
  * recording. */
 export function saveTable(store: Store, name: string, signals: readonly number[]): void {
   const [from, to] = store.range;

@@ -16,7 +16,7 @@ interface Request {
 }
 
 interface Slot extends Request {
-  /** The next request, which is sent when this one has ended. */
+  /** The next request, which is sent when this one has been answered or refused. */
   next: Request | null;
 }
 
@@ -49,8 +49,8 @@ export class SeriesRequests {
     for (const { then } of this.end(series.signal, series.from, series.to)) then(series);
   }
 
-  /** Ends the pending requests for a series, and sends the requests that follow them. Returns the
-   * ended requests. */
+  /** Removes the pending requests for a series, and sends any requests that were waiting for them.
+   * Returns the removed requests. */
   end(signal: number, from: number, to: number): Request[] {
     const ended = [...this.slots].filter(
       ([, { wanted }]) => wanted.signal === signal && wanted.from === from && wanted.to === to,

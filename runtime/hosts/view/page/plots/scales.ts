@@ -39,8 +39,8 @@ function shorten(name: string): string {
   return name.length > 10 ? `${name.slice(0, 9)}…` : name;
 }
 
-/** Returns the positions to label on an axis of this length in pixels. They represent names or
- * round numbers. */
+/** Returns the values to label on an axis that is `pixels` long: round numbers, or the numbers that
+ * represent names. */
 export function splitsOf(
   named: Signal | undefined,
   [low, high]: readonly [number, number],

@@ -7,7 +7,7 @@ export interface SavedRun {
   readonly contacts: Contacts["all"];
   readonly times: readonly number[];
   readonly dts: readonly number[];
-  /** For each signal, the instants at which its cell changes, each followed by the cell. */
+  /** For each signal, the instants at which its cell changes, each followed by the new cell. */
   readonly cells: readonly (readonly (number | string)[])[];
   /** The values of the other recording or the edited program; null if there is none. */
   readonly others?: readonly (readonly (number | string | null)[])[];

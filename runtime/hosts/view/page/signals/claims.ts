@@ -3,7 +3,7 @@
 import type { Claim, Fate } from "../protocol";
 import type { Store } from "../store";
 
-/** Interval at which the results of a live run are requested, in ms. */
+/** Interval, in ms, at which the results of a live run are requested. */
 const every = 500;
 
 /** Returns the CSS class for the severity of a result. */

@@ -1,7 +1,7 @@
 // Counts the collisions of a simulated robot. A click goes to the next one.
 import type { Store } from "../store";
 
-/** Interval at which the collisions of a live run are requested, in ms. */
+/** Interval, in ms, at which the collisions of a live run are requested. */
 const every = 500;
 
 export function startCollisions(store: Store, button: HTMLButtonElement): void {

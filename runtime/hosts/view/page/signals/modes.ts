@@ -24,7 +24,7 @@ export function machineName(signal: Signal | undefined): string {
   return (signal?.name ?? "").replace(/^(mode|probe)\./, "").replace(/\.mode$/, "");
 }
 
-/** Orders the modes from the initial one, each followed by the modes that it leads to. */
+/** Orders the modes by a depth-first search from the initial mode, followed by any other modes. */
 function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
   const order: number[] = [];
   const visit = (from: number) => {
@@ -45,7 +45,7 @@ function inOrder(signal: Signal, transitions: readonly Transition[]): number[] {
 // The modes are arranged in a column. A transition to the next mode is a short line between them, a
 // transition further down is a curve on the right, and one further up a curve on the left.
 
-/** Distance between the modes, and their height. On a phone they are large enough for a finger. */
+/** Distance between the modes, and their height. On a phone, the modes are large enough to tap. */
 const narrow = matchMedia("(max-width: 820px)");
 const step = () => (narrow.matches ? 52 : 27);
 const height = () => (narrow.matches ? 44 : 20);

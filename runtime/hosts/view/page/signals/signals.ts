@@ -115,7 +115,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   startRoving(list);
 
   const matching = () => filter.value.trim().toLowerCase();
-  /** Moves a signal whose value has changed out of the constants. */
+  /** Moves a signal from the group of constants to that of inner signals, because its value has
+   * changed. */
   const unfix = (row: Row) => {
     groups.get("Constants")?.remove(row);
     groups.get("Inside")?.add(row);

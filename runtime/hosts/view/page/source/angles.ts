@@ -1,6 +1,6 @@
-// Finds the signals that are angles or turn rates according to their types. The unit of a signal
-// does not show this, because radians are dimensionless. Therefore this module reads the types
-// in the source text of the program.
+// Finds the signals whose types are angles or turn rates. The unit of a signal does not show this,
+// because radians are dimensionless. Therefore this module reads the types in the source text of
+// the program.
 import type { Program, Signal, Source } from "../protocol";
 
 const units: Readonly<Record<string, string>> = { Angle: "rad", AngularVelocity: "rad/s" };

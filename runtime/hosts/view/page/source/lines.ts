@@ -79,7 +79,7 @@ export class Lines {
     this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
   }
 
-  /** Shows this instance on every line from `first` to `last` that has signals of the instance. */
+  /** Shows this instance on every line from `first` to `last` that has any of its signals. */
   choose(file: string, first: number, last: number, instance: string): void {
     for (const line of this.between(file, first, last)) {
       const instances = this.files.get(file)?.get(line) ?? new Map<string, number[]>();

@@ -234,8 +234,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const [first, last] = inView();
     if (first < covered[0] || last > covered[1]) update();
   };
-  /** Returns whether the text still has its original lines. If lines were added or removed, the
-   * values would be next to the wrong lines. */
+  /** Returns whether the text still has its original number of lines. Otherwise, the values would
+   * be next to the wrong lines. */
   const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
     if (!current) return;

@@ -3,10 +3,10 @@
 import { Transaction, type ChangeSet, type Extension } from "@codemirror/state";
 import { EditorView, type KeyBinding } from "@codemirror/view";
 
-/** Maximum time between two changes in one step, in ms. */
+/** Maximum time, in ms, between two changes that are undone in one step. */
 const soon = 500;
 
-/** A step, given as the changes that undo it, newest first. */
+/** An undo step: the inverses of its changes, newest first. */
 type Step = ChangeSet[];
 
 export function undoing(): { extension: Extension; keys: KeyBinding[] } {

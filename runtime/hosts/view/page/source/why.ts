@@ -165,7 +165,7 @@ export class WhyPanel {
     return made;
   }
 
-  /** Returns the lines of its equation. */
+  /** Returns the lines of the equation at a place. */
   private equation(place: Place): HTMLElement[] {
     const source = this.store.program.sources.find(({ name }) => name === place.file);
     if (!source) return [];

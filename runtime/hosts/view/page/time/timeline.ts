@@ -15,7 +15,7 @@ const axisHeight = 20;
 const handle = 6;
 /** Maximum number of bands that leaves enough space for the rest of the page. */
 const mostBands = () => (innerHeight < 800 ? 4 : 6);
-/** Interval at which the bands of a live run are requested, in ms. */
+/** Interval, in ms, at which the bands of a live run are requested. */
 const bandsEvery = 500;
 
 export function startTimeline(store: Store, host: HTMLElement): void {
@@ -284,8 +284,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("extent", () => {
     const wait = program.live ? asked + bandsEvery - performance.now() : 0;
     if (wait <= 0) askForBands();
-    // Requests the bands after the rest of the interval, so that the last instants before a pause
-    // are shown, too.
+    // Requests the bands once the interval has passed, so that the last instants before a pause are
+    // shown, too.
     else if (timer === 0) timer = window.setTimeout(askForBands, wait);
     if (!store.following) draw();
   });
