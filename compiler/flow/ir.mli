@@ -130,8 +130,8 @@ and rhs =
   | Step_time  (** seconds since the previous instant; 0 in the first instant *)
   | Ticks of atom
       (** true if a multiple of this static number of nanoseconds lies after the previous instant's
-          local time and at or before the current local time. The number is truncated to an
-          integer. Always true if the number is below 1, and never true if it is NaN *)
+          local time and at or before the current local time. The number is truncated to an integer.
+          Always true if the number is below 1, and never true if it is NaN *)
   | Integral of atom
       (** 0 in the first instant; each later instant adds dt times the previous value of the
           argument *)

@@ -46,8 +46,8 @@ and callee =
   | Nothing of Flow.Ir.signal list  (** a node without equations; its statics and inputs *)
 
 type wide = { ty : Core.Ir.ty; leaves : int; mutable uses : int }
-(** A type with many leaves, and the number of equations and calls that define a value of that
-    type. *)
+(** A type with many leaves, and the number of equations and calls that define a value of that type.
+*)
 
 (** The controls that the program requests from its operator, collected either by this
     specialization or by an earlier one. *)

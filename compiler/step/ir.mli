@@ -100,8 +100,8 @@ type expr =
   | Reached of { time : expr; period : expr }
       (** whether the [Nanoseconds] are at least this Float, truncated to an integer *)
   | Rest of { time : expr; period : expr }
-      (** the [Nanoseconds] modulo the period, used only if they have [Reached] it; 0 if the
-          period is less than 1 *)
+      (** the [Nanoseconds] modulo the period, used only if they have [Reached] it; 0 if the period
+          is less than 1 *)
 
 type place = Local of variable | Own of field | Result of int  (** an output of the function *)
 

@@ -355,8 +355,7 @@ let code c (code : Ir.code) =
   in
   List.iter (declare c) code.parameters;
   let known = block c 0 (List.fold_left readable start code.parameters) code.body in
-  if not (Known.is_empty known.pending) then
-    bug "a variable of `%s` is never assigned" c.node.name;
+  if not (Known.is_empty known.pending) then bug "a variable of `%s` is never assigned" c.node.name;
   known
 
 (* Rejects fields for values whose memory C owns, because these values are valid only within an

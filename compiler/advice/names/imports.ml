@@ -25,8 +25,7 @@ let add program declaration =
 
 type absent = {
   imports : string list;  (** any one of them would bring the name into scope *)
-  listed : Syntax.Ir.import option;
-      (** an import of the name's module whose list lacks the name *)
+  listed : Syntax.Ir.import option;  (** an import of the name's module whose list lacks the name *)
   unknown : Unknown.t;
 }
 

@@ -7,8 +7,8 @@
 type severity = Error | Warning
 
 type text
-(** Text for users. Code that needs to know what a message says uses the message's topics
-    instead. *)
+(** Text for users. Code that needs to know what a message says uses the message's topics instead.
+*)
 
 val for_display : text -> string
 (** A test checks that only renderers and the language server call this function. *)

@@ -29,8 +29,8 @@ val field : names -> Step.Ir.field -> Ir.expr
 (** The expression [self->x]. *)
 
 val state : names -> Step.Ir.field -> Ir.expr
-(** A pointer to the struct that contains the state of the field's node. The functions of that
-    node expect this pointer as an argument. *)
+(** A pointer to the struct that contains the state of the field's node. The functions of that node
+    expect this pointer as an argument. *)
 
 val reaches_state : names -> bool
 (** Whether any field of the state has been accessed. *)

@@ -38,7 +38,7 @@ val array_name : t -> Step.Ir.ty -> string
 
 val differ : t -> Step.Ir.ty -> bool
 (** Whether values of this type are represented differently in the user's C code and in the program.
-    *)
+*)
 
 type definition
 (** A struct, with the constants for its tags if it is a sum. *)

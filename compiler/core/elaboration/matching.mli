@@ -1,6 +1,6 @@
 (** Compiles patterns into tests, which decide whether a value matches, and bindings of variables to
-    components and payloads of the value. The matched value is always a variable
-    ([root]), so that it can be mentioned several times at no cost. *)
+    components and payloads of the value. The matched value is always a variable ([root]), so that
+    it can be mentioned several times at no cost. *)
 
 val binder : Context.t -> Typing.Ir.pattern -> Ir.binder
 (** The variable that is bound to the matched value: the pattern itself if it is a variable,

@@ -13,7 +13,7 @@
 val program : Ir.program -> Ir.program * (Basis.Span.t -> Formula.t option)
 (** Adds these equations to the program. Also returns a function that maps the place of an assertion
     to its formula; [None] if there is no assertion at that place or its formula would be too large.
-    *)
+*)
 
 val column : string -> int -> string
 (** The name of the equation with this number, derived from the name of the verdict. *)

@@ -23,8 +23,8 @@ val leaves : Context.t -> Core.Ir.ty -> given -> leaves
 (** The leaves of an output of this type. *)
 
 val variants : given list -> leaves list -> variant list
-(** The distinct skeletons among the modes' outputs. Empty if any value is acceptable in every
-    mode. *)
+(** The distinct skeletons among the modes' outputs. Empty if any value is acceptable in every mode.
+*)
 
 val of_mode : Context.t -> variant list -> given -> leaves -> (string * Flow.Ir.atom) list
 (** The outputs of a mode's node, named by their paths. *)

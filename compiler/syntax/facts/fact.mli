@@ -17,8 +17,7 @@ type problem =
   | Command_in_task of {
       command : Span.t;
       block : Lexing.position;  (** the start of the [do] that contains the command *)
-      token : Layout.token;
-          (** the token that the parser had read when it rejected the command *)
+      token : Layout.token;  (** the token that the parser had read when it rejected the command *)
     }
   | Misplaced_header of Span.t
   | Misplaced_import of Span.t

@@ -34,8 +34,8 @@ type required = Instance_fact.required = {
 type question = {
   attempt : unit -> bool;  (** answers the question if the types known so far allow it *)
   guess : unit -> bool;
-      (** answers the question by using the default, if there is one, for types that remain
-          unknown *)
+      (** answers the question by using the default, if there is one, for types that remain unknown
+      *)
   give_up : unit -> unit;
 }
 (** A question that cannot be answered until a type is known. *)
@@ -48,8 +48,8 @@ type t = {
   owners : (int, Surroundings.owned) Hashtbl.t;
       (** the construct that introduces each type variable, by the variable's id *)
   given : (int, Ir.class_ list) Hashtbl.t;
-      (** classes in the contexts of the enclosing signatures, by the id of the constrained
-          variable *)
+      (** classes in the contexts of the enclosing signatures, by the id of the constrained variable
+      *)
   needs : (Instance_fact.constraint_, required) Hashtbl.t;
       (** for each constraint in a definition's context, the use that requires it *)
   scope : Annotation.scope;

@@ -31,8 +31,8 @@ type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.insta
 type promise = {
   required : required;  (** the use that needs the class *)
   class_ : Ir.class_;
-      (** the class that the variable needs, derived from [required] through instances if
-          necessary *)
+      (** the class that the variable needs, derived from [required] through instances if necessary
+      *)
   variable : Ir.variable;
   of_ : Type.t;  (** the variable as a type *)
 }

@@ -44,8 +44,8 @@ type reason =
       before : string option;
           (** the operator that follows the application, if this is its last argument *)
       of_local : Span.t option;
-          (** the callee's first application, if the callee is a local function without a
-              signature *)
+          (** the callee's first application, if the callee is a local function without a signature
+          *)
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
       (** one operand must match the other *)

@@ -26,5 +26,4 @@ val keeps : Resolve.Ir.expr -> bool
 (** Does this function return an angle if its argument is one, as [abs] and addition do? *)
 
 val kept : Type.t -> operand:Type.t -> Type.t
-(** The result type of a function for which {!keeps} is true: [Angle] if the operand is an angle.
-*)
+(** The result type of a function for which {!keeps} is true: [Angle] if the operand is an angle. *)
