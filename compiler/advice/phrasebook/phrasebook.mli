@@ -1,5 +1,5 @@
-(** Words from other languages, from the table [words.txt]. The head of that file explains the rows.
-*)
+(** Words from other languages, from the table [words.txt]. The head of that file explains the
+    rows. *)
 
 val rows : Phrase.t list Lazy.t
 (** All rows, in the order of the table. *)

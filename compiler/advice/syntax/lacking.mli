@@ -2,8 +2,8 @@
     declaration and not just the token at which the parser stops. *)
 
 val diagnostic : Found.t -> Basis.Diagnostic.t option
-(** Reports E0110 for an assertion without its label, a `param` without its
-    type, a `let` among equations, constraints without parentheses, and similar mistakes. *)
+(** Reports E0110 for an assertion without its label, a `param` without its type, a `let` among
+    equations, constraints without parentheses, and similar mistakes. *)
 
 val path : Found.t -> string option
 (** The hint for a module name written as a file path. *)

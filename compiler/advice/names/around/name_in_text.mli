@@ -13,9 +13,8 @@ val line_of : string -> Span.t -> string
 (** The line on which the place starts. *)
 
 val unit_after_number : text:string -> is_unit:(string -> bool) -> Span.t -> unit_ option
-(** The unit that contains the name, if the unit follows a number and has no brackets, as in [0.5
-    m/s].
-*)
+(** The unit that contains the name, if the unit follows a number and has no brackets, as in
+    [0.5 m/s]. *)
 
 val number_with_unit : text:string -> Span.t -> (string * Span.t) option
 (** For a name alone in its brackets, as in [20[h]]: the number before the brackets, and the place

@@ -15,7 +15,8 @@ val member : Unknown.t -> (Span.t * string) option
 (** [k] for [self.k]. *)
 
 val controller : Unknown.t -> string option
-(** The application of [pid] that replaces an application of another controller, such as [PID 0.5 0.1 0 e]. *)
+(** The application of [pid] that replaces an application of another controller, such as
+    [PID 0.5 0.1 0 e]. *)
 
 val of_a_module : text:string -> Syntax.Ir.name -> (Span.t * string) option
 (** [cos a] for [math.cos a], if the name is that of a module from another language and Frob has the

@@ -14,5 +14,4 @@ val of_elements : string
 (** The hint that suggests a replacement for a function that deconstructs a list. *)
 
 val of_each_line : Diagnostic.hint -> Diagnostic.topic list
-(** The topics of the hints that this hint makes superfluous for later colons.
-*)
+(** The topics of the hints that this hint makes superfluous for later colons. *)

@@ -1,7 +1,6 @@
 (** Messages about classes and instances: a duplicate instance ([E0361]), an invalid instance head
     ([E0362]), missing methods ([E0363]), types of methods ([E0364], [E0365]), and instances of
-    built-in classes ([E0366]).
-*)
+    built-in classes ([E0366]). *)
 
 open Basis
 open Typing
