@@ -58,6 +58,6 @@ and entry = {
 and contents =
   | Known of t
   | Suspended of (unit -> t)
-      (** an equation of a proc that Flow cannot represent. It is evaluated on first use, so that
-          the order of equations is irrelevant *)
+      (** an equation in a proc, if Flow cannot represent its value. It is evaluated on first use,
+          so that the order of equations is irrelevant *)
   | Being_evaluated

@@ -5,8 +5,8 @@
 // Runs the program in the simulator, on each of the world's robots, and then the bare physics of
 // that run: the same world in Box2D, its robots moved by the recorded velocities, and the same
 // sonar rays, but no controllers, sensors, noise or recording. It runs the bare physics in two
-// ways: with Box2D's own ray casts, each through the whole world; and as the simulator does,
-// looking up the objects in each cone only once (see ray_fan.h).
+// ways: with Box2D's own ray casts, each through the whole world, and like the simulator, which
+// looks up the objects in each cone only once (see ray_fan.h).
 //
 // The kinds of runs alternate, and only the fastest round of each kind counts. Times are CPU times,
 // which other processes on the machine hardly affect. Prints the simulated seconds per second of

@@ -39,7 +39,7 @@ Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Sce
     light_.resize(3 * static_cast<std::size_t>(settings.width));
 }
 
-// Moves the camera by `aside` along its rows, to the left: (0, 1, 0) turned by Rz(yaw) Ry(pitch)
+// Moves the camera by `aside` along its rows, to the left: (0, 1, 0) rotated by Rz(yaw) Ry(pitch)
 // Rx(roll).
 void Camera::shift(double aside) {
     const Vec yaw = exact_direction(geometry_.yaw_rad),

@@ -37,7 +37,7 @@ class Camera {
     // Returns the frame that `newest` returned last; nullptr before the first.
     const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
 
-    // Ground truth, without blur and noise, for the pixels of the frame that `last` returns, which
+    // Ground truth, without blur or noise, for the pixels of the frame that `last` returns, which
     // must exist. If the lens distorts, each pixel gets the truth of the nearest pixel in the
     // undistorted picture.
     Truth truth();

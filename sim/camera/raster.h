@@ -15,7 +15,7 @@
 namespace frob::sim {
 
 // A pinhole camera in the world. A pixel's ray is ahead + (x - cx)/f right + (y - cy)/f down, so
-// the point at t rays from the camera has depth t along its axis.
+// the point origin + t ray has depth t along the camera's axis.
 struct Pinhole {
     Point origin;
     Point right, down, ahead; // unit vectors
@@ -141,7 +141,7 @@ class Raster {
     void paint(const Surface &surface, int y, int from, int count, float *to);
     void paint(const Ball &ball, int y, int from, int count, float *to);
 
-    // The ratio of the light at a point, including lamps, to the light with which it was painted.
+    // The ratio of the light at a point, including lamps, to the light that `paint` assumed.
     float relight(Point place, Point normal) const;
     void relight(std::int32_t number, int y, int from, int count, float *to) const;
 

@@ -104,7 +104,7 @@ FROB_WIDE void make_checks(const float *u, const float *v, const float *per_metr
         to[i] = 1.0f + 0.35f * (wave(u[i], per_metre[i]) * wave(v[i], per_metre[i]));
 }
 
-// Bricks of 25 cm by 8 cm, with every second row shifted by half a brick. Their joints of 1 cm are
+// Bricks of 25 cm by 8 cm, with every second row shifted by half a brick. The 1 cm joints are
 // lighter.
 FROB_WIDE void lay_bricks(const float *u, const float *v, const float *per_metre,
                           float *__restrict to, int count) {

@@ -10,8 +10,8 @@
 
 namespace frob::sim {
 
-// The fixed time step of the physics. It is so short that a robot at full speed moves only 6 mm per
-// step, and the time between two pings of a sonar is a multiple of it.
+// The fixed time step of the physics. A robot at full speed moves only 6 mm per step, and the time
+// between two pings of a sonar is a multiple of the step.
 constexpr std::int64_t step_ns = 5'000'000;
 constexpr double step_s = 0.005;
 

@@ -25,7 +25,7 @@ struct DriveLimits {
 struct RangeFinders {
     std::vector<Pose> seats;        // their positions and directions
     double half_angle;              // half the opening angle of each cone
-    std::size_t left, right;        // the transducers that face most nearly to the left and right
+    std::size_t left, right;        // the transducers that face most directly left and right
     std::vector<std::size_t> front; // the transducers that point ahead
     const char *noun;               // the transducers' name in the picture, such as "sonar"
 };

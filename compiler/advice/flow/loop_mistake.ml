@@ -12,10 +12,9 @@ let through = function
       in
       ", through " ^ String.concat " and " (List.map name via)
 
-(* The outputs that depend on an input in the same instant and are defined in another file than the
-   hop. If the library closes the loop around one of the program's signal functions, as [loop]
-   does, such an output is the only place
-   that the user can change. *)
+(* The outputs that depend on an input in the same instant and are in a different file from the hop.
+   If the library closes the loop around one of the program's signal functions, as [loop] does, such
+   an output is the only place that the user can change. *)
 let elsewhere (hop : Fact.hop) =
   List.filter_map
     (fun (passage : Fact.passage) ->

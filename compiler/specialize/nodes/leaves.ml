@@ -48,7 +48,7 @@ and construct_leaf node ~span (layout : Types.layout) constructor payload =
   | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
   | [] | _ :: _ :: _ -> bug "a sum does not have exactly one leaf"
 
-(* The leaves of an arbitrary value of the type, used in place of an unused value. *)
+(* The leaves of an arbitrary value of the type, in place of a value that is never used. *)
 and zeros table node ~span ty : Ir.atom list =
   let layout = Types.layout table ty in
   match (layout.kind, layout.leaves) with

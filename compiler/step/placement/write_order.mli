@@ -2,8 +2,8 @@
     computed from the old contents of the fields, so a write is [Early] if its value depends on a
     field that is written earlier.
 
-    If an intermediate value is needed only by this write, or by the writes that share its [If], it
-    is computed as late as possible, so the fields that it reads count, too. *)
+    This includes fields that are read by intermediate values needed only by this write or by the
+    writes that share its [If], because these values are computed as late as possible. *)
 
 type timing =
   | In_order

@@ -96,7 +96,7 @@ let is_head text word first =
 
 let is_sign c = String.contains "=<>!+-*/|&:" c
 
-(* The loop after the first `=` of the line that starts here. The loop may start on the next
+(* The loop after the first `=` of the line that starts here, even if the loop starts on the next
    line. *)
 let on_line text start =
   let stop = line_stop text start in

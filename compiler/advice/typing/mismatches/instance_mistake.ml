@@ -52,9 +52,8 @@ let about_foreign words t diagnostic =
       Diagnostic.hint "only C can compare two values of type `%s`: import a C function that does"
         tycon.name diagnostic
 
-(* Is the class from outside these library modules, and is the type a number, a Boolean or a type
-   from outside the prelude? Then a missing instance is a likely cause.
-   *)
+(* Is the class from outside these library modules, and is the type a number, a Boolean or
+   declared outside the prelude? Then a missing instance is a likely cause. *)
 let is_of_the_program (class_ : Ir.Global.t) culprit =
   (not (List.mem class_.module_ [ "Prelude"; "Capability"; "Trial"; "Display" ]))
   &&
