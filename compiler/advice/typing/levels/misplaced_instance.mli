@@ -6,8 +6,8 @@ open Basis
 open Typing
 
 val name : Ir.expr -> string
-(** How messages refer to this signal function: by its name in backticks or, if it has none,
-    as "a signal function". *)
+(** How messages refer to this signal function: by its name in backticks or, if it has none, as "a
+    signal function". *)
 
 val diagnostic :
   Source.t ->
