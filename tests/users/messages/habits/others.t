@@ -328,7 +328,7 @@ condition.
   [1]
   $ printf 'table = [1, 2; 3, 4]\n' > writings.frob
   $ frobc check writings.frob
-  error[E0111]: a `;` does not separate the elements of an array
+  error[E0111]: array elements are not separated by `;`
    --> writings.frob:1:14
     |
   1 | table = [1, 2; 3, 4]

@@ -21,7 +21,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc x -> [x; x; x]
   > FROB
   $ frobc check elements.frob
-  error[E0111]: a `;` does not separate the elements of an array
+  error[E0111]: array elements are not separated by `;`
    --> elements.frob:2:20
     |
   2 | main = proc x -> [x; x; x]
