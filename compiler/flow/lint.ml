@@ -126,9 +126,7 @@ let equation scope (eq : Ir.equation) =
     | Absent -> (
         match ty with
         | Foreign _ -> ty
-        | _ ->
-            bug "a %s, which is not a foreign type, is absent in `%s`" (show scope ty)
-              scope.node.name)
+        | _ -> bug "a %s, not a foreign type, is absent in `%s`" (show scope ty) scope.node.name)
     | Delay { init; next } ->
         stateful scope "delay";
         lasting scope ty;

@@ -16,7 +16,8 @@ val nesting : unit -> nesting
 val equation : nesting -> name:string -> (unit -> 'a) -> 'a t
 (** Like {!delay}, for values whose evaluation can be abandoned and restarted: equations of the
     current instant, and definitions. Chains of these may have any length: when evaluation nests too
-    deeply, {!force} abandons it, and {!demand} first evaluates the thunk that was reached. *)
+    deeply, {!force} abandons it, and {!demand} evaluates the thunk at which it stopped before
+    trying again. *)
 
 val force : 'a t -> 'a
 (** The value. May only be called while {!demand} evaluates a thunk. A thunk that needs its own

@@ -15,7 +15,8 @@ constexpr double battery = 14.4;           // V, an estimate
 } // namespace
 
 // The inertia is that of a uniform disc. The robot accepts speeds without rounding. It has no range
-// finders: the last entry contains only the position of the robot's front, which pictures need.
+// finders: the last entry contains only the position of the robot's front, which is needed to draw
+// the robot.
 const Chassis &chassis() {
     static const Chassis chassis = {
         "TurtleBot 4",

@@ -40,8 +40,8 @@ let hint_of_this (t : Unknown.t) (signal : Proc_signals.t) =
     "this second `where` belongs to the whole definition, so it cannot use signals: move its \
      equations into the first `where`"
   else if is_in_a_where t then
-    "the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: \
-     move that bracket to the end of the last equation"
+    "the bracket before this `where` ends the `proc`, so the equations after `where` cannot use \
+     the signals of the `proc`: move that bracket to the end of the last equation"
   else
     "the `proc` ends at the bracket or comma that follows it: use its signals only before that \
      point, not in a later `where`"

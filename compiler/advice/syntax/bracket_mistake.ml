@@ -200,7 +200,7 @@ let matrix found (by : Layout.origin) =
         let place = found.token.start in
         Diagnostic.error ~code:"E0111"
           ~at:(Build.span (place, { place with pos_cnum = place.pos_cnum + 1 }))
-          "array elements are not separated by `;`"
+          "separate array elements with `,`, not `;`"
         |> Diagnostic.hint "%s"
              (if String.starts_with ~prefix:"[[" text then
                 Printf.sprintf "the rows of a matrix are arrays: write `%s`" text

@@ -180,7 +180,7 @@ def _tell(search: Search, options: argparse.Namespace) -> None:
     label, found = search.label, search.found
     runs = f"{search.runs} run" + ("" if search.runs == 1 else "s")
     if found is None:
-        nearest = f"; the nearest margin is {search.nearest:.6g}" if search.nearest < FAR else ""
+        nearest = f"; the smallest margin is {search.nearest:.6g}" if search.nearest < FAR else ""
         blind = (
             ""
             if search.has_margin

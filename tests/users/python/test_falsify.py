@@ -553,7 +553,7 @@ class Command(unittest.TestCase):
         self.assertEqual((held.returncode, held.stderr), (0, ""))
         self.assertEqual(
             held.stdout.splitlines()[1],
-            "held      is slow: not violated in 20 runs; the nearest margin is 0.3",
+            "held      is slow: not violated in 20 runs; the smallest margin is 0.3",
         )
         found = subprocess.run(
             [*command, "--param", "most=0.2[m/s] to 1[m/s]", "--only", "is slow"],

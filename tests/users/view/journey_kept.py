@@ -56,7 +56,7 @@ def pick(page, *signals):
 
 def plots(page, rows):
     check("a page plots the outputs first", names(page)[0] == ["out.forward"])
-    press(page, "Add signals to this plot: click them")
+    press(page, "Click signals to add them to this plot")
     pick(page, "in.battery")
     page.wait(lambda: names(page)[0] == ["out.forward", "in.battery"])
     check("a signal is added to a plot, with an axis of its own", True)
@@ -64,7 +64,7 @@ def plots(page, rows):
     page.wait(lambda: "at most two axes" in page.text("#state"))
     check("a third unit gets a plot of its own", ["in.odometry.heading"] in names(page))
     pick(page, "in.odometry.heading")
-    press(page, "Add signals to this plot: click them")
+    press(page, "Click signals to add them to this plot")
     press(page, "Range, XY plot, export")
     page.driver.set_script_timeout(30)
     table = page.driver.execute_async_script(saved, "#plots .plot-tools button", "CSV").split("\n")
@@ -84,7 +84,7 @@ def plots(page, rows):
     check("a range is fixed, and in the address", True)
     pick(page, "in.odometry.position.x")
     last = "#plots article:last-of-type"
-    press(page, "Add signals to this plot: click them", last)
+    press(page, "Click signals to add them to this plot", last)
     pick(page, "in.odometry.position.y")
     press(page, "Range, XY plot, export", last)
     press(page, "XY", last)

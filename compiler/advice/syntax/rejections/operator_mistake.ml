@@ -100,9 +100,9 @@ let compared ~text (left : term) first (middle : term) second (right : term) d =
       match (between left.span a.span, between b.span right.span) with
       | Some condition, Some claim ->
           let text = Printf.sprintf "(%s) `%s` (%s)" condition (shown operator) claim in
-          Diagnostic.hint "put parentheses around both comparisons: %s" (code text) d
+          Diagnostic.hint "put parentheses around each comparison: %s" (code text) d
           |> Diagnostic.write (Span.merge left.span right.span) text
-      | _ -> Diagnostic.hint "put parentheses around both comparisons" d)
+      | _ -> Diagnostic.hint "put parentheses around each comparison" d)
   | Some ({ name = { text = "min" | "max" | "mod" | "div"; _ }; _ }, _, _) | None ->
       both_compared ~text left first middle second right d
   | Some _ -> Diagnostic.hint "put parentheses around the part to compute first" d

@@ -45,7 +45,7 @@ let too_many words ~name ~at ~parameters (expected : Expected.t) ~result allowed
         | Some name, last :: others
           when List.length texts = List.length parameters && List.length others = allowed ->
             Printf.sprintf
-              "take the signal in a `proc`: begin the definition with `%s = proc %s ->`"
+              "make the signal the input of a `proc`: begin the definition with `%s = proc %s ->`"
               (String.concat " " (name :: List.rev others))
               last
         | _ -> "take the signal in a `proc`: `proc x -> …`"

@@ -98,7 +98,7 @@ let missing sources (case : Pattern_fact.case) missing ~guarded_only ~listed:all
       let b : branch = List.nth case.branches index in
       d
       |> Diagnostic.label ~at:b.pattern.span "all guards of this branch may fail"
-      |> Diagnostic.hint "add a last guard `| otherwise`"
+      |> Diagnostic.hint "add a final guard, `| otherwise`"
       |> with_otherwise sources ~arrow:"->" (guards_of b.value)
 
 let unreachable (case : Pattern_fact.case) (branch : branch) =
@@ -135,7 +135,7 @@ let guards_fail sources (guards : expr) guarded =
   Diagnostic.(
     error ~code:"E0352" ~at:guards.span "all these guards may fail"
     |> here "there is no value if they do"
-    |> hint "add a last guard `| otherwise`")
+    |> hint "add a final guard, `| otherwise`")
   |> with_otherwise sources ~arrow:"=" guarded
 
 let matched_twice (constructor : Ir.Global.t) ~(first : Resolve.Ir.pattern)

@@ -26,7 +26,7 @@ val written_factor : Wording.t -> Resolve.Ir.expr -> (t * int) list
     unit. *)
 
 val gain : Wording.t -> Resolve.Ir.expr -> (t * int) list
-(** Like {!factor}, for numbers whose unit, apart from angles, has only negative exponents, such as
+(** Like {!factor}, but for numbers whose unit, apart from angles, has only negative exponents, such as
     [1/s] and [rad/(m s)]. The numbers may have names or be written in the expression. *)
 
 val is_per_millisecond : Wording.t -> Resolve.Ir.expr -> bool

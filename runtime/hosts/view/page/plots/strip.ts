@@ -92,7 +92,7 @@ export class Strip {
     /** The time axis below all plots, for saving a picture. */
     private readonly axis: HTMLCanvasElement,
   ) {
-    this.add = button("+", "Add signals to this plot: click them", () => {
+    this.add = button("+", "Click signals to add them to this plot", () => {
       store.target = store.target === plot ? null : plot;
       store.changed("plotted");
     });
