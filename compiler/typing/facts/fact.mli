@@ -1,5 +1,5 @@
-(** A fact that type checking reports, as data; [Advice] adds the text of the
-    message. [Advice] turns it into a diagnostic. *)
+(** A fact that type checking reports, as data; [Advice] adds the text of the message. [Advice]
+    turns it into a diagnostic. *)
 
 open Basis
 

@@ -26,8 +26,8 @@ val written_factor : Wording.t -> Resolve.Ir.expr -> (t * int) list
     unit. *)
 
 val gain : Wording.t -> Resolve.Ir.expr -> (t * int) list
-(** Like {!factor}, but for numbers whose unit, apart from angles, has only negative exponents, such as
-    [1/s] and [rad/(m s)]. The numbers may have names or be written in the expression. *)
+(** Like {!factor}, but for numbers whose unit, apart from angles, has only negative exponents, such
+    as [1/s] and [rad/(m s)]. The numbers may have names or be written in the expression. *)
 
 val is_per_millisecond : Wording.t -> Resolve.Ir.expr -> bool
 (** Is the expression a number in [[ms^-1]], probably intended as metres per second? *)
