@@ -35,7 +35,7 @@ let diagnostic ~text (reason : Syntax.Rejection.t) =
   | Minus_in_pattern at -> Term_mistake.minus at
   | Expression_in_pattern { at; desc } -> Term_mistake.expression at desc
   | Minus_in_name { at; left; right } -> Term_mistake.minus_in_name ~at ~left ~right
-  | Operator_on_left operator -> Term_mistake.operator_on_left operator
+  | Operator_on_left operator -> Term_mistake.operator_on_left ~text operator
   | Parentheses_on_left at -> Term_mistake.parentheses_on_left at
   | Exponent { base; operator; exponent } ->
       Operator_mistake.exponent ~text ~base ~operator exponent
