@@ -65,6 +65,35 @@ let without_arrow ~text (at : Span.t) =
       else None
   | _ -> None
 
+(* `SF Bool (Event ())` for `SF Bool Event ()` *)
+let ungrouped (tycon : Interface.tycon) ~found ~places ~text (at : Span.t) =
+  let parentheses (place : Span.t) =
+    let insert position parenthesis =
+      (Span.make ~file:at.file ~start:position ~stop:position, parenthesis)
+    in
+    [ insert place.start "("; insert place.stop ")" ]
+  in
+  let edits = List.concat_map parentheses places in
+  let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
+  let rec changed last = function
+    | [] -> [ String.sub text last (stop - last) ]
+    | (offset, parenthesis) :: rest ->
+        String.sub text last (offset - last) :: parenthesis :: changed offset rest
+  in
+  let offset ((place : Span.t), parenthesis) = (Text_place.offset text place.start, parenthesis) in
+  let by_offset (a, _) (b, _) = Int.compare a b in
+  let whole =
+    String.concat "" (changed start (List.stable_sort by_offset (List.map offset edits)))
+  in
+  Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
+    (counted tycon.type_arity "type argument")
+    found
+  |> Diagnostic.hint "%s"
+       (if String.length whole < 80 && not (String.contains whole '\n') then
+          Printf.sprintf "add parentheses: `%s`" whole
+        else "add parentheses around each argument that has arguments itself")
+  |> Diagnostic.fix "add parentheses" edits
+
 let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in
   let noun = if of_units then "unit argument" else "type argument" in
@@ -156,8 +185,7 @@ let class_circle (main : Ir.class_) others =
 let not_a_method suggestions (class_ : Interface.class_) (name : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is not a method of the class `%s`" name.text
     class_.global.name
-  |> (if Interface.is_builtin_class class_ then Fun.id
-      else Diagnostic.label ~at:class_.span "the methods are declared here")
+  |> Diagnostic.label ~at:class_.span "the methods are declared here"
   |> Suggestion.add suggestions name.text (lazy class_.methods)
   |> fun d ->
   if d.hints <> [] then d
@@ -175,6 +203,8 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
   | Parameter_missing { name; owner; is_unit } -> parameter_missing name ~owner ~is_unit
   | Wrong_arity { at; tycon; of_units; expected; found; text } ->
       wrong_arity tycon ~of_units ~expected ~found ~text at
+  | Ungrouped_arguments { at; tycon; found; places; text } ->
+      ungrouped tycon ~found ~places ~text at
   | Representation_without_parameter { name; owner } ->
       Diagnostic.error ~code:"E0222" ~at:name.span
         "`%s` can be a Float or an Int, but `%s` has no parameter that decides which" name.text
