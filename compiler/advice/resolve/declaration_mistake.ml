@@ -67,23 +67,25 @@ let without_arrow ~text (at : Span.t) =
 
 (* `SF Bool (Event ())` for `SF Bool Event ()` *)
 let ungrouped (tycon : Interface.tycon) ~found ~places ~text (at : Span.t) =
-  let parentheses (place : Span.t) =
-    let insert position parenthesis =
-      (Span.make ~file:at.file ~start:position ~stop:position, parenthesis)
-    in
-    [ insert place.start "("; insert place.stop ")" ]
+  let parentheses (place : Span.t) = [ (place.start, "("); (place.stop, ")") ] in
+  let by_position (a, _) (b, _) = Stdlib.compare (a : Span.position) b in
+  (* one insertion for each position *)
+  let rec joined = function
+    | (at, first) :: (same, second) :: rest when at = same -> joined ((at, first ^ second) :: rest)
+    | first :: rest -> first :: joined rest
+    | [] -> []
   in
-  let edits = List.concat_map parentheses places in
-  let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
+  let insertions = joined (List.stable_sort by_position (List.concat_map parentheses places)) in
+  let stop = Text_place.offset text at.stop in
   let rec changed last = function
-    | [] -> [ String.sub text last (stop - last) ]
-    | (offset, parenthesis) :: rest ->
-        String.sub text last (offset - last) :: parenthesis :: changed offset rest
+    | [] -> String.sub text last (stop - last)
+    | (position, inserted) :: rest ->
+        let offset = Text_place.offset text position in
+        String.sub text last (offset - last) ^ inserted ^ changed offset rest
   in
-  let offset ((place : Span.t), parenthesis) = (Text_place.offset text place.start, parenthesis) in
-  let by_offset (a, _) (b, _) = Int.compare a b in
-  let whole =
-    String.concat "" (changed start (List.stable_sort by_offset (List.map offset edits)))
+  let whole = changed (Text_place.offset text at.start) insertions in
+  let edit (position, inserted) =
+    (Span.make ~file:at.file ~start:position ~stop:position, inserted)
   in
   Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
     (counted tycon.type_arity "type argument")
@@ -92,7 +94,7 @@ let ungrouped (tycon : Interface.tycon) ~found ~places ~text (at : Span.t) =
        (if String.length whole < 80 && not (String.contains whole '\n') then
           Printf.sprintf "add parentheses: `%s`" whole
         else "add parentheses around each argument that has arguments itself")
-  |> Diagnostic.fix "add parentheses" edits
+  |> Diagnostic.fix "add parentheses" (List.map edit insertions)
 
 let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in

@@ -34,26 +34,3 @@ Types whose arguments need parentheses or do not exist. The test pastes each fix
   error[E0216]: type `SF` takes 2 type arguments, not 4
     = hint: add parentheses: `SF Bool (Event (Maybe Int))`
   $ frobc fix --all nested.frob > /dev/null 2>&1; frobc check nested.frob
-  error[E0216]: type `Pair` takes 2 type arguments, not 1
-   --> nested.frob:2:6
-    |
-  1 | data Pair a b = Pair a b
-    |      ---- declared here
-  2 | f :: Pair (Maybe (Array 3 Float) (Maybe Int) -> Maybe (Array 3 Float) -> Bool)
-    |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-    |
-    = hint: give it 2 type arguments, as in `Pair Float Float`
-  
-  error[E0216]: type `Maybe` takes 1 type argument, not 2
-    --> nested.frob:2:12
-     |
-   2 | f :: Pair (Maybe (Array 3 Float) (Maybe Int) -> Maybe (Array 3 Float) -> Bool)
-     |            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-     |
-    ::: stdlib/Prelude.frob:73:6
-     |
-  73 | data Maybe a = Nothing | Just a
-     |      ----- declared here
-  
-  2 errors
-  [1]
