@@ -277,6 +277,22 @@ let signature fact =
       Option.map (fun ty -> hint "`%s :: %s`" g.name ty) (Wording.declared fact.words g)
   | _ -> None
 
+(* `driveTo goal i`, a task that is applied to the input like a signal function. *)
+let task_of_the_input fact =
+  let is_input (e : Resolve.Ir.expr) =
+    match e.desc with Local x -> Wording.is_input fact.words x.name | _ -> false
+  in
+  if Environment.is_task fact.left && is_input fact.argument then
+    let quote = Wording.quote fact.words in
+    let task =
+      match (quote fact.head.span, text_before fact) with
+      | Some head, Some before -> Some (String.trim (head ^ " " ^ before))
+      | Some head, None when fact.position = 1 -> Some head
+      | _ -> None
+    in
+    Some (hint "%s" (Within_proc.no_tasks task))
+  else None
+
 let signature_of_task fact = if Environment.is_task fact.left then signature fact else None
 
 (* A task applied to an input. *)
@@ -346,6 +362,7 @@ let rules =
     initial_value;
     started_afresh;
     without_do;
+    task_of_the_input;
     signature_of_task;
     task;
     infix;

@@ -98,6 +98,9 @@ let mismatch words ({ subject; at; expected; found; clash } : Inference_fact.mis
     |> by_signature words expected |> of_two_modules words
   in
   match clash with
+  | (Different _ | Different_units _)
+    when Exchanged_parameters.diagnostic words ~subject ~at ~expected ~found <> None ->
+      Option.get (Exchanged_parameters.diagnostic words ~subject ~at ~expected ~found)
   | Different_units _ when Setting_order.wrong words ~expected ~found <> None ->
       Option.get (Setting_order.wrong words ~expected ~found)
   | Different_units (wanted, given) -> (
