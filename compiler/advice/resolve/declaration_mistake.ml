@@ -96,12 +96,28 @@ let ungrouped (tycon : Interface.tycon) ~found ~places ~text (at : Span.t) =
         else "add parentheses around each argument that has arguments itself")
   |> Diagnostic.fix "add parentheses" (List.map edit insertions)
 
+(* The place of the brackets directly after the name, as in `Distance[cm]`. *)
+let brackets_after_name ~text (at : Span.t) =
+  let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
+  match (Text_place.find ~from:start "[" text, Text_place.find ~from:start "]" text) with
+  | Some first, Some last when last < stop && Span.line at.start = Span.line at.stop ->
+      Some
+        {
+          at with
+          start = Span.forward (first - start) at.start;
+          stop = Span.forward (last + 1 - start) at.start;
+        }
+  | _ -> None
+
 let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in
   let noun = if of_units then "unit argument" else "type argument" in
   let diagnostic =
-    Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" name (counted expected noun)
-      found
+    if of_units && expected = 0 then
+      Diagnostic.error ~code:"E0216" ~at "type `%s` takes no unit" name
+    else
+      Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" name (counted expected noun)
+        found
   in
   let is_builtin = Interface.is_builtin tycon in
   let hint =
@@ -116,6 +132,11 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   in
   match hint with
   | Some hint -> Diagnostic.hint "%s" hint diagnostic
+  | None when of_units && expected = 0 ->
+      (if is_builtin then diagnostic else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
+      |> Diagnostic.hint "write `%s`, without the unit" name
+      |> Option.fold (brackets_after_name ~text at) ~none:Fun.id ~some:(fun place ->
+             Diagnostic.fix "remove the unit" [ (place, "") ])
   | None when of_units && expected = 1 && found = 0 ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
       |> Diagnostic.hint

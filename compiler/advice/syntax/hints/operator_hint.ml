@@ -129,6 +129,35 @@ let combines_commands found =
            (Text_place.without_closing second))
   | _ -> None
 
+(* `number ("gap " ++ show gap) gap`: the name of the function, the label, and the rest of the line
+   after the parentheses. *)
+let joined_label found (operator : Layout.token) =
+  let bol = operator.start.pos_bol in
+  let before = String.sub found.text bol (operator.start.pos_cnum - bol) in
+  match String.split_on_char '"' before with
+  | [ head; label; rest ] when String.trim rest = "" && String.ends_with ~suffix:"(" head ->
+      let head = String.trim (String.sub head 0 (String.length head - 1)) in
+      let name = Text_place.ending head (String.length head) Basis.Character.is_name in
+      Some (name, String.trim label)
+  | _ -> None
+
+let joined_texts found operator =
+  match joined_label found operator with
+  | Some ("number", label) ->
+      let rest = rest_of_line found found.token.stop.pos_cnum in
+      let inside = String.length (Text_place.without_closing rest) + 1 in
+      let value =
+        if inside < String.length rest then
+          Text_place.without_closing (String.sub rest inside (String.length rest - inside))
+        else ""
+      in
+      Printf.sprintf "`number` shows the label, the value and its unit: write `number \"%s\" %s`"
+        label
+        (if value = "" then "x" else value)
+  | _ ->
+      "strings and arrays cannot be concatenated: a string is a label, and an array has a fixed \
+       size"
+
 (* An operator from another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
@@ -155,10 +184,7 @@ let foreign_operator found (before : Layout.token) =
     | "<>" -> Some "use `/=` to compare for inequality"
     | ">>" when combines_commands found <> None -> combines_commands found
     | ">>" | ">>=" -> Some "write each task on its own line in a `do`"
-    | "++" when after found = ' ' ->
-        Some
-          "strings and arrays cannot be concatenated: a string is a label, and an array has a \
-           fixed size"
+    | "++" when after found = ' ' -> Some (joined_texts found before)
     | ("++" | "--") as text ->
         let name = word_before found before.start.pos_cnum in
         let name = if name = "" then "n" else name in

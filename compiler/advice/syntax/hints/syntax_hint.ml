@@ -118,6 +118,7 @@ let imports =
         of_haskell;
         with_points;
         hiding;
+        exposing;
       ]
 
 let declarations =
@@ -160,6 +161,7 @@ let equations_and_fields =
   [ Indentation_hint.equations_before_output ]
   @ texts
       [
+        Equation_hint.comma;
         Equation_hint.changed;
         Equation_hint.in_a_choice;
         Equation_hint.keyword_argument;
@@ -200,6 +202,7 @@ let expressions =
       Operator_hint.member;
       Record_hint.changed;
       Record_hint.strict;
+      Choice_hint.guards_after_if;
       Choice_hint.absolute_value;
       Declaration_hint.local;
       Type_hint.pointer;

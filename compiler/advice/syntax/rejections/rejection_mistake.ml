@@ -14,8 +14,8 @@ let diagnostic ~text (reason : Syntax.Rejection.t) =
   | Exponent_over_zero at -> Form_mistake.exponent_over_zero at
   | Scale_of_unit at -> Form_mistake.scale at
   | Expression_in_proc { expr; is_last } -> Statement_mistake.in_proc ~is_last expr
-  | Output_binds at -> Statement_mistake.output_binds at
-  | Output_is_let at -> Statement_mistake.output_is_let at
+  | Output_binds { at; name } -> Statement_mistake.output_binds ~at name
+  | Output_is_let { at; name } -> Statement_mistake.output_is_let ~at name
   | Empty_proc at -> Statement_mistake.empty_proc at
   | Last_task_binds { at; name } -> Statement_mistake.last_task_binds ~at name
   | Last_task_is_let at -> Statement_mistake.last_task_is_let at
