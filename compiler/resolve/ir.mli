@@ -47,6 +47,7 @@ and module_ = {
   includes : string list;  (** the C headers that its foreign declarations refer to *)
   idle_imports : idle list;
   imported : string list;  (** the modules whose names can all be used without a qualifier *)
+  imports : string list;  (** all modules that it imports *)
   import_place : import_place;
 }
 

@@ -132,6 +132,7 @@ let resolve context ~elsewhere exports scopes (m : Modules.t) =
       includes = includes scope m.syntax;
       idle_imports = List.concat_map idle imports;
       imported = List.filter_map whole m.syntax.imports;
+      imports = List.map (fun (i : Syntax.Ir.import) -> i.module_.text) m.syntax.imports;
       import_place = Context.import_place m.syntax;
     }
   in

@@ -177,6 +177,9 @@ let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
 
 (* Statements *)
 
+(* The name that a statement binds, if it binds a single variable. *)
+let bound left = match (Term.to_pattern left).desc with Bound { text; _ } -> Some text | _ -> None
+
 let do_body location statements : Ir.proc_body =
   (* [rec] has no effect: its statements are merged with the others. *)
   let rec flatten done_ work : Surface.statement list =
@@ -207,9 +210,15 @@ let do_body location statements : Ir.proc_body =
   | Bare_command result :: before -> Do { statements = List.rev_map statement before; result }
   | Bare_expression term :: _ ->
       Reject.because (Expression_in_proc { expr = Term.to_expr term; is_last = true })
-  | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->
-      Reject.because (Output_binds span)
-  | Let _ :: _ -> Reject.because (Output_is_let (span location))
+  | (Arrow_bind { left; _ } | Command_bind { left; _ }) :: _ ->
+      Reject.because (Output_binds { at = left.span; name = bound left })
+  | Let declarations :: _ ->
+      let name =
+        match List.rev declarations with
+        | { desc = Binding { left = Name name; _ }; _ } :: _ -> Some name.text
+        | _ -> None
+      in
+      Reject.because (Output_is_let { at = span location; name })
   | Rec _ :: _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   | [] -> Reject.because (Empty_proc (span location))
 
@@ -246,10 +255,7 @@ let task_body location statements : Ir.expr_desc =
   | Bare_expression result :: before ->
       Sequence { statements = List.rev_map statement before; result = Term.to_expr result }
   | Arrow_bind { left; _ } :: _ ->
-      let name =
-        match (Term.to_pattern left).desc with Bound { text; _ } -> Some text | _ -> None
-      in
-      Reject.because (Last_task_binds { at = left.span; name })
+      Reject.because (Last_task_binds { at = left.span; name = bound left })
   | (Let _ as last) :: _ -> Reject.because (Last_task_is_let (place [ last ]))
   | (Bare_command command | Command_bind { command; _ }) :: _ -> no_command command
   | Rec inner :: _ -> no_rec (place inner)

@@ -128,7 +128,7 @@ let outcome suggestions (t : Unknown.t) =
       report Other_proc.of_an_input;
     ]
     @ List.map report Of_another_language.rules
-    @ [ report Other_proc.of_another ]
+    @ [ report Other_proc.of_another; report Unknown_unit.variable_of_letters ]
   in
   match List.find_map (fun rule -> rule t) rules with
   | Some outcome -> outcome

@@ -54,6 +54,21 @@ let diagnostic (t : Unknown.t) =
       (fun explain -> explain (Unknown.diagnostic t))
       (first [ power_without_caret; other_unit; farad ] t.module_.visible t.name)
 
+(* A word for a unit variable, if no unit has a similar name. *)
+let variable_of_letters (t : Unknown.t) =
+  let { text = word; span } : Syntax.Ir.name = t.name and text = Unknown.text t in
+  let is_of_unit = String.starts_with ~prefix:"un" word || List.mem word [ "any"; "dim"; "var" ] in
+  if
+    t.namespace = Units
+    && Basis.Character.is_lower word.[0]
+    && (is_of_unit || Suggest.closest word (Lazy.force t.names) = None)
+  then
+    Option.map
+      (fun (letter, advice) ->
+        Unknown.diagnostic t |> Diagnostic.hint "%s" advice |> Diagnostic.write span letter)
+      (Unit_variable.advice text (Text_place.offset text span.start) word)
+  else None
+
 let of_variable visible (name : Syntax.Ir.name) =
   let explain =
     Option.value

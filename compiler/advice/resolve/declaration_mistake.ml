@@ -65,12 +65,59 @@ let without_arrow ~text (at : Span.t) =
       else None
   | _ -> None
 
+(* `SF Bool (Event ())` for `SF Bool Event ()` *)
+let ungrouped (tycon : Interface.tycon) ~found ~places ~text (at : Span.t) =
+  let parentheses (place : Span.t) = [ (place.start, "("); (place.stop, ")") ] in
+  let by_position (a, _) (b, _) = Stdlib.compare (a : Span.position) b in
+  (* one insertion for each position *)
+  let rec joined = function
+    | (at, first) :: (same, second) :: rest when at = same -> joined ((at, first ^ second) :: rest)
+    | first :: rest -> first :: joined rest
+    | [] -> []
+  in
+  let insertions = joined (List.stable_sort by_position (List.concat_map parentheses places)) in
+  let stop = Text_place.offset text at.stop in
+  let rec changed last = function
+    | [] -> String.sub text last (stop - last)
+    | (position, inserted) :: rest ->
+        let offset = Text_place.offset text position in
+        String.sub text last (offset - last) ^ inserted ^ changed offset rest
+  in
+  let whole = changed (Text_place.offset text at.start) insertions in
+  let edit (position, inserted) =
+    (Span.make ~file:at.file ~start:position ~stop:position, inserted)
+  in
+  Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
+    (counted tycon.type_arity "type argument")
+    found
+  |> Diagnostic.hint "%s"
+       (if String.length whole < 80 && not (String.contains whole '\n') then
+          Printf.sprintf "add parentheses: `%s`" whole
+        else "add parentheses around each argument that has arguments itself")
+  |> Diagnostic.fix "add parentheses" (List.map edit insertions)
+
+(* The place of the brackets directly after the name, as in `Distance[cm]`. *)
+let brackets_after_name ~text (at : Span.t) =
+  let start = Text_place.offset text at.start and stop = Text_place.offset text at.stop in
+  match (Text_place.find ~from:start "[" text, Text_place.find ~from:start "]" text) with
+  | Some first, Some last when last < stop && Span.line at.start = Span.line at.stop ->
+      Some
+        {
+          at with
+          start = Span.forward (first - start) at.start;
+          stop = Span.forward (last + 1 - start) at.start;
+        }
+  | _ -> None
+
 let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   let name = tycon.global.name in
   let noun = if of_units then "unit argument" else "type argument" in
   let diagnostic =
-    Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" name (counted expected noun)
-      found
+    if of_units && expected = 0 then
+      Diagnostic.error ~code:"E0216" ~at "type `%s` takes no unit" name
+    else
+      Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" name (counted expected noun)
+        found
   in
   let is_builtin = Interface.is_builtin tycon in
   let hint =
@@ -85,6 +132,11 @@ let wrong_arity (tycon : Interface.tycon) ~of_units ~expected ~found ~text at =
   in
   match hint with
   | Some hint -> Diagnostic.hint "%s" hint diagnostic
+  | None when of_units && expected = 0 ->
+      (if is_builtin then diagnostic else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
+      |> Diagnostic.hint "write `%s`, without the unit" name
+      |> Option.fold (brackets_after_name ~text at) ~none:Fun.id ~some:(fun place ->
+             Diagnostic.fix "remove the unit" [ (place, "") ])
   | None when of_units && expected = 1 && found = 0 ->
       Diagnostic.label ~at:tycon.span "declared here" diagnostic
       |> Diagnostic.hint
@@ -105,6 +157,36 @@ let size_not_a_number ~at alias =
       Diagnostic.error ~code:"E0330" ~at "`%s` is part of a size, but it is not a number" alias
   | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but it is not a number")
   |> Diagnostic.hint "define the size as a number, as in `type N = 25`"
+
+(* The signature with another variable instead of the parenthesized size at this place. *)
+let with_size_variable ~text (at : Span.t) =
+  let start = Text_place.line_start text (Text_place.offset text at.start) in
+  let offset = Text_place.offset text at.start - start in
+  let line = String.sub text start (Text_place.end_of_line text start - start) in
+  let is_free letter =
+    let word = String.map (fun c -> if Character.is_name c then c else ' ') line in
+    not (List.mem letter (String.split_on_char ' ' word))
+  in
+  match
+    ( String.rindex_from_opt line offset '(',
+      String.index_from_opt line offset ')',
+      List.find_opt is_free [ "k"; "m"; "j" ] )
+  with
+  | Some first, Some last, Some letter when Text_place.find " :: " line <> None ->
+      let inside = String.sub line (first + 1) (last - first - 1) in
+      if String.contains inside '(' then None
+      else
+        Some
+          (String.trim
+             (String.sub line 0 first ^ letter
+             ^ String.sub line (last + 1) (String.length line - last - 1)))
+  | _ -> None
+
+let size_of_variable ~text ~at variable =
+  Diagnostic.error ~code:"E0330" ~at
+    "`%s` is a variable, but arithmetic on sizes needs known numbers" variable
+  |> Diagnostic.hint "use another variable for the result, as in `%s`"
+       (Option.value (with_size_variable ~text at) ~default:"take :: Array n a -> Array k a")
 
 (* {1 Circles} *)
 
@@ -156,8 +238,7 @@ let class_circle (main : Ir.class_) others =
 let not_a_method suggestions (class_ : Interface.class_) (name : Syntax.Ir.name) =
   Diagnostic.error ~code:"E0230" ~at:name.span "`%s` is not a method of the class `%s`" name.text
     class_.global.name
-  |> (if Interface.is_builtin_class class_ then Fun.id
-      else Diagnostic.label ~at:class_.span "the methods are declared here")
+  |> Diagnostic.label ~at:class_.span "the methods are declared here"
   |> Suggestion.add suggestions name.text (lazy class_.methods)
   |> fun d ->
   if d.hints <> [] then d
@@ -175,17 +256,15 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
   | Parameter_missing { name; owner; is_unit } -> parameter_missing name ~owner ~is_unit
   | Wrong_arity { at; tycon; of_units; expected; found; text } ->
       wrong_arity tycon ~of_units ~expected ~found ~text at
+  | Ungrouped_arguments { at; tycon; found; places; text } ->
+      ungrouped tycon ~found ~places ~text at
   | Representation_without_parameter { name; owner } ->
       Diagnostic.error ~code:"E0222" ~at:name.span
         "`%s` can be a Float or an Int, but `%s` has no parameter that decides which" name.text
         owner
       |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
   | Size_not_a_number { at; alias } -> size_not_a_number ~at alias
-  | Size_of_variable { at; variable } ->
-      Diagnostic.error ~code:"E0330" ~at
-        "`%s` is a variable, but arithmetic on sizes needs known numbers" variable
-      |> Diagnostic.hint
-           "use another variable for the result, as in `take :: Array n a -> Array k a`"
+  | Size_of_variable { at; variable; text } -> size_of_variable ~text ~at variable
   | Type_circle { main; circle } -> type_circle main circle
   | Unit_circle { main; others } -> unit_circle main others
   | Class_circle { main; others } -> class_circle main others

@@ -58,7 +58,7 @@ let claim found =
       in
       let with_fix found text d =
         if is_short text && balanced text then instead found ~at:whole text d
-        else Diagnostic.hint "as in `%s \"keeps off the wall\" (x > 0)`" word d
+        else Diagnostic.hint "write, for example, `%s \"keeps off the wall\" (x > 0)`" word d
       in
       let without_sign behind =
         let is_sign c = c = '=' || c = ':' || c = ',' in

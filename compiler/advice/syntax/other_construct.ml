@@ -259,7 +259,7 @@ let value_after_return found =
            |> Diagnostic.hint "%s"
                 (if is_short && found.token.token = IF then
                    Printf.sprintf "write `return (%s)`" value
-                 else "as in `return (if c then a else b)`")
+                 else "write, for example, `return (if c then a else b)`")
          else
            Diagnostic.error ~code:"E0110" ~at:(span return) "`return` is only for tasks"
            |> Diagnostic.hint "%s"
@@ -271,11 +271,8 @@ let value_after_return found =
 
 (* {1 Haskell keywords} *)
 
-let absent found format =
-  Printf.ksprintf
-    (fun what ->
-      Diagnostic.error ~code:"E0112" ~at:(span found.token) "%s of this version of Frob" what)
-    format
+let absent found word =
+  Diagnostic.error ~code:"E0112" ~at:(span found.token) "Frob has no `%s`" word
 
 (* The span of the word `deriving` and the classes after it: one, or several in parentheses. *)
 let of_deriving found =
@@ -295,16 +292,16 @@ let of_deriving found =
 let reserved found =
   match found.token.token with
   | RESERVED "deriving" ->
-      absent found "`deriving` is not part"
+      absent found "deriving"
       |> Diagnostic.hint "remove it: `==` and `<` work on all data that contains no functions"
       |> Diagnostic.fix ~safe:true "remove it" [ (of_deriving found, "") ]
       |> Option.some
   | RESERVED "newtype" ->
-      absent found "`newtype` is not part"
+      absent found "newtype"
       |> Diagnostic.hint "use `data`: it has no overhead for a single field"
       |> Diagnostic.write (span found.token) "data"
       |> Option.some
-  | RESERVED word -> Some (absent found "`%s` is not part" word)
+  | RESERVED word -> Some (absent found word)
   | _ -> None
 
 (* {1 Brackets} *)

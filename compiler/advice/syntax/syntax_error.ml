@@ -385,12 +385,27 @@ let waiting found =
       |> Option.some
   | _ -> None
 
+(* {1 Operators of the program} *)
+
+(* An operator that the program defines, in its definition or in a use. *)
+let own_operator found =
+  Option.map
+    (fun (operator, first) ->
+      let start = { found.token.start with pos_cnum = first } in
+      let stop = { start with pos_cnum = first + String.length operator } in
+      Diagnostic.error ~code:"E0110" ~at:(Build.span (start, stop)) "Frob has no `%s`" operator
+      |> Diagnostic.suggest
+           (suggestion Own_operator
+              ("programs cannot define operators: " ^ Own_operator.advice found.text operator)))
+    (Own_operator.defined found.text found.token.start.pos_cnum)
+
 let explained ~told:earlier found =
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
     match
       first_of
         [
+          own_operator;
           function_of_c;
           choice_of_commands;
           Lacking.diagnostic;

@@ -128,12 +128,22 @@ let having p class_ diagnostic =
     diagnostic
   |> with_fix
 
+(* Is the robot's module, which contains its instances, part of the program? *)
+let is_loaded p robot = List.exists (fun (d : Typing.Ir.data) -> d.tycon = input robot) p.typed.data
+
 let lacking p (robot : t) (lack : Fit.lack) =
-  Diagnostic.error ~code:unfit ~at:lack.need.place "%s has no `%s`" (quoted robot) lack.class_.name
-  |> Diagnostic.here "%s needs it" lack.need.by
-  |> having p lack.class_
-  |> Diagnostic.note "`%s` is compiled for %s, but there is no instance `%s %s`" p.entry.name
-       (quoted robot) lack.class_.name lack.of_.name
+  let error format = Diagnostic.error ~code:unfit ~at:lack.need.place format in
+  if is_loaded p robot then
+    error "%s has no `%s`" (quoted robot) lack.class_.name
+    |> Diagnostic.here "%s needs it" lack.need.by
+    |> having p lack.class_
+    |> Diagnostic.note "`%s` is compiled for %s, but there is no instance `%s %s`" p.entry.name
+         (quoted robot) lack.class_.name lack.of_.name
+  else
+    error "%s has no `%s` here, because the program does not import its module" (quoted robot)
+      lack.class_.name
+    |> Diagnostic.here "%s needs it" lack.need.by
+    |> Diagnostic.hint "add `import Robot`, which contains the capabilities of all robots"
 
 (* For each candidate, reports the first capability that it lacks. *)
 let on_no_robot p candidates =

@@ -16,7 +16,8 @@ let definitions (scope : Scope.t) (class_ : class_) members =
             report scope (Method_twice { first; second = name });
             (seen, reversed)
         | None when not (String_set.mem name.text methods) ->
-            report scope (Not_a_method { class_; name });
+            (* The type checker rejects the whole instance of a built-in class. *)
+            if not (is_builtin_class class_) then report scope (Not_a_method { class_; name });
             (seen, reversed)
         | None -> (String_map.add name.text name seen, (name, item) :: reversed))
     | Pattern _ ->

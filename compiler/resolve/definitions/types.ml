@@ -76,6 +76,39 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
   if not types_right then wrong ~of_units:false tycon.type_arity types;
   units_right && types_right
 
+(* Gives the arguments after a bare name that has type parameters to that name: `SF Bool (Event ())`
+   for `SF Bool Event ()`. [None] if this does not result in the expected number of arguments. *)
+let regrouped (scope : Scope.t) ~expected arguments =
+  let rec one : Syntax.Ir.ty list -> _ = function
+    | ({ desc = Type { name; units; arguments = [] }; span } as t) :: rest -> (
+        match Lookup.find scope tycons name with
+        | Some { type_arity = n; _ } when n > 0 ->
+            Option.bind (several n rest) (fun (inner, rest) ->
+                let last = List.nth inner (n - 1) in
+                let span = Span.merge span (last : Syntax.Ir.ty).span in
+                Some
+                  (({ desc = Type { name; units; arguments = inner }; span } : Syntax.Ir.ty), rest))
+        | Some _ | None -> Some (t, rest))
+    | t :: rest -> Some (t, rest)
+    | [] -> None
+  and several n arguments =
+    if n = 0 then Some ([], arguments)
+    else
+      Option.bind (one arguments) (fun (first, rest) ->
+          Option.map (fun (others, rest) -> (first :: others, rest)) (several (n - 1) rest))
+  in
+  match several expected arguments with Some (grouped, []) -> Some grouped | _ -> None
+
+(* The places of the arguments that need parentheses: those that were grouped, and inside them. *)
+let rec grouped_places ~written arguments =
+  let place (t : Syntax.Ir.ty) =
+    match t.desc with
+    | Type { arguments; _ } when not (List.memq t written) ->
+        t.span :: grouped_places ~written arguments
+    | _ -> []
+  in
+  List.concat_map place arguments
+
 let rec ty (scope : Scope.t) variables (t : Syntax.Ir.ty) : Ir.ty =
   Context.nested scope.context t.span ~otherwise:(missing t.span) (fun () ->
       { (missing t.span) with desc = desc scope variables t })
@@ -90,10 +123,31 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       Type_variable name.text
   | Type { name; units; arguments } -> (
       let units = Long_list.map (unit_ scope variables) (Option.value units ~default:[]) in
-      let arguments = Long_list.map (ty scope variables) arguments in
       match Lookup.find scope tycons name with
-      | None -> Tuple_type []
+      | None ->
+          List.iter (fun t -> ignore (ty scope variables t)) arguments;
+          Tuple_type []
       | Some tycon ->
+          let expected = tycon.type_arity in
+          let grouped =
+            if List.length arguments > expected then regrouped scope ~expected arguments else None
+          in
+          Option.iter
+            (fun grouped ->
+              let places = grouped_places ~written:arguments grouped in
+              report scope
+                (Ungrouped_arguments
+                   {
+                     at = t.span;
+                     tycon;
+                     found = List.length arguments;
+                     places;
+                     text = scope.visible.text;
+                   }))
+            grouped;
+          let arguments =
+            Long_list.map (ty scope variables) (Option.value grouped ~default:arguments)
+          in
           let types = List.length arguments in
           if check_arity scope t.span tycon ~units:(List.length units) ~types then
             let units =
@@ -133,7 +187,8 @@ and known_size scope (t : Syntax.Ir.ty) =
       | Some left, Some right -> Some (size_operation operator left right)
       | _ -> None)
   | Type_variable name ->
-      report scope (Size_of_variable { at = t.span; variable = name.text });
+      report scope
+        (Size_of_variable { at = t.span; variable = name.text; text = scope.visible.text });
       None
   | Type _ | Representation _ | Function _ | Tuple_type _ ->
       report scope (Size_not_a_number { at = t.span; alias = None });

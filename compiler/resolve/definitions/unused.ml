@@ -169,8 +169,41 @@ let of_definition report ~is_mentioned (b : Ir.binding) =
   |> List.fold_left by_pattern []
   |> List.iter (report_variables report found)
 
-(* An import may be needed only for the module's instances or, if the module is outside the library,
-   for the instances of the modules that it imports. *)
+(* The modules that these modules import, directly or indirectly, including themselves. *)
+let reached by_name names =
+  let found = String_table.create 16 in
+  let rec visit name =
+    if not (String_table.mem found name) then (
+      String_table.replace found name ();
+      Option.iter
+        (fun (m : Ir.module_) -> List.iter visit m.imports)
+        (String_table.find_opt by_name name))
+  in
+  List.iter visit names;
+  found
+
+(* Does only this import of the module provide instances of classes that the program's other imports
+   provide? For example, only `import Robot` makes the robot `ros` an instance of the class of
+   `import Lidar`. *)
+let only_source_of_instances by_name (program : Ir.program) ~own (importer : Ir.module_) name =
+  let others (m : Ir.module_) =
+    if m == importer then List.filter (fun other -> other <> name) m.imports else m.imports
+  in
+  let without = reached by_name (List.concat_map others own) and with_ = reached by_name [ name ] in
+  let is_lost (m : Ir.module_) =
+    String_table.mem with_ m.name && not (String_table.mem without m.name)
+  in
+  let lost_files = String_table.create 16 in
+  List.iter
+    (fun (m : Ir.module_) -> if is_lost m then String_table.replace lost_files m.file ())
+    program.modules;
+  List.exists
+    (fun (i : Ir.instance) ->
+      String_table.mem lost_files i.span.file && String_table.mem without i.class_.module_)
+    program.instances
+
+(* An import may be needed only for the module's instances or those of the modules that it
+   imports. *)
 let imports report (program : Ir.program) =
   let own = Walk.own_modules program in
   let with_instances = String_table.create 16 and by_name = String_table.create 16 in
@@ -180,13 +213,16 @@ let imports report (program : Ir.program) =
   List.iter (fun (m : Ir.module_) -> String_table.replace by_name m.name m) program.modules;
   let gives_instances (m : Ir.module_) = String_table.mem with_instances m.file in
   let own_give_instances = List.exists gives_instances own in
-  let may_be_for_instances name =
+  let may_be_for_instances importer name =
     match String_table.find_opt by_name name with
-    | Some ({ library = true; _ } as m) -> gives_instances m
+    | Some ({ library = true; _ } as m) ->
+        gives_instances m || only_source_of_instances by_name program ~own importer name
     | Some _ | None -> own_give_instances
   in
-  let told (idle : Ir.idle) = idle.listed <> None || not (may_be_for_instances idle.of_module) in
   let of_module (m : Ir.module_) =
+    let told (idle : Ir.idle) =
+      idle.listed <> None || not (may_be_for_instances m idle.of_module)
+    in
     List.iter (fun idle -> report (Fact.Unused_import idle)) (List.filter told m.idle_imports)
   in
   List.iter of_module own

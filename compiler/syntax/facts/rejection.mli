@@ -23,8 +23,8 @@ type t =
   | Scale_of_unit of Span.t
   (* the statements of a [proc] *)
   | Expression_in_proc of { expr : expr; is_last : bool }
-  | Output_binds of Span.t
-  | Output_is_let of Span.t
+  | Output_binds of { at : Span.t; name : string option  (** if it binds a single variable *) }
+  | Output_is_let of { at : Span.t; name : string option  (** the name that it defines last *) }
   | Empty_proc of Span.t
   (* the statements of a task *)
   | Last_task_binds of {

@@ -127,7 +127,11 @@ let tell_method ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments he
    language. Checks whether the other order would be correct. *)
 let other_fold expressions ctx ~(head : Resolve.Ir.expr) arguments : Inference_fact.t option =
   match (head.desc, arguments) with
-  | ( Global { name = ("foldl" | "scanl") as name; module_ = "Prelude" },
+  | ( Global
+        {
+          name = ("foldl" | "scanl" | "accumBy" | "accumHoldBy" | "dAccumHoldBy") as name;
+          module_ = "Prelude";
+        },
       ({ value = { desc = Lambda { parameters = [ a; b ]; body }; _ } as lambda; _ } as first)
       :: (_ :: _ as others) )
     when Span.compare a.span b.span < 0 ->
@@ -153,8 +157,8 @@ type mistake = {
   is_only : bool;
 }
 
-let tell expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~function_
-    ~takes { failed; types; of_first; is_only } held =
+let tell expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~function_ ~takes
+    { failed; types; of_first; is_only } held =
   let replace_by fact ~kept =
     pass_on ctx kept;
     replace ctx (Inference { around = surroundings ctx; fact })

@@ -7,7 +7,7 @@ describes how a block states its kind.
   >   while read kind file; do
   >     case $kind in
   >       module) frobc check --lint $file ;;
-  >       later) frobc check $file 2>&1 | grep -q 'not part of this version' ;;
+  >       later) frobc check $file 2>&1 | grep -q E0112 ;;
   >     esac || echo "$file is not as it should be"
   >     echo "$kind" >> kinds
   >   done < blocks

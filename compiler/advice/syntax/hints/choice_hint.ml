@@ -325,3 +325,38 @@ let of_assignments found =
   first :: Option.to_list opener
   |> List.find_map (Other_definition.choice found.text)
   |> Option.map (Printf.sprintf "choose the value in one equation: `%s`")
+
+(* `zone d = if | d < 1[m] -> 0 …`, guards after `if` as in an extension of Haskell. *)
+let guards_after_if found =
+  match (found.token.token, found.before) with
+  | BAR, Some ({ token = IF; _ } as by) ->
+      let bol = by.start.pos_bol in
+      let head = between found bol by.start.pos_cnum in
+      let rec guards start taken =
+        let stop = end_of_line found start in
+        let line = between found start stop in
+        if start < String.length found.text && String.starts_with ~prefix:"|" line then
+          match Text_place.find " -> " line with
+          | Some arrow ->
+              let condition = String.trim (String.sub line 0 arrow)
+              and value = String.sub line (arrow + 4) (String.length line - arrow - 4) in
+              guards (stop + 1) (Printf.sprintf "%s = %s" condition (String.trim value) :: taken)
+          | None -> None
+        else Some (List.rev taken)
+      in
+      let written =
+        if String.ends_with ~suffix:" =" head then
+          Option.map
+            (fun all ->
+              String.concat " " (String.trim (String.sub head 0 (String.length head - 2)) :: all))
+            (guards found.token.start.pos_cnum [])
+        else None
+      in
+      Some
+        (match written with
+        | Some text when String.length text < 100 ->
+            Printf.sprintf "remove `if`, and write guards before the `=`: `%s`" text
+        | Some _ ->
+            "remove `if`, and write guards before the `=`: `f x | x > 0 = 1 | otherwise = 0`"
+        | None -> "write `if c then a else if d then b else e`")
+  | _ -> None

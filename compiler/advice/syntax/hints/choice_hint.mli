@@ -49,3 +49,6 @@ val membership : Found.rule
 
 val of_assignments : Found.rule
 (** [if (c) { y = a; } else { y = b; }], as in C. *)
+
+val guards_after_if : Found.rule
+(** The hint for [if | x > 0 -> 1 | otherwise -> 0]. *)

@@ -112,8 +112,14 @@ let local found =
   | _ -> None
 
 let word_as_name found =
+  let word = written found found.token in
   match (found.token.token, found.before) with
+  | (UNIT | TYPE), Some { token = UNIT_BRACKET | SLASH | STAR; _ }
+    when Unit_variable.advice found.text found.token.start.pos_cnum word <> None ->
+      Option.map
+        (fun (_, advice) -> Printf.sprintf "`%s` is a keyword: %s" word advice)
+        (Unit_variable.advice found.text found.token.start.pos_cnum word)
   | ( (UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC),
       Some _ ) ->
-      Some (reserved_word (written found found.token))
+      Some (reserved_word word)
   | _ -> None

@@ -261,3 +261,19 @@ let comparison found =
       Some (Printf.sprintf "to compare, write `== %s`" (if rest = "" then "…" else rest))
   | EQUAL when compares found.context -> Some "use `==` to compare; `=` defines a name"
   | _ -> None
+
+(* A comma after an equation or a statement, as between the entries of a record. *)
+let comma found =
+  let is_outside_brackets = not (in_brackets found.context || compares found.context) in
+  let follows_a_value = List.exists (names_before found) [ "="; "<-"; "-<" ] in
+  match (found.token.token, innermost_block found.context) with
+  | COMMA, ((Top | Where | Let | Do | Rec) as block) when is_outside_brackets && follows_a_value ->
+      let stop = found.token.stop.pos_cnum in
+      let what =
+        match block with Do | Rec -> "statement" | Top | Let | Where | Of -> "equation"
+      in
+      Some
+        (if between found stop (end_of_line found stop) = "" then
+           Printf.sprintf "remove the comma: the line break ends the %s" what
+         else Printf.sprintf "remove the comma, and write each %s on a line of its own" what)
+  | _ -> None

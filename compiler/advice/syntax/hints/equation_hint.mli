@@ -35,3 +35,6 @@ val comparison : Found.rule
 
 val of_a_proc : Found.t -> bool
 (** Is the enclosing `do` the body of a `proc`, and not a block of tasks? *)
+
+val comma : Found.rule
+(** The hint for a comma after an equation or a statement. *)

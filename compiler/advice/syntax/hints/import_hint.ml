@@ -87,3 +87,17 @@ let hiding found =
         "remove `hiding`: your own definitions hide imported ones, and two imports of the same \
          name clash only if you use it"
   | _ -> None
+
+(* `import Control exposing (pid)`, as in Elm *)
+let exposing found =
+  match (found.token.token, found.before) with
+  | LOWER "exposing", Some { token = UPPER module_; _ } when first_word found = "import" ->
+      let stop = found.token.stop.pos_cnum in
+      let names = between found stop (end_of_line found stop) in
+      Some
+        (if String.starts_with ~prefix:"(..)" names then
+           Printf.sprintf "remove `exposing (..)`: `import %s` imports everything" module_
+         else if String.starts_with ~prefix:"(" names then
+           Printf.sprintf "remove `exposing`: write `import %s %s`" module_ names
+         else Printf.sprintf "remove `exposing`: write `import %s (…)`" module_)
+  | _ -> None

@@ -23,3 +23,6 @@ val with_points : Found.rule
 
 val hiding : Found.rule
 (** [import Control hiding (limit)]. *)
+
+val exposing : Found.rule
+(** The hint for [import Control exposing (pid)], as in Elm. *)

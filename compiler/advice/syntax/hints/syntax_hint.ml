@@ -118,6 +118,7 @@ let imports =
         of_haskell;
         with_points;
         hiding;
+        exposing;
       ]
 
 let declarations =
@@ -200,6 +201,7 @@ let expressions =
       Operator_hint.member;
       Record_hint.changed;
       Record_hint.strict;
+      Choice_hint.guards_after_if;
       Choice_hint.absolute_value;
       Declaration_hint.local;
       Type_hint.pointer;
@@ -227,6 +229,7 @@ let general =
         Declaration_hint.word_as_name;
         Indentation_hint.not_indented;
         Indentation_hint.misplaced_line;
+        Equation_hint.comma;
       ]
 
 let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general

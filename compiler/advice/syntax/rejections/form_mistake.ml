@@ -5,25 +5,28 @@ let error at format = Diagnostic.error ~code:"E0110" ~at format
 
 let context at =
   error at "expected classes before `=>`, each with one type"
-  |> Diagnostic.hint "as in `(Eq a, Ord b) => …`"
+  |> Diagnostic.hint "write, for example, `(Eq a, Ord b) => …`"
 
 let class_head at =
   error at "a class head must be the name of the class and one type variable"
-  |> Diagnostic.hint "as in `class Shape a where`"
+  |> Diagnostic.hint "write, for example, `class Shape a where`"
 
 let superclass ~at ~(class_ : Ir.name) (variable : Ir.name) =
   error at "a superclass must use the class's own variable `%s`" variable.text
-  |> Diagnostic.hint "as in `class Eq %s => %s %s`" variable.text class_.text variable.text
+  |> Diagnostic.hint "write, for example, `class Eq %s => %s %s`" variable.text class_.text
+       variable.text
 
 let instance_head at =
   error at "an instance head must be a class and one type"
-  |> Diagnostic.hint "as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
+  |> Diagnostic.hint
+       "write, for example, `instance Shape Circle where` or `instance Shape (Maybe a) where`"
 
 let foreign_word ~expected (found : Ir.name) =
   error found.span "expected `%s` here, found `%s`" expected found.text
   |> Diagnostic.hint
-       "as in `foreign name :: Float -> Float = \"c_name\"`, `foreign sf name :: SF Float Float = \
-        \"c_name\"`, `foreign type Name = \"struct name\"` or `foreign include \"name.h\"`"
+       "write, for example, `foreign name :: Float -> Float = \"c_name\"`, `foreign sf name :: SF \
+        Float Float = \"c_name\"`, `foreign type Name = \"struct name\"` or `foreign include \
+        \"name.h\"`"
 
 let size ~at digits = error at "the size of an array must be a whole number, not `%s`" digits
 
@@ -85,4 +88,4 @@ let exponent_over_zero at = error at "the exponent of this unit divides by zero"
 let scale at =
   error at
     "the scale of a unit must be a number, `pi` or their product, optionally divided by a number"
-  |> Diagnostic.hint "as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
+  |> Diagnostic.hint "write, for example, `unit inch = 0.0254 m` or `unit deg = pi/180`"

@@ -14,8 +14,8 @@ let diagnostic ~text (reason : Syntax.Rejection.t) =
   | Exponent_over_zero at -> Form_mistake.exponent_over_zero at
   | Scale_of_unit at -> Form_mistake.scale at
   | Expression_in_proc { expr; is_last } -> Statement_mistake.in_proc ~is_last expr
-  | Output_binds at -> Statement_mistake.output_binds at
-  | Output_is_let at -> Statement_mistake.output_is_let at
+  | Output_binds { at; name } -> Statement_mistake.output_binds ~at name
+  | Output_is_let { at; name } -> Statement_mistake.output_is_let ~at name
   | Empty_proc at -> Statement_mistake.empty_proc at
   | Last_task_binds { at; name } -> Statement_mistake.last_task_binds ~at name
   | Last_task_is_let at -> Statement_mistake.last_task_is_let at
@@ -35,7 +35,7 @@ let diagnostic ~text (reason : Syntax.Rejection.t) =
   | Minus_in_pattern at -> Term_mistake.minus at
   | Expression_in_pattern { at; desc } -> Term_mistake.expression at desc
   | Minus_in_name { at; left; right } -> Term_mistake.minus_in_name ~at ~left ~right
-  | Operator_on_left operator -> Term_mistake.operator_on_left operator
+  | Operator_on_left operator -> Term_mistake.operator_on_left ~text operator
   | Parentheses_on_left at -> Term_mistake.parentheses_on_left at
   | Exponent { base; operator; exponent } ->
       Operator_mistake.exponent ~text ~base ~operator exponent

@@ -44,16 +44,18 @@ let in_proc ~is_last (e : Ir.expr) =
            "a `proc` has no side effects: bind the value with `let x = e`, or run a signal \
             function with `x <- sf -< e`; for tasks, use a `do` without `proc`"
 
-let end_with_output = Diagnostic.hint "end the `do` with its output, as in `returnA -< x`"
+let end_with_output name =
+  Diagnostic.hint "end the `do` with its output, as in `returnA -< %s`"
+    (Option.value name ~default:"x")
 
-let output_binds at =
+let output_binds ~at name =
   error at "the last statement of this `do` is its output, so it cannot bind a name"
-  |> end_with_output
+  |> end_with_output name
 
-let output_is_let at =
-  error at "the last statement of this `do` is a `let`, so it has no output" |> end_with_output
+let output_is_let ~at name =
+  error at "the last statement of this `do` is a `let`, so it has no output" |> end_with_output name
 
-let empty_proc at = error at "this `do` is empty, so it has no output" |> end_with_output
+let empty_proc at = error at "this `do` is empty, so it has no output" |> end_with_output None
 
 (* {1 Tasks} *)
 

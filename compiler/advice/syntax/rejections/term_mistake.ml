@@ -114,11 +114,17 @@ let minus_in_name ~at ~(left : Ir.name) ~(right : Ir.name) =
   error at "a name cannot contain `-`"
   |> Diagnostic.hint "write `%s`" (left.text ^ String.capitalize_ascii right.text)
 
-let operator_on_left (operator : Ir.qualified) =
-  error operator.span
-    "the left-hand side of a definition cannot contain `%s`: programs cannot define operators"
-    operator.name.text
-  |> Diagnostic.hint "define a function of two arguments, and use it infix in backticks"
+let operator_on_left ~text (operator : Ir.qualified) =
+  let at = operator.span in
+  match Own_operator.built_in_class ~text at with
+  | Some (class_, at) -> Class_mistake.built_in_class ~at class_
+  | None ->
+      error at
+        "the left-hand side of a definition cannot contain `%s`: programs cannot define operators"
+        operator.name.text
+      |> Diagnostic.hint "%s%s"
+           (if Own_operator.is_in_an_instance ~text at then "outside the instance, " else "")
+           (Own_operator.advice text operator.name.text)
 
 let parentheses_on_left at =
   error at "the left-hand side of a definition must start with the name that it defines"

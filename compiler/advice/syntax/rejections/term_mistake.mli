@@ -24,5 +24,5 @@ val expression : Span.t -> expr_desc -> Diagnostic.t
 (** {1 Left-hand sides} *)
 
 val minus_in_name : at:Span.t -> left:name -> right:name -> Diagnostic.t
-val operator_on_left : qualified -> Diagnostic.t
+val operator_on_left : text:string -> qualified -> Diagnostic.t
 val parentheses_on_left : Span.t -> Diagnostic.t

@@ -278,7 +278,7 @@ let parameters_in_other_order words ~(head : Resolve.Ir.expr) ~name (a : Resolve
     (b : Resolve.Ir.pattern) =
   let at = Span.merge a.span b.span in
   Diagnostic.error ~code:"E0301" ~at "the parameters of this function are in the wrong order"
-  |> Diagnostic.label ~at:head.span "`%s` passes the accumulated result first, then an element" name
+  |> Diagnostic.label ~at:head.span "%s" (Exchanged_parameters.order name)
   |>
   match (Wording.quote words a.span, Wording.quote words b.span) with
   | Some a, Some b ->

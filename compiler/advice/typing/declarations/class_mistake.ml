@@ -11,9 +11,8 @@ let constrained_variable (c : Resolve.Ir.constraint_) (variable : Ir.variable) =
     "the context of a method cannot constrain the class's own variable `%s`" variable.name
   |> Diagnostic.hint "make `%s` a superclass" c.class_.name
 
-let built_in_class (instance : Resolve.Ir.instance) =
-  Diagnostic.error ~code:"E0366" ~at:instance.span "you cannot declare an instance of `%s`"
-    instance.class_.name
+let built_in_class ~at class_ =
+  Diagnostic.error ~code:"E0366" ~at "you cannot declare an instance of `%s`" class_
   |> Diagnostic.note
        "the compiler already compares all values by structure, except those that contain functions"
   |> Diagnostic.hint "remove the instance"

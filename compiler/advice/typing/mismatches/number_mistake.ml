@@ -333,6 +333,35 @@ let plain_number words ~(subject : Resolve.Ir.expr option) ~(expected : Expected
       |> write at digits
   | _ -> d
 
+(* `[integral v, v]`, where each element has a unit of its own. *)
+let of_elements words ~(subject : Resolve.Ir.expr option) ~(expected : Expected.t) (wanted, given) =
+  let has_unit u = not (Units.is_open u || Units.equal u Units.one) in
+  match (expected.because, subject) with
+  | Element first, Some e when has_unit wanted && has_unit given ->
+      let stop = Span.forward 1 e.span.stop in
+      let tuple =
+        match Wording.quote words (Span.make ~file:first.file ~start:first.start ~stop) with
+        | Some elements when String.ends_with ~suffix:"]" elements ->
+            Printf.sprintf "a tuple, `(%s)`," (String.sub elements 0 (String.length elements - 1))
+        | Some _ | None -> "a tuple"
+      in
+      let of_the_same = "all elements of an array have the same unit" in
+      Some
+        (match literal words e with
+        | Some { digits; negative; _ } ->
+            hint "%s: write `%s%s[%s]`, or, for elements with different units, %s or a record"
+              of_the_same
+              (if negative then "-" else "")
+              digits (Wording.measure words wanted) tuple
+        | None ->
+            hint
+              "%s: write %s or a record; for an array of plain numbers, divide each element by its \
+               unit, as in `%s / 1[%s]`"
+              of_the_same tuple
+              (Option.fold (Wording.quote words e.span) ~none:"x" ~some:Source.grouped)
+              (Wording.measure words given))
+  | _ -> None
+
 let first_of rules = List.find_map (fun rule -> rule ()) rules
 
 (* The rules that make all other hints unnecessary. [is_first]: there is no hint yet. *)
@@ -342,6 +371,7 @@ let certain words ~subject ~expected ~is_first units =
     [
       (fun () -> Summed_rate.complete words ~subject ~expected units);
       (fun () -> Distant_number.compared words ~expected units);
+      (fun () -> of_elements words ~subject ~expected units);
       (fun () ->
         if is_first && Units.equal (snd units) Units.one then
           Distant_number.chosen words ~subject ~expected units
