@@ -187,6 +187,17 @@ let declared t g =
     (type_ (of_surroundings (Annotation.nowhere t.around.environment)))
     (t.around.declared g)
 
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+let declared_parameter t g position =
+  let parameter ty = List.nth_opt (parameters ty) (position - 1) in
+  Option.bind (t.around.declared g) parameter
+  |> Option.map (type_ (of_surroundings (Annotation.nowhere t.around.environment)))
+
 let constraint_ words c t =
   reserve words 0 t;
   write (Applied (Show.class_ c, [ tree_of words 0 t ]))
@@ -224,9 +235,3 @@ let described words t =
   | Number (_, u) when has_any_representation t ->
       Printf.sprintf "a number in `%s`" (measure words (Units.resolve u))
   | _ -> quoted words t
-
-let rec parameters t =
-  match Type.expand t with
-  | Type.Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | _ -> []

@@ -51,6 +51,9 @@ val makers : t -> Type.t -> of_:Type.t -> string list
 val declared : t -> Resolve.Ir.Global.t -> string option
 (** The text of the type in the signature. *)
 
+val declared_parameter : t -> Resolve.Ir.Global.t -> int -> string option
+(** The text of the type of this parameter, counted from 1, in the signature. *)
+
 val is_input : t -> string -> bool
 (** Is this the name of an input of the enclosing proc? *)
 

@@ -98,8 +98,10 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
   let result = Context.fresh ctx in
   let decision = ref Applies in
   let fits parameter output =
-    expect ctx ~subject:argument.value ~at:argument.value.span { ty = parameter; because } value.ty;
-    expect ctx ~at:argument.span { ty = result; because = Unknown } output
+    expect ctx ~subject:argument.value ~at:argument.value.span
+      { ty = parameter; because; parts = [] }
+      value.ty;
+    expect ctx ~at:argument.span { ty = result; because = Unknown; parts = [] } output
   in
   let attempt () =
     match Type.expand function_.ty with
@@ -123,7 +125,9 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
   in
   let guess () =
     let applied = Type.Function (value.ty, result) in
-    expect ctx ~subject:head ~at:head.span { ty = applied; because = Unknown } function_.ty;
+    expect ctx ~subject:head ~at:head.span
+      { ty = applied; because = Unknown; parts = [] }
+      function_.ty;
     true
   in
   ask ctx { attempt; guess; give_up = ignore };
@@ -147,7 +151,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   (* Checks one argument. Returns the result of the application, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
-    let expected : Expected.t = { ty = parameter; because } in
+    let expected : Expected.t = { ty = parameter; because; parts = [] } in
     let value =
       match argument.style with
       | Operator _ ->
@@ -187,7 +191,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | Command, Flexible _ ->
       let input = Context.fresh ctx and output = Context.fresh ctx in
       expect ctx ~at:head.span
-        { ty = Signal_function (input, output); because = Unknown }
+        { ty = Signal_function (input, output); because = Unknown; parts = [] }
         function_.ty;
       known Runs input output
   | _, Erroneous -> erroneous ()

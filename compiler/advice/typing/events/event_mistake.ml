@@ -202,7 +202,8 @@ let operand fact =
       in
       let swapped =
         Shape_fact.make fact.words ~subject:(Some other) ~at:other.span
-          ~expected:{ ty = fact.found; because } ~found:fact.expected.ty
+          ~expected:{ ty = fact.found; because; parts = [] }
+          ~found:fact.expected.ty
       in
       Option.map
         (Diagnostic.label ~at:fact.at "this is %s" (found_text fact))

@@ -112,6 +112,7 @@ let of_reasons =
     Task_mistake.unlike;
     Event_use.mistake;
     Task_mistake.condition;
+    Conversion_mistake.verdict_of_a_truth;
     Conversion_mistake.to_a_choice;
     Truth_mistake.condition;
     Event_mistake.in_a_maybe;

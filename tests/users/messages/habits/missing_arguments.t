@@ -48,7 +48,7 @@ If no definition of the program has the type, the hint shows an example:
    --> back.frob:8:12
     |
   6 | ahead = switch
-    |         ------ argument 2 of `switch` is `SF a b`
+    |         ------ the result of argument 2 of `switch` is `SF a b`
   7 |     (proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i)))
   8 |     (\_ -> back)
     |            ^^^^
@@ -151,7 +151,7 @@ A function of two numbers with only one of them, an input:
    --> smaller.frob:5:24
     |
   4 | main :: SF (Float, Float) (Float, Bool)
-    |         ------------------------------- the signature of `main` requires the output `Float`
+    |         ------------------------------- by the signature of `main`, the first component of the output is `Float`
   5 | main = proc (a, b) -> (smaller a, a > b)
     |                        ^^^^^^^^^
     |
@@ -174,7 +174,7 @@ A sum or an extreme without the value that it begins with:
    --> longest.frob:2:28
     |
   1 | main :: SF (Array 5 Distance) (Distance, Distance)
-    |         ------------------------------------------ the signature of `main` requires the output `Distance` (m)
+    |         ------------------------------------------ by the signature of `main`, the second component of the output is `Distance` (m)
   2 | main = proc row -> (total, longest) where
     |                            ^^^^^^^
   3 |     total   = sum row
