@@ -27,6 +27,31 @@ let sources words = words.around.sources
 let environment words = words.around.environment
 let named words name = words.around.named name
 let needs_class words t = words.around.needs_class t
+
+let imports words ~file module_ =
+  let is_import line =
+    match String.split_on_char ' ' line |> List.filter (( <> ) "") with
+    | "import" :: name :: _ -> String.equal name module_
+    | _ -> false
+  in
+  match Source.text words.around.sources file with
+  | Some text -> List.exists is_import (String.split_on_char '\n' text)
+  | None -> false
+
+let hidden words (x : Resolve.Ir.Local.t) =
+  let in_scope (g : Resolve.Ir.Global.t) =
+    String.equal g.module_ "Prelude"
+    || imports words ~file:x.span.file g.module_
+    ||
+    match words.around.binding g with
+    | Some b -> String.equal b.span.file x.span.file
+    | None -> false
+  in
+  let is_function t =
+    match Type.expand t with Type.Function _ | Signal_function _ -> true | _ -> false
+  in
+  List.find_opt (fun (g, t) -> is_function t && in_scope g) (words.around.named x.name)
+
 let definition words x = words.around.definition x
 let local words x = words.around.local x
 let unit_written words u = words.around.unit_ u

@@ -303,7 +303,16 @@ let infix fact =
           |> write fact.argument.span fixed)
   | _ -> None
 
-(* A local name, which may hide the function that was meant. *)
+(* A local name that hides the function that was meant, as in `distance = distance a b`. *)
+let hides_a_function fact =
+  match fact.head.desc with
+  | Local x when fact.position = 1 ->
+      Option.map
+        (fun function_ -> Reason_label.hides fact.words x function_)
+        (Wording.hidden fact.words x)
+  | _ -> None
+
+(* Any other local name. *)
 let local fact =
   match fact.head.desc with
   | Local x when fact.position = 1 ->
@@ -349,6 +358,7 @@ let rules =
     signature_of_task;
     task;
     infix;
+    hides_a_function;
     local;
     signature;
   ]

@@ -119,6 +119,17 @@ type topic += Definition of string
 
 let defines ~at name d = label ~at "this defines `%s`" name d |> about (Definition name)
 
+let hides words (x : Resolve.Ir.Local.t) ((g : Resolve.Ir.Global.t), ty) d =
+  let kind = match Type.expand ty with Signal_function _ -> "signal function" | _ -> "function" in
+  let owner =
+    match Wording.binding words g with
+    | Some b when String.equal b.span.file x.span.file -> "this program"
+    | Some _ | None -> Printf.sprintf "`%s`" g.module_
+  in
+  label ~at:x.span "this local `%s` hides the %s `%s` of %s" x.name kind x.name owner d
+  |> hint "give the local definition another name, such as `%s1`, so that `%s` is the %s here"
+       x.name x.name kind
+
 (* If there is no better place to point at, labels the place where the variable is bound. *)
 let label_subject subject (reason : Expected.reason) diagnostic =
   match (subject, reason) with
