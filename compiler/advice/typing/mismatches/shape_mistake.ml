@@ -18,6 +18,7 @@ let of_activities =
     Unrun_mistake.program_without_input;
     Unrun_mistake.program_in_place_of_a_signal_function;
     Truth_mistake.part_of_a_comparison;
+    Signal_function_mistake.comparison_without_input;
     Unrun_mistake.unrun;
     Unrun_mistake.unrun_operand;
     Switch_mistake.mode;
