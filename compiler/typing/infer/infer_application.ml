@@ -79,6 +79,9 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~before ~
           of_local = (match head.desc with Local x -> first_use ctx x ~at:head.span | _ -> None);
         }
 
+(* The number of arguments of the application. *)
+let given : Expected.reason -> int = function Parameter { given; _ } -> List.length given | _ -> 2
+
 type decision = Applies | Runs
 
 (* The final type of the result is already part of the function's type. *)
@@ -119,7 +122,13 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
         tell ctx
           (Not_a_function
-             { head; position = argument.position; argument = argument.value; ty = left });
+             {
+               head;
+               position = argument.position;
+               given = given because;
+               argument = argument.value;
+               ty = left;
+             });
         fits Erroneous Erroneous;
         true
   in
@@ -198,7 +207,14 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | ( (Juxtaposed | Operator _),
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       tell ctx
-        (Not_a_function { head; position = argument.position; argument = argument.value; ty = left });
+        (Not_a_function
+           {
+             head;
+             position = argument.position;
+             given = given because;
+             argument = argument.value;
+             ty = left;
+           });
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as

@@ -76,11 +76,11 @@ The value that a task returns, without parentheses. Only in front of a task is `
   > main = reactimateTask (watching go)
   > FROB
   $ frobc check returned.frob
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 3
    --> returned.frob:9:21
     |
   9 |     return distance start end
-    |     ------          ^^^^^ one too many
+    |     ------          ^^^^^ too many from here on
     |     |
     |     with one argument, its result is `Task a b (Vec2[u] -> Vec2[u] -> Float[u])`
     |
@@ -96,7 +96,7 @@ The value that a task returns, without parentheses. Only in front of a task is `
   > main = reactimateTask (return forward 1[m])
   > FROB
   $ frobc check returned_task.frob
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 2
    --> returned_task.frob:3:39
     |
   3 | main = reactimateTask (return forward 1[m])

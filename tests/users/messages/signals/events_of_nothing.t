@@ -42,7 +42,7 @@ Values of events, and functions of them.
   > main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))
   > FROB
   $ frobc check merged.frob
-  error[E0302]: `mergeE` takes 2 arguments, but is applied to more
+  error[E0302]: `mergeE` takes 2 arguments, but is given 3
    --> merged.frob:2:59
     |
   2 | main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))

@@ -672,11 +672,11 @@ A value of an event that lacks its unit:
   > f = proc x -> Event x when (x > 1)
   > FROB
   $ frobc check event_when.frob
-  error[E0302]: `Event` takes 1 argument, but is applied to more
+  error[E0302]: `Event` takes 1 argument, but is given 3
    --> event_when.frob:2:23
     |
   2 | f = proc x -> Event x when (x > 1)
-    |               -----   ^^^^ one too many
+    |               -----   ^^^^ too many from here on
     |               |
     |               with one argument, its result is `Event Float`
     |

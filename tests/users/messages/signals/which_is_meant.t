@@ -23,11 +23,11 @@ Bools, events, functions and signal functions, each used instead of another.
   >     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
   > FROB
   $ frobc check when.frob
-  error[E0302]: `when` takes 1 argument, but is applied to more
+  error[E0302]: `when` takes 1 argument, but is given 3
    --> when.frob:3:38
     |
   3 |     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
-    |         ----                         ^ one too many
+    |         ----                         ^ too many from here on
     |         |
     |         with one argument, its result is `Event ()`
     |
