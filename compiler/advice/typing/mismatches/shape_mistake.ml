@@ -111,6 +111,7 @@ let pattern_of_another_type (fact : Shape_fact.t) =
 let of_reasons =
   [
     Task_mistake.unlike;
+    Event_mistake.merged;
     Event_use.mistake;
     Task_mistake.condition;
     Conversion_mistake.verdict_of_a_truth;

@@ -21,11 +21,11 @@
 
 Another extra argument may be an initial value:
 
-  $ try 'integral v v' 'v + integral v'
+  $ try 'integral v v' 'integral v'
   error[E0302]: `integral` takes 1 argument, but is given 2
     = hint: `integral` starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   [1]
-  $ try 'integral 1 v v' '1 + integral v'
+  $ try 'integral 1 v v' 'integral v'
   error[E0302]: `integral` takes 1 argument, but is given 3
     = hint: `integral` starts at 0: for another initial value, write `1 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   [1]
