@@ -5,8 +5,8 @@ let inference words (fact : Typing.Inference_fact.t) =
   | Mismatch mismatch -> Mistake.mismatch words mismatch
   | Exchanged_pair { at; expected; first; second } ->
       Mistake.exchanged_pair words ~at expected first second
-  | Not_a_function { head; position; argument; ty } ->
-      Head_mistake.not_a_function words ~head ~position ~argument ty
+  | Not_a_function { head; position; given; argument; ty } ->
+      Head_mistake.not_a_function words ~head ~position ~given ~argument ty
   | Negative_argument { minus; operand; function_; ty } ->
       Head_mistake.negative_argument words ~minus ~operand function_ ty
   | Not_a_signal_function { head; ty } -> Head_mistake.not_a_signal_function words ~head ty

@@ -27,6 +27,31 @@ let sources words = words.around.sources
 let environment words = words.around.environment
 let named words name = words.around.named name
 let needs_class words t = words.around.needs_class t
+
+let imports words ~file module_ =
+  let is_import line =
+    match String.split_on_char ' ' line |> List.filter (( <> ) "") with
+    | "import" :: name :: _ -> String.equal name module_
+    | _ -> false
+  in
+  match Source.text words.around.sources file with
+  | Some text -> List.exists is_import (String.split_on_char '\n' text)
+  | None -> false
+
+let hidden words (x : Resolve.Ir.Local.t) =
+  let in_scope (g : Resolve.Ir.Global.t) =
+    String.equal g.module_ "Prelude"
+    || imports words ~file:x.span.file g.module_
+    ||
+    match words.around.binding g with
+    | Some b -> String.equal b.span.file x.span.file
+    | None -> false
+  in
+  let is_function t =
+    match Type.expand t with Type.Function _ | Signal_function _ -> true | _ -> false
+  in
+  List.find_opt (fun (g, t) -> is_function t && in_scope g) (words.around.named x.name)
+
 let definition words x = words.around.definition x
 let local words x = words.around.local x
 let unit_written words u = words.around.unit_ u
@@ -187,6 +212,17 @@ let declared t g =
     (type_ (of_surroundings (Annotation.nowhere t.around.environment)))
     (t.around.declared g)
 
+let rec parameters t =
+  match Type.expand t with
+  | Type.Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | _ -> []
+
+let declared_parameter t g position =
+  let parameter ty = List.nth_opt (parameters ty) (position - 1) in
+  Option.bind (t.around.declared g) parameter
+  |> Option.map (type_ (of_surroundings (Annotation.nowhere t.around.environment)))
+
 let constraint_ words c t =
   reserve words 0 t;
   write (Applied (Show.class_ c, [ tree_of words 0 t ]))
@@ -224,9 +260,3 @@ let described words t =
   | Number (_, u) when has_any_representation t ->
       Printf.sprintf "a number in `%s`" (measure words (Units.resolve u))
   | _ -> quoted words t
-
-let rec parameters t =
-  match Type.expand t with
-  | Type.Function (parameter, result) -> parameter :: parameters result
-  | Signal_function (input, _) -> [ input ]
-  | _ -> []

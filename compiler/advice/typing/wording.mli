@@ -30,11 +30,16 @@ val definition : t -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val local : t -> Resolve.Ir.Local.t -> Type.t option
 val unit_written : t -> Resolve.Ir.unit_ -> Units.t option
 val binding : t -> Resolve.Ir.Global.t -> Resolve.Ir.binding option
+
+val hidden : t -> Resolve.Ir.Local.t -> (Resolve.Ir.Global.t * Type.t) option
+(** A function or signal function of the program, the prelude or an imported module that has the
+    same name as this local variable. *)
+
 val local_function : t -> Resolve.Ir.Local.t -> Resolve.Ir.binding option
 val parameter : t -> Resolve.Ir.Local.t -> (Resolve.Ir.binding * int) option
 val unnamed_input : t -> Span.t option
 val declared_type : t -> Resolve.Ir.Global.t -> Type.t option
-val named : t -> string -> Type.t list
+val named : t -> string -> (Resolve.Ir.Global.t * Type.t) list
 val values : t -> Type.t -> file:string -> string list
 
 val inputs : t -> (string * Type.t) list
@@ -50,6 +55,9 @@ val makers : t -> Type.t -> of_:Type.t -> string list
 
 val declared : t -> Resolve.Ir.Global.t -> string option
 (** The text of the type in the signature. *)
+
+val declared_parameter : t -> Resolve.Ir.Global.t -> int -> string option
+(** The text of the type of this parameter, counted from 1, in the signature. *)
 
 val is_input : t -> string -> bool
 (** Is this the name of an input of the enclosing proc? *)

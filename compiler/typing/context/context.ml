@@ -181,7 +181,7 @@ let makers t ty ~of_ =
 
 let named t name =
   let add (g : Ir.Global.t) (entry : entry) found =
-    if String.equal g.name name then entry.scheme.body :: found else found
+    if String.equal g.name name then (g, entry.scheme.body) :: found else found
   in
   List.rev (Resolve.Global_table.fold add t.globals [])
 

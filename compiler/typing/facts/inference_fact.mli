@@ -21,6 +21,7 @@ type t =
   | Not_a_function of {
       head : Resolve.Ir.expr;
       position : int;  (** position of the argument, counted from 1 *)
+      given : int;  (** the number of arguments of the whole application *)
       argument : Resolve.Ir.expr;
       ty : Type.t;  (** the type of the head after the preceding arguments *)
     }  (** the head cannot take this argument *)

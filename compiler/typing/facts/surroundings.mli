@@ -33,7 +33,8 @@ type t = {
   choices : Type.t -> string list;
       (** the constructors of an enumeration with few cases; otherwise the empty list *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the declared type of a definition *)
-  named : string -> Type.t list;  (** the types of all definitions with this name *)
+  named : string -> (Resolve.Ir.Global.t * Type.t) list;
+      (** all definitions with this name, with their types *)
   values : Type.t -> file:string -> string list;
       (** the definitions in this file that have this type and no parameters *)
   binding : Resolve.Ir.Global.t -> Resolve.Ir.binding option;  (** a top-level definition *)

@@ -50,13 +50,14 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * E
   | Some { scheme; inner; at } ->
       Classes.give ctx scheme;
       let name = Resolve.Parameters.shown name.name in
-      ({ inner with group = ctx.group }, { ty = scheme.body; because = Signature { name; at } })
+      ( { inner with group = ctx.group },
+        { ty = scheme.body; because = Signature { name; at }; parts = [] } )
   | None ->
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
       Global_table.replace ctx.globals name { scheme; kind = Recursive; at = None };
       let because = if recursive then Expected.Uses { name = name.name; at } else Unknown in
-      (ctx, { ty; because })
+      (ctx, { ty; because; parts = [] })
 
 (* Checks the value of a `test`, to which resolution has applied the function [holding]. If the
    value is a condition, keeps the application. Otherwise drops it; the value must then be a test
@@ -273,7 +274,7 @@ let method_definition ctx (inner : Context.t) (m : Declared_class.method_) (sche
   let ctx = in_group ctx in
   Classes.give ctx scheme;
   let expected : Expected.t =
-    { ty = scheme.body; because = Signature { name = m.name.name; at = m.signature } }
+    { ty = scheme.body; because = Signature { name = m.name.name; at = m.signature }; parts = [] }
   in
   let value = check ~name:m.name.name b ({ inner with group = ctx.group }, expected) in
   settle ctx;

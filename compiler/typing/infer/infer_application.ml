@@ -79,6 +79,9 @@ let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~before ~
           of_local = (match head.desc with Local x -> first_use ctx x ~at:head.span | _ -> None);
         }
 
+(* The number of arguments of the application. *)
+let given : Expected.reason -> int = function Parameter { given; _ } -> List.length given | _ -> 2
+
 type decision = Applies | Runs
 
 (* The final type of the result is already part of the function's type. *)
@@ -98,8 +101,10 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
   let result = Context.fresh ctx in
   let decision = ref Applies in
   let fits parameter output =
-    expect ctx ~subject:argument.value ~at:argument.value.span { ty = parameter; because } value.ty;
-    expect ctx ~at:argument.span { ty = result; because = Unknown } output
+    expect ctx ~subject:argument.value ~at:argument.value.span
+      { ty = parameter; because; parts = [] }
+      value.ty;
+    expect ctx ~at:argument.span { ty = result; because = Unknown; parts = [] } output
   in
   let attempt () =
     match Type.expand function_.ty with
@@ -117,13 +122,21 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
         tell ctx
           (Not_a_function
-             { head; position = argument.position; argument = argument.value; ty = left });
+             {
+               head;
+               position = argument.position;
+               given = given because;
+               argument = argument.value;
+               ty = left;
+             });
         fits Erroneous Erroneous;
         true
   in
   let guess () =
     let applied = Type.Function (value.ty, result) in
-    expect ctx ~subject:head ~at:head.span { ty = applied; because = Unknown } function_.ty;
+    expect ctx ~subject:head ~at:head.span
+      { ty = applied; because = Unknown; parts = [] }
+      function_.ty;
     true
   in
   ask ctx { attempt; guess; give_up = ignore };
@@ -147,7 +160,7 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   (* Checks one argument. Returns the result of the application, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
-    let expected : Expected.t = { ty = parameter; because } in
+    let expected : Expected.t = { ty = parameter; because; parts = [] } in
     let value =
       match argument.style with
       | Operator _ ->
@@ -187,14 +200,21 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | Command, Flexible _ ->
       let input = Context.fresh ctx and output = Context.fresh ctx in
       expect ctx ~at:head.span
-        { ty = Signal_function (input, output); because = Unknown }
+        { ty = Signal_function (input, output); because = Unknown; parts = [] }
         function_.ty;
       known Runs input output
   | _, Erroneous -> erroneous ()
   | ( (Juxtaposed | Operator _),
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       tell ctx
-        (Not_a_function { head; position = argument.position; argument = argument.value; ty = left });
+        (Not_a_function
+           {
+             head;
+             position = argument.position;
+             given = given because;
+             argument = argument.value;
+             ty = left;
+           });
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _ | Function _) as

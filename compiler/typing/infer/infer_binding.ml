@@ -9,8 +9,8 @@ let undecided (expected : Expected.t) =
 
 let beside ~undecided (expected : Expected.t) at : Expected.t =
   match expected.because with
-  | Unknown -> { expected with because = Branch at }
-  | _ when undecided -> { expected with because = Branch at }
+  | Unknown -> { expected with because = Branch at; parts = [] }
+  | _ when undecided -> { expected with because = Branch at; parts = [] }
   | _ -> expected
 
 (* {1 Functions} *)
@@ -98,11 +98,14 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
           expect ctx ~at { expected with ty = rest } (Function (a, b));
           (Type.Erroneous, Type.Erroneous)
     in
-    let pattern = Infer_pattern.check ctx p { expected with ty = from } in
+    let pattern = Infer_pattern.check ctx p (Reason.part Of_parameter expected from) in
     (pattern :: patterns, into)
   in
   let patterns, rest = List.fold_left parameter ([], kept) parameters in
-  let body = body { expected with ty = rest } in
+  let body =
+    body
+      (if parameters = [] then { expected with ty = rest } else Reason.part Of_result expected rest)
+  in
   (match (lacking, name) with
   | _ :: _, Some name ->
       let first = List.nth parameters (Option.get allowed) in
@@ -137,10 +140,9 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
     | { condition; value } :: rest ->
         let test =
           match condition with
-          | Some condition -> expressions.check ctx condition { ty = Bool; because = Condition }
-          | None ->
-              Diagnostic.bug ~stage:"Typing.Infer"
-                "a guard without a condition must be the last one"
+          | Some condition ->
+              expressions.check ctx condition { ty = Bool; because = Condition; parts = [] }
+          | None -> Diagnostic.bug ~stage:"Typing.Infer" "a guard without a condition must be the last one"
         in
         let result = expressions.check ctx value expected in
         go ((test, result) :: conditional) (beside ~undecided:false expected value.span) rest
@@ -224,7 +226,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
           `Plain (local, ty))
   | Destructure pattern ->
       let ty = Context.fresh ctx in
-      `Pattern (pattern, ty, Infer_pattern.check ctx pattern { ty; because = Unknown })
+      `Pattern (pattern, ty, Infer_pattern.check ctx pattern { ty; because = Unknown; parts = [] })
   | Top (name, _) -> Diagnostic.bug ~stage:"Typing.Infer" "%s is not local" name.name
 
 and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.binding later =
@@ -244,7 +246,7 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
   | `Signed ((local : Ir.Local.t), { scheme; inner; at }) ->
       Classes.give ctx scheme;
       let expected : Expected.t =
-        { ty = scheme.body; because = Signature { name = local.name; at } }
+        { ty = scheme.body; because = Signature { name = local.name; at }; parts = [] }
       in
       let value = value inner ~name:(Some local.name) expected in
       finish (bound local scheme.body) scheme value
@@ -252,10 +254,10 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
       let because =
         if recursive then Expected.Uses { name = local.name; at = local.span } else Unknown
       in
-      let value = value ctx ~name:(Some local.name) { ty; because } in
+      let value = value ctx ~name:(Some local.name) { ty; because; parts = [] } in
       finish (bound local ty) (Type.monomorphic ty) value
   | `Pattern ((pattern : Resolve.Ir.pattern), ty, build) ->
-      let value = value ctx ~name:None { ty; because = Pattern pattern.span } in
+      let value = value ctx ~name:None { ty; because = Pattern pattern.span; parts = [] } in
       finish build (Type.monomorphic ty) value
 
 (* {1 Annotations} *)
@@ -265,7 +267,8 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   let scheme = local_scheme ctx ~name:None ~at:e.span written scheme in
   Classes.give ctx scheme;
   let value =
-    expressions.check inner inner_expr { ty = scheme.body; because = Annotation written.span }
+    expressions.check inner inner_expr
+      { ty = scheme.body; because = Annotation written.span; parts = [] }
   in
   if not (polymorphic scheme) then { ty = scheme.body; build = value }
   else

@@ -8,7 +8,9 @@ let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
   let representation =
     if exponent < 0 then Type.Float else Type.fresh_representation supply ~depth
   in
-  expect ctx ~at:e.span { ty = Number (representation, unit_); because = Unknown } base.ty;
+  expect ctx ~at:e.span
+    { ty = Number (representation, unit_); because = Unknown; parts = [] }
+    base.ty;
   match Units.power (Units.resolve unit_) (Rational.of_int exponent) with
   | raised -> Type.Number (representation, raised)
   | exception Rational.Out_of_range ->
@@ -101,7 +103,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
             of_local = None;
           }
       in
-      let operand = check ctx operand { Expected.ty; because } in
+      let operand = check ctx operand { Expected.ty; because; parts = [] } in
       { ty; build = (fun () -> node e.span ty (Negate (operand ()))) }
   | Power { base; exponent } ->
       let typed = infer ctx base in
@@ -116,7 +118,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Annotated { expr; scheme } -> Infer_binding.annotated expressions ctx e expr scheme
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ ->
       let ty = Context.fresh ctx in
-      let build = check ctx e { Expected.ty; because = Unknown } in
+      let build = check ctx e { Expected.ty; because = Unknown; parts = [] } in
       { ty; build }
 
 and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
@@ -124,7 +126,7 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   In_degrees.warn ctx e expected;
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
-      let condition = check ctx condition { Expected.ty = Bool; because = Condition } in
+      let condition = check ctx condition { Expected.ty = Bool; because = Condition; parts = [] } in
       let undecided = Infer_binding.undecided expected in
       let yes, held = hold ctx (fun () -> check ctx then_ expected) in
       pass_on ctx held;
@@ -150,7 +152,7 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Tuple [ a; b ], Tuple [ wanted_a; wanted_b ] -> pair ctx e (a, wanted_a) (b, wanted_b) expected
   | Tuple elements, Tuple types when List.compare_lengths elements types = 0 ->
       let elements =
-        List.rev (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
+        List.rev (List.rev_map2 (check ctx) elements (Reason.components expected types))
       in
       fun () -> node e.span expected.ty (Tuple (Long_list.map (fun build -> build ()) elements))
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
@@ -158,7 +160,7 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       let written = Type.Size (List.length elements) in
       if not (List.exists lacks_a_comma elements) then
         expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
-      let elements = array_elements ctx { expected with ty = element } elements in
+      let elements = array_elements ctx (Reason.part Of_array expected element) elements in
       fun () -> node e.span expected.ty (Array (Long_list.map (fun build -> build ()) elements))
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
     when tycon = (Environment.constructor ctx.reader.environment constructor).tycon ->
@@ -212,17 +214,17 @@ and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expec
         [ (wanted_a, y.ty); (wanted_b, x.ty) ];
       fun () -> node e.span expected.ty (Tuple [ x.build (); y.build () ])
   | None ->
-      let fit x typed ty =
+      let fit x typed (expected : Expected.t) =
         match typed with
         | Some (typed : typed) ->
-            Degrees.warn ctx x { Expected.ty; because = Unknown };
-            In_degrees.warn ctx x { Expected.ty; because = Unknown };
-            expect ctx ~subject:x ~at:x.span { expected with ty } typed.ty;
+            Degrees.warn ctx x { expected with because = Unknown };
+            In_degrees.warn ctx x { expected with because = Unknown };
+            expect ctx ~subject:x ~at:x.span expected typed.ty;
             typed.build
-        | None -> check ctx x { expected with ty }
+        | None -> check ctx x expected
       in
-      let first = fit a first wanted_a in
-      let second = fit b second wanted_b in
+      let first = fit a first (Reason.part (Of_tuple 1) expected wanted_a) in
+      let second = fit b second (Reason.part (Of_tuple 2) expected wanted_b) in
       fun () ->
         let first = first () in
         node e.span expected.ty (Tuple [ first; second () ])
@@ -253,7 +255,10 @@ and array_elements ctx (expected : Expected.t) elements =
     let because : Expected.reason =
       match expected.because with Element _ as first -> first | _ -> Element element.span
     in
-    (check ctx element expected :: done_, { expected with because })
+    let before = errors ctx in
+    let element = check ctx element expected in
+    let next = if errors ctx > before then expected else { expected with because; parts = [] } in
+    (element :: done_, next)
   in
   List.rev (fst (List.fold_left check ([], expected) elements))
 
@@ -261,7 +266,9 @@ and array ctx (e : Resolve.Ir.expr) elements =
   if elements = [] then tell ctx (Empty_array e.span);
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
-  let elements = array_elements ctx { Expected.ty = element; because = Unknown } elements in
+  let elements =
+    array_elements ctx { Expected.ty = element; because = Unknown; parts = [] } elements
+  in
   let build () = node e.span ty (Array (Long_list.map (fun build -> build ()) elements)) in
   { ty; build }
 
@@ -273,7 +280,8 @@ and case ctx e scrutinee branches expected =
   let branch (done_, expected) (b : Resolve.Ir.branch) =
     let before = errors ctx in
     let pattern =
-      Infer_pattern.check ctx b.pattern { ty = !matched; because = Value scrutinee.span }
+      Infer_pattern.check ctx b.pattern
+        { ty = !matched; because = Value scrutinee.span; parts = [] }
     in
     if errors ctx > before then matched := Type.Erroneous;
     let undecided = Infer_binding.undecided expected in
@@ -312,11 +320,14 @@ and proc ctx e input body expected =
         (a, b)
   in
   let pattern = input in
-  let input = Infer_pattern.check ctx input { expected with ty = from } in
+  let input = Infer_pattern.check ctx input (Reason.part Of_input expected from) in
   let unnamed_input = match pattern.desc with Any -> Some pattern.span | _ -> None in
   let ctx = { ctx with inputs = signals ctx pattern; unnamed_input } in
   let equations = Infer_binding.declarations expressions ctx body.equations in
-  let output = check ctx body.output { ty = into; because = Output expected.because } in
+  let output =
+    let expected = Reason.part Of_output expected into in
+    check ctx body.output { expected with because = Output expected.because }
+  in
   fun () ->
     let input = input () in
     let equations = equations () in

@@ -4,7 +4,11 @@ let bind ctx (local : Ir.Local.t) (expected : Expected.t) =
   match find_local ctx local with
   | Some declared ->
       expect ctx ~at:local.span
-        { ty = declared.body; because = Signature { name = local.name; at = local.span } }
+        {
+          ty = declared.body;
+          because = Signature { name = local.name; at = local.span };
+          parts = [];
+        }
         expected.ty
   | None -> bind_local ctx local (Type.monomorphic expected.ty)
 
@@ -37,7 +41,7 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
             | held -> pass_on ctx held);
             types
       in
-      let elements = List.map2 (fun p ty -> check ctx p { expected with ty }) elements types in
+      let elements = List.map2 (check ctx) elements (Reason.components expected types) in
       node (fun () -> Tuple_of (List.map (fun build -> build ()) elements))
   | Array_of elements ->
       let element =
@@ -47,14 +51,18 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
       in
       let size = Type.Size (List.length elements) in
       expect ctx ~at:p.span expected (Environment.array_of size element);
-      let elements = List.map (fun p -> check ctx p { expected with ty = element }) elements in
+      let elements =
+        List.map (fun p -> check ctx p (Reason.part Of_array expected element)) elements
+      in
       node (fun () -> Array_of (List.map (fun build -> build ()) elements))
   | Constructed (name, arguments) ->
       let constructor = Environment.constructor ctx.reader.environment name in
       let ty, _ = use ctx ~at:p.span ~name:name.name constructor.scheme in
       let fields, result = Environment.fields constructor ty in
       expect ctx ~at:p.span expected result;
-      let arguments = List.map2 (fun p ty -> check ctx p { expected with ty }) arguments fields in
+      let arguments =
+        List.map2 (fun p ty -> check ctx p (Reason.part Of_data expected ty)) arguments fields
+      in
       node (fun () -> Constructed (constructor.ir, List.map (fun build -> build ()) arguments))
   | Literal { negative; number } ->
       let ty, value = Literal.number ctx ~negative ~at:p.span number in

@@ -161,7 +161,7 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
           completed = completed value;
         }
     in
-    (index, expressions.check ctx value { ty; because })
+    (index, expressions.check ctx value { ty; because; parts = [] })
   in
   let fields = List.map field fields in
   let result = if several && errors ctx > before then Type.Erroneous else result in
@@ -186,8 +186,8 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
       match asked_in_vain ctx ~wanted:ty result with
       | Some by ->
           tell ctx (Field_of_argument { at = e.span; field = name; record; function_ = by });
-          expect ctx ~at:e.span { ty = result; because = Unknown } Type.Erroneous
-      | None -> expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
+          expect ctx ~at:e.span { ty = result; because = Unknown; parts = [] } Type.Erroneous
+      | None -> expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown; parts = [] } ty);
   let build () =
     node e.span result
       (match decided ctx answer with
@@ -224,6 +224,7 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
               ty = types name;
               because =
                 Field { name = name.text; at = name.span; constructor = None; completed = None };
+              parts = [];
             }
             ty)
         values);
@@ -233,7 +234,7 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
         let because =
           Expected.Field { name = name.text; at = name.span; constructor = None; completed = None }
         in
-        (name, expressions.check ctx value { ty; because }))
+        (name, expressions.check ctx value { ty; because; parts = [] }))
       values
   in
   let build () =

@@ -70,7 +70,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
         | Unknown -> Statement (place ~first Unknown)
         | because -> Last_statement because
       in
-      expressions.check ctx last { ty = s.whole; because }
+      expressions.check ctx last { ty = s.whole; because; parts = expected.parts }
   | Values declarations :: others ->
       let bindings = Infer_binding.declarations expressions ctx declarations in
       let rest = from expressions ctx s e ~first expected others last in
@@ -84,14 +84,15 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
       let before = errors ctx in
       let value =
         expressions.check ctx written
-          { ty = task s result; because = Statement (place ~first expected.because) }
+          { ty = task s result; because = Statement (place ~first expected.because); parts = [] }
       in
       (* If the task has an error, the pattern is not checked against its type. *)
       let result = if errors ctx > before then Type.Erroneous else result in
       let pattern =
         match pattern with
         | None -> whatever result written.span
-        | Some p -> Infer_pattern.check ctx p { ty = result; because = Value written.span }
+        | Some p ->
+            Infer_pattern.check ctx p { ty = result; because = Value written.span; parts = [] }
       in
       let first = match first with None -> Some written.span | Some _ -> first in
       let rest = from expressions ctx s e ~first expected others last in

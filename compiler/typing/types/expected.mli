@@ -72,4 +72,13 @@ type reason =
   | Output of reason
       (** for the output of a signal function: the reason that applies to the signal function *)
 
-type t = { ty : Type.t; because : reason }
+(** A part of a type. The components of a tuple are counted from 1. *)
+type part = Of_parameter | Of_result | Of_input | Of_output | Of_tuple of int | Of_array | Of_data
+
+type t = {
+  ty : Type.t;
+  because : reason;
+  parts : part list;
+      (** the path to this type in the type that the reason is about, innermost part first; empty if
+          [ty] is that whole type *)
+}

@@ -70,7 +70,7 @@ its part of the signature.
    --> signatures.frob:5:33
     |
   4 | brake :: Distance -> Velocity -> (Time, Time)
-    |          ------------------------------------ the signature of `brake` requires `Time` (s)
+    |          ------------------------------------ by the signature of `brake`, the second component is `Time` (s)
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |                                 ^ this is `Velocity` (m/s)
     |

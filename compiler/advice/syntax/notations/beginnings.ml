@@ -24,9 +24,9 @@ let fixes =
          write `whileT condition t`" );
     ( [ "print"; "println"; "printf"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ],
       text
-        "a program cannot print, so remove this line: `frobc run` prints the result of a task when \
-         the task ends; to see other values, make them outputs, and write all outputs to a file \
-         with `--record`" );
+        "a program cannot print, so remove this line: `frobc run FILE --view` shows every signal, \
+         `--probe v --record run.csv` records the signal `v`, and the result of a task is printed \
+         when the task ends" );
     ([ "struct"; "typedef" ], declare_a_record "data Config = Config { speed :: Velocity }");
     ([ "enum" ], text "declare an enumeration with `data`: `data Side = LeftSide | RightSide`");
     ( [ "extern" ],

@@ -58,6 +58,23 @@ let rec array_of = function
   | x :: rest -> indexed x rest
   | [] -> None
 
+(* The variable and the array of a loop header such as `for s in sonars i:`. The array may be the
+   result of a function. *)
+let rec header = function
+  | ("for" | "foreach") :: x :: "in" :: xs :: rest when is_name x && is_name xs -> (
+      let rec arguments taken = function
+        | word :: rest when Basis.Character.is_name word.[0] -> arguments (word :: taken) rest
+        | rest -> (List.rev taken, rest)
+      in
+      match arguments [] rest with
+      | _, ("(" | "." | "[") :: _ -> None
+      | [], _ -> Some (x, xs)
+      | words, _ -> Some (x, "(" ^ String.concat " " (xs :: words) ^ ")"))
+  | _ :: rest -> header rest
+  | [] -> None
+
+let first_line text first = tokens (String.sub text first (line_stop text first - first))
+
 (* The array of the `for` at this offset or later on its line. *)
 let array text first =
   let rec after = function
@@ -65,14 +82,66 @@ let array text first =
     | _ :: rest -> after rest
     | [] -> None
   in
-  after (tokens (String.sub text first (block_stop text first - first)))
+  match header (first_line text first) with
+  | Some (_, xs) -> Some xs
+  | None -> after (tokens (String.sub text first (block_stop text first - first)))
+
+(* {1 A loop that counts} *)
+
+(* The condition of the only line below the header, in `if c then n = n + 1`, or of the first of two
+   lines, and the name of the counter. *)
+let counted text first =
+  let start = line_stop text first in
+  let body = String.sub text start (block_stop text first - start) in
+  let increments code =
+    match tokens code with
+    | [ n; "+"; "="; "1" ] | [ n; "+"; "+" ] -> Some n
+    | [ n; "="; m; "+"; "1" ] when String.equal n m -> Some n
+    | _ -> None
+  in
+  let lines = String.split_on_char '\n' body |> List.map String.trim in
+  let rest_from prefix line =
+    let n = String.length prefix in
+    String.trim (String.sub line n (String.length line - n))
+  in
+  let rec find sign text i =
+    if i + String.length sign > String.length text then None
+    else if String.equal (String.sub text i (String.length sign)) sign then Some i
+    else find sign text (i + 1)
+  in
+  let split sign line =
+    Option.map
+      (fun i ->
+        let after = i + String.length sign in
+        (String.trim (String.sub line 0 i), String.sub line after (String.length line - after)))
+      (find sign line 0)
+  in
+  let named n code = Option.map (fun counter -> (n, counter)) (increments code) in
+  match List.filter (( <> ) "") lines with
+  | line :: others when String.starts_with ~prefix:"if " line -> (
+      let test = rest_from "if" line in
+      match (split " then " test, split ":" test, others) with
+      | Some (condition, code), _, [] -> named condition code
+      | None, Some (condition, ""), [ code ] -> named condition code
+      | None, Some (condition, code), [] -> named condition code
+      | _ -> None)
+  | _ -> None
 
 let over_array text first =
   let xs = Option.value (array text first) ~default:"xs" in
-  Printf.sprintf
-    "Frob has no loops: write `map f %s` or `foldl (+) 0 %s` for an array, or `forEachT %s f` to \
-     run a task for each element"
-    xs xs xs
+  match (header (first_line text first), counted text first) with
+  | Some (x, xs), Some (condition, counter) ->
+      (* the counter itself is defined by the equation *)
+      let n = if String.equal counter "count" then "n" else "count" in
+      Printf.sprintf
+        "Frob has no `for` loops: to count the elements for which a condition holds, write `foldl \
+         (\\%s %s -> if %s then %s + 1 else %s) 0 %s`"
+        n x condition n n xs
+  | _ ->
+      Printf.sprintf
+        "Frob has no loops: write `map f %s` or `foldl (+) 0 %s` for an array, or `forEachT %s f` \
+         to run a task for each element"
+        xs xs xs
 
 (* {1 Loops as values} *)
 

@@ -202,9 +202,54 @@ let operand fact =
       in
       let swapped =
         Shape_fact.make fact.words ~subject:(Some other) ~at:other.span
-          ~expected:{ ty = fact.found; because } ~found:fact.expected.ty
+          ~expected:{ ty = fact.found; because; parts = [] }
+          ~found:fact.expected.ty
       in
       Option.map
         (Diagnostic.label ~at:fact.at "this is %s" (found_text fact))
         (first [ Record_mistake.in_place_of_a_number; in_place_of_a_number; in_a_maybe ] swapped)
+  | _ -> None
+
+(* A value of this type, if possible unlike the given ones. *)
+let number_or_choice words t ~unlike =
+  match (Type.expand t, Wording.choices words t) with
+  | _, (_ :: _ as choices) ->
+      let others = List.filter (fun choice -> not (List.mem choice unlike)) choices in
+      Some (List.hd (others @ choices))
+  | Type.Number (_, u), _ ->
+      let unit_ = Wording.measure words (Units.resolve u) in
+      Some (if String.equal unit_ "1" || Units.is_open u then "0" else Printf.sprintf "0[%s]" unit_)
+  | Bool, _ -> Some (if List.mem "False" unlike then "True" else "False")
+  | _ -> None
+
+let merged fact =
+  match (fact.expected.because, content fact.wanted, content fact.found) with
+  | ( Parameter { callee = Some (("mergeE" | "mergeR") as name); position = 2; given = [ a; b ]; _ },
+      Some wanted,
+      Some found )
+    when event_wanted fact && is_an_event fact -> (
+      let same = "both events must carry values of the same type" in
+      let tagged (e : Resolve.Ir.expr) ty ~(other : Resolve.Ir.expr) =
+        let unlike =
+          match Resolve.Walk.application other with
+          | _, [ _; { desc = Constructor { name; _ }; _ } ] -> [ name ]
+          | _ -> []
+        in
+        let value = Option.value (number_or_choice fact.words ty ~unlike) ~default:"x" in
+        Printf.sprintf "(tag %s %s)" (Wording.argument_or "e" fact.words e) value
+      in
+      let text = Wording.argument_or "e" fact.words in
+      let with_a_value which ty first second =
+        hinted fact "%s: give the %s event a value of type %s, as in `%s %s %s`" same which
+          (Wording.quoted fact.words ty) name first second
+      in
+      match (Type.expand wanted, Type.expand found) with
+      | Tuple [], _ -> Some (with_a_value "first" found (tagged a found ~other:b) (text b))
+      | _, Tuple [] -> Some (with_a_value "second" wanted (text a) (tagged b wanted ~other:a))
+      | _ ->
+          Some
+            (hinted fact
+               "%s: convert the values of one event with `mapE`, or declare a data type with a \
+                case for each"
+               same))
   | _ -> None

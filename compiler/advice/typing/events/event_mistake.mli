@@ -20,6 +20,9 @@ val with_default : Shape_fact.t -> string -> string
 
 (** {1 Rules} *)
 
+val merged : Shape_fact.rule
+(** `mergeE` with events that carry values of different types. *)
+
 val in_a_maybe : Shape_fact.rule
 (** A [Maybe] where its content is expected. *)
 

@@ -25,6 +25,7 @@ type fact = {
   words : Wording.t;
   head : Resolve.Ir.expr;
   position : int;  (** position of the argument, counted from 1 *)
+  given : int;  (** number of arguments *)
   argument : Resolve.Ir.expr;
   at : Span.t;  (** the argument *)
   left : Type.t;  (** the type of the head applied to the preceding arguments *)
@@ -40,10 +41,10 @@ let not_taken fact =
       error ~code:"E0302" ~at:fact.head.span "%s is %s, not a function" callee left
       |> label ~at:fact.at "it is applied to an argument here"
   | position ->
-      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is applied to more" callee
-        (position - 1)
+      error ~code:"E0302" ~at:fact.at "%s takes %d argument%s, but is given %d" callee (position - 1)
         (if position = 2 then "" else "s")
-      |> here "one too many"
+        fact.given
+      |> here "%s" (if fact.given = position then "one too many" else "too many from here on")
       |> label ~at:fact.head.span "with %s, its result is %s"
            (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
            left
@@ -200,9 +201,17 @@ let is_zero text =
   let digits = List.hd (String.split_on_char '[' text) in
   float_of_string_opt digits = Some 0.
 
+(* A time, such as `20[ms]`, `stepTime ()`, or a name for a time. *)
 let is_a_time fact =
-  match Bare_number.literal fact.words fact.argument with
-  | Some { unit_ = Some { factors = [ (Declared { name = "s" | "ms"; _ }, _) ]; _ }; _ } -> true
+  let has_seconds t =
+    match Type.expand t with
+    | Type.Number (_, u) -> String.equal (Wording.measure fact.words (Units.resolve u)) "s"
+    | _ -> false
+  in
+  match (Bare_number.literal fact.words fact.argument, fact.argument.desc) with
+  | Some { unit_ = Some { factors = [ (Declared { name = "s" | "ms"; _ }, _) ]; _ }; _ }, _ -> true
+  | _, Apply { head = { desc = Global { name = "stepTime"; _ }; _ }; _ } -> true
+  | _, Local x -> Option.fold (Wording.local fact.words x) ~none:false ~some:has_seconds
   | _ -> false
 
 (* `integral 0 v`, with an initial value as in other languages. *)
@@ -267,10 +276,15 @@ let started_afresh fact =
     when fact.position = 2 && is_a_time fact ->
       Some
         (fun d ->
-          match Wording.quote fact.words fact.at with
-          | Some text ->
-              hint "remove `%s`: `%s` already uses the time between two instants" text name d
-          | None -> d)
+          match (Wording.quote fact.words fact.at, text_before fact) with
+          | Some text, Some signal ->
+              let fixed = Printf.sprintf "%s %s" name signal in
+              hint
+                "remove `%s`, because `%s` already %s by the time between two instants: write `%s`"
+                text name
+                (if String.equal name "integral" then "multiplies" else "divides")
+                fixed d
+          | _ -> d)
   | Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when fact.position > 1 ->
       Some
@@ -353,7 +367,16 @@ let infix fact =
           |> write fact.argument.span fixed)
   | _ -> None
 
-(* A local name, which may hide the function that was meant. *)
+(* A local name that hides the function that was meant, as in `distance = distance a b`. *)
+let hides_a_function fact =
+  match fact.head.desc with
+  | Local x when fact.position = 1 ->
+      Option.map
+        (fun function_ -> Reason_label.hides fact.words x function_)
+        (Wording.hidden fact.words x)
+  | _ -> None
+
+(* Any other local name. *)
 let local fact =
   match fact.head.desc with
   | Local x when fact.position = 1 ->
@@ -400,12 +423,13 @@ let rules =
     signature_of_task;
     task;
     infix;
+    hides_a_function;
     local;
     signature;
   ]
 
-let not_a_function words ~head ~position ~(argument : Resolve.Ir.expr) left =
-  let fact = { words; head; position; argument; at = argument.span; left } in
+let not_a_function words ~head ~position ~given ~(argument : Resolve.Ir.expr) left =
+  let fact = { words; head; position; given; argument; at = argument.span; left } in
   let complete = List.find_map (fun rule -> rule fact) rules in
   Option.value complete ~default:Fun.id (not_taken fact)
 

@@ -8,6 +8,7 @@ val not_a_function :
   Wording.t ->
   head:Resolve.Ir.expr ->
   position:int ->
+  given:int ->
   argument:Resolve.Ir.expr ->
   Type.t ->
   Diagnostic.t

@@ -431,6 +431,13 @@ let of_no_robot fact =
       Some (Diagnostic.hint "%s" (takes_a_robot fact))
   | _ -> None
 
+(* A robot that lacks a capability. *)
+let of_a_robot fact =
+  if is_asked_itself fact then
+    Robot_mistake.lacking fact.words ~user:(user fact) ~at:fact.required.at fact.lack.lacking
+      ~of_:fact.lack.culprit
+  else None
+
 (* A missing instance that the program can declare. *)
 let not_declared fact =
   match fact.lack.lacking with
@@ -474,6 +481,7 @@ let rules =
     composed_without_parentheses;
     mode_without_event;
     of_no_robot;
+    of_a_robot;
     not_declared;
     other_instances;
   ]

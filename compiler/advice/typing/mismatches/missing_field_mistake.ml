@@ -20,7 +20,7 @@ let one_of_several environment ty name =
 (* The function or signal function of this name: its kind, the types of its parameters, and the type
    of its input. *)
 let of_that_name words (name : Syntax.Ir.name) =
-  let found earlier ty =
+  let found earlier (_, ty) =
     match Type.expand ty with
     | Type.Function _ -> Some ("function", Wording.parameters ty)
     | Signal_function _ -> Some ("signal function", Wording.parameters ty)
@@ -108,7 +108,7 @@ let rec takes_an_array (t : Type.t) =
   | _ -> false
 
 let is_of_arrays words (name : Syntax.Ir.name) =
-  List.exists takes_an_array (Wording.named words name.text)
+  List.exists (fun (_, ty) -> takes_an_array ty) (Wording.named words name.text)
 
 (* The field of this record that is itself a record with the wanted field. *)
 let field_within words ty name =

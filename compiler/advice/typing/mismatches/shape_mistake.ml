@@ -18,6 +18,7 @@ let of_activities =
     Unrun_mistake.program_without_input;
     Unrun_mistake.program_in_place_of_a_signal_function;
     Truth_mistake.part_of_a_comparison;
+    Signal_function_mistake.comparison_without_input;
     Unrun_mistake.unrun;
     Unrun_mistake.unrun_operand;
     Switch_mistake.mode;
@@ -110,8 +111,10 @@ let pattern_of_another_type (fact : Shape_fact.t) =
 let of_reasons =
   [
     Task_mistake.unlike;
+    Event_mistake.merged;
     Event_use.mistake;
     Task_mistake.condition;
+    Conversion_mistake.verdict_of_a_truth;
     Conversion_mistake.to_a_choice;
     Truth_mistake.condition;
     Event_mistake.in_a_maybe;

@@ -48,7 +48,14 @@ let of_a_text fact =
         (hinted fact "a string is only a label: you cannot compute with strings or concatenate them")
   | _ -> None
 
-let alternatives names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)
+let alternatives names =
+  let rec joined = function
+    | [] -> ""
+    | [ last ] -> last
+    | [ a; b ] -> a ^ " or " ^ b
+    | a :: others -> a ^ ", " ^ joined others
+  in
+  joined (List.map (Printf.sprintf "`%s`") names)
 
 let by_a_constructor fact =
   match (fact.wanted, fact.given) with
@@ -67,6 +74,27 @@ let capital_choice fact =
       else None
   | Some _ | None -> None
 
+let verdict_of_a_truth fact =
+  match (fact.wanted, fact.given, source fact) with
+  | Data { tycon = { name = "Verdict"; module_ = "Prelude" }; _ }, Bool, Some text ->
+      let is_one_word = String.equal text (Basis.Source.grouped text) in
+      let call = "verdict " ^ Basis.Source.grouped text in
+      (* the span of an argument excludes its parentheses *)
+      let written =
+        match fact.expected.because with
+        | (Parameter _ | Operand _) when fact.expected.parts = [] && is_one_word -> "(" ^ call ^ ")"
+        | _ -> call
+      in
+      Some
+        (hinted fact "turn the `Bool` into a `Verdict`: write `%s`" written
+        |> Basis.Diagnostic.write fact.at written)
+  | _ -> None
+
+let is_written_out fact =
+  match fact.subject with
+  | Some { desc = Constructor _ | String _ | Number _; _ } -> true
+  | Some _ | None -> false
+
 let to_a_choice fact =
   match fact.expected.because with
   | Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _ -> (
@@ -75,5 +103,6 @@ let to_a_choice fact =
       | ([ _; _ ] as choices), Bool ->
           Some
             (hinted fact "use %s, as in `if %s then … else …`" (alternatives choices) (raw fact "b"))
-      | choices, _ -> Some (hinted fact "use %s" (alternatives choices)))
+      | choices, _ when is_written_out fact -> Some (hinted fact "use %s" (alternatives choices))
+      | _ -> None)
   | _ -> None

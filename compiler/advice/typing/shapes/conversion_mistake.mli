@@ -16,5 +16,8 @@ val by_a_constructor : Shape_fact.rule
 val capital_choice : Shape_fact.rule
 (** A name in place of a constructor that differs from it only in the case of the first letter. *)
 
+val verdict_of_a_truth : Shape_fact.rule
+(** A `Bool` where a `Verdict` is expected. *)
+
 val to_a_choice : Shape_fact.rule
-(** A value where an enumeration with few cases is expected. *)
+(** A constructor, literal or `Bool` where another enumeration with few cases is expected. *)

@@ -61,6 +61,69 @@ let condition_of_an_event fact =
       |> Option.some
   | _ -> None
 
+(* The type that the context requires of the enclosing operator application. An argument between two
+   backticks is inferred without its context. *)
+let wanted_of_comparison words : Surroundings.enclosing list -> _ = function
+  | { wanted = Some t; _ } :: _ -> Some t
+  | { expr; wanted = None } :: { expr = outer; _ } :: _ -> (
+      let rec spine (e : Resolve.Ir.expr) arguments =
+        match e.desc with
+        | Apply { head; argument; _ } -> spine head (argument :: arguments)
+        | _ -> (e, arguments)
+      in
+      match spine outer [] with
+      | { desc = Global g; _ }, arguments ->
+          let parameters =
+            Option.fold (Wording.declared_type words g) ~none:[] ~some:Wording.parameters
+          in
+          let is_it (a : Resolve.Ir.expr) = Span.compare a.span expr.span = 0 in
+          List.mapi (fun i a -> if is_it a then List.nth_opt parameters i else None) arguments
+          |> List.find_map Fun.id
+      | _ -> None)
+  | _ -> None
+
+(* `batteryVoltage < 12[V]`, a comparison of a function with a value, in place of a signal function
+   such as `proc i -> edge (batteryVoltage i < 12[V])`. *)
+let comparison_without_input fact =
+  let takes_one t =
+    match Type.expand t with
+    | Type.Signal_function _ -> true
+    | Function (_, result) -> ( match Type.expand result with Function _ -> false | _ -> true)
+    | _ -> false
+  in
+  let is_name (e : Resolve.Ir.expr) = Plain_name.of_expr e <> None in
+  let enclosing = Wording.enclosing fact.words in
+  match (fact.expected.because, other_operand fact, fact.subject, enclosing) with
+  | Operand { operator; _ }, Some left, Some right, { expr; _ } :: around
+    when List.mem operator [ "<"; "<="; ">"; ">="; "=="; "/=" ] -> (
+      let applied =
+        if takes_one fact.wanted && is_name left && not (takes_one fact.given) then Some left
+        else if takes_one fact.given && is_name right && not (takes_one fact.wanted) then Some right
+        else None
+      in
+      let quote (e : Resolve.Ir.expr) =
+        let input = match applied with Some f when f == e -> " i" | _ -> "" in
+        Option.map (fun text -> text ^ input) (Wording.quote fact.words e.span)
+      in
+      let wanted = Option.map Type.expand (wanted_of_comparison fact.words enclosing) in
+      match (applied, wanted, quote left, quote right) with
+      | Some f, Some (Signal_function (_, output)), Some a, Some b ->
+          let name = Option.get (Plain_name.of_expr f) in
+          let comparison = Printf.sprintf "%s %s %s" a operator b in
+          let text, wanted =
+            if Environment.is_event output then
+              ( Printf.sprintf "proc i -> edge (%s)" comparison,
+                "a signal function whose output is an event" )
+            else (Printf.sprintf "proc i -> %s" comparison, "a signal function")
+          in
+          let text = if around = [] then text else "(" ^ text ^ ")" in
+          error ~code:"E0301" ~at:f.span "`%s` lacks its input" name
+          |> (if f == left then label ~at:right.span "it is compared with this value" else Fun.id)
+          |> hint "this place needs %s: write `%s`" wanted text
+          |> write expr.span text |> Option.some
+      | _ -> None)
+  | _ -> None
+
 (* The hint for a function in the program that must be a `proc` because it runs signal functions,
    such as `drive i = f (frontSonar i)`. *)
 let as_a_proc fact =

@@ -4,6 +4,9 @@ val in_place_of_a_test : Shape_fact.rule
 (** A value or signal function where a test is expected. A test of a signal function also states how
     long to run it. *)
 
+val comparison_without_input : Shape_fact.rule
+(** A comparison of a function with a value where a signal function is expected. *)
+
 val condition_of_an_event : Shape_fact.rule
 (** A function or signal function with Boolean results where a signal function that outputs events
     is expected. *)

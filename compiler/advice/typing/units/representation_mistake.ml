@@ -16,7 +16,7 @@ let without_open_units (expected : Expected.t) =
     | Operand o -> Operand { o with other_type = without_open_unit o.other_type }
     | because -> because
   in
-  { Expected.ty = without_open_unit expected.ty; because }
+  { expected with ty = without_open_unit expected.ty; because }
 
 (* The prefix that applies a conversion to each number in a value of this type. *)
 let for_each t =

@@ -3,7 +3,7 @@
   largest :: Float
   largest = abs 1.0 2.0
   
-  error[E0302]: `abs` takes 1 argument, but is applied to more
+  error[E0302]: `abs` takes 1 argument, but is given 2
    --> main.frob:2:19
     |
   2 | largest = abs 1.0 2.0

@@ -11,7 +11,7 @@ An index in brackets after a call:
   >     v = if hold 2[m] near.echo < 1[m] then 0 else 0.3[m/s])
   > FROB
   $ frobc check index.frob
-  error[E0302]: `sonars` takes 1 argument, but is applied to more
+  error[E0302]: `sonars` takes 1 argument, but is given 2
    --> index.frob:4:22
     |
   4 |     near = (sonars i)[3]

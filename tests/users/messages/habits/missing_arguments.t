@@ -48,7 +48,7 @@ If no definition of the program has the type, the hint shows an example:
    --> back.frob:8:12
     |
   6 | ahead = switch
-    |         ------ argument 2 of `switch` is `SF a b`
+    |         ------ the result of argument 2 of `switch` is `SF a b`
   7 |     (proc i -> (roMake (setVelTR 0.3[m/s] 0), edge (bumped i)))
   8 |     (\_ -> back)
     |            ^^^^
@@ -76,11 +76,11 @@ The value that a task returns, without parentheses. Only in front of a task is `
   > main = reactimateTask (watching go)
   > FROB
   $ frobc check returned.frob
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 3
    --> returned.frob:9:21
     |
   9 |     return distance start end
-    |     ------          ^^^^^ one too many
+    |     ------          ^^^^^ too many from here on
     |     |
     |     with one argument, its result is `Task a b (Vec2[u] -> Vec2[u] -> Float[u])`
     |
@@ -96,7 +96,7 @@ The value that a task returns, without parentheses. Only in front of a task is `
   > main = reactimateTask (return forward 1[m])
   > FROB
   $ frobc check returned_task.frob
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 2
    --> returned_task.frob:3:39
     |
   3 | main = reactimateTask (return forward 1[m])
@@ -151,7 +151,7 @@ A function of two numbers with only one of them, an input:
    --> smaller.frob:5:24
     |
   4 | main :: SF (Float, Float) (Float, Bool)
-    |         ------------------------------- the signature of `main` requires the output `Float`
+    |         ------------------------------- by the signature of `main`, the first component of the output is `Float`
   5 | main = proc (a, b) -> (smaller a, a > b)
     |                        ^^^^^^^^^
     |
@@ -174,7 +174,7 @@ A sum or an extreme without the value that it begins with:
    --> longest.frob:2:28
     |
   1 | main :: SF (Array 5 Distance) (Distance, Distance)
-    |         ------------------------------------------ the signature of `main` requires the output `Distance` (m)
+    |         ------------------------------------------ by the signature of `main`, the second component of the output is `Distance` (m)
   2 | main = proc row -> (total, longest) where
     |                            ^^^^^^^
   3 |     total   = sum row

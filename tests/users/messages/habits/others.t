@@ -107,7 +107,7 @@ Python:
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task when the task ends; to see other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run FILE --view` shows every signal, `--probe v --record run.csv` records the signal `v`, and the result of a task is printed when the task ends
   
   1 error
   [1]

@@ -30,7 +30,7 @@ A value after `return`:
 In a task, `return` is right, and only its argument needs parentheses:
 
   $ try 'f :: Task i o Float\nf = do\n    return max 1 2' 'f :: Task i o Float\nf = do\n    return (max 1 2)'
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 3
     = hint: put parentheses around the argument: `return (max 1 2)`
   [1]
   $ try 'f :: Task i o Bool\nf = return 1' 'f :: Task i o Bool\nf = return True'
@@ -84,11 +84,11 @@ Types before the names of parameters:
 An initial value, or a length of the step, of `integral` and `derivative`:
 
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral 0 v' 'f :: SF Velocity Distance\nf = proc v -> integral v'
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
     = hint: remove the `0`, because `integral` starts at 0 anyway: write `integral v`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral v 0' 'f :: SF Velocity Distance\nf = proc v -> integral v'
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
     = hint: remove the `0`, because `integral` starts at 0 anyway: write `integral v`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral(v, 0)' 'f :: SF Velocity Distance\nf = proc v -> integral v'
@@ -96,16 +96,16 @@ An initial value, or a length of the step, of `integral` and `derivative`:
     = hint: `integral` takes one argument and starts at 0: write `integral v`
   [1]
   $ try 'f :: SF Velocity Acceleration\nf = proc v -> derivative 0 v' 'f :: SF Velocity Acceleration\nf = proc v -> derivative v'
-  error[E0302]: `derivative` takes 1 argument, but is applied to more
+  error[E0302]: `derivative` takes 1 argument, but is given 2
     = hint: remove the `0`, because `derivative` starts at 0 anyway: write `derivative v`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral 2[m] v' 'f :: SF Velocity Distance\nf = proc v -> 2[m] + integral v'
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
     = hint: `integral` starts at 0: for another initial value, write `2[m] + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   [1]
   $ try 'f :: SF Velocity Distance\nf = proc v -> integral v 0.02[s]' 'f :: SF Velocity Distance\nf = proc v -> integral v'
-  error[E0302]: `integral` takes 1 argument, but is applied to more
-    = hint: remove `0.02[s]`: `integral` already uses the time between two instants
+  error[E0302]: `integral` takes 1 argument, but is given 2
+    = hint: remove `0.02[s]`, because `integral` already multiplies by the time between two instants: write `integral v`
   [1]
   $ try 'f :: SF Velocity Bool\nf = proc v -> x > 1[m] where\n    x = delay 0 x + 0.02 * v' 'f :: SF Velocity Bool\nf = proc v -> x > 1[m] where\n    x = integral v'
   error[E0320]: the operands of `>` have different units: `m/s` and `m`
@@ -127,7 +127,7 @@ An initial value, or a length of the step, of `integral` and `derivative`:
 Functions of two values with more of them:
 
   $ try 'f a b c = hold 0 (mergeE a b c)' 'f :: SF (Event Float, Event Float, Event Float) Float\nf = proc (a, b, c) -> hold 0 (mergeE a (mergeE b c))'
-  error[E0302]: `mergeE` takes 2 arguments, but is applied to more
+  error[E0302]: `mergeE` takes 2 arguments, but is given 3
     = hint: for three values, write `mergeE a (mergeE b c)`
   [1]
   $ try 'f x y z = 1 + min(x, y, z)' 'f x y z = 1 + min x (min y z)'
@@ -139,7 +139,7 @@ Functions of two values with more of them:
     = hint: write `mergeE a (mergeE b c)`
   [1]
   $ try 'f :: AngularVelocity -> AngularVelocity\nf w = limit (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)' 'f :: AngularVelocity -> AngularVelocity\nf w = clamp (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)'
-  error[E0302]: `limit` takes 2 arguments, but is applied to more
+  error[E0302]: `limit` takes 2 arguments, but is given 3
     = hint: `limit` takes one limit for both directions; for two limits, write `clamp (-1[rad/s]) 1[rad/s] (0.25 * w + 0.5[1/s] * 2 + 0.125 * (w + w) / 2)`
   [1]
 

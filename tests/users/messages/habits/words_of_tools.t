@@ -85,5 +85,5 @@ Statements of a task:
   [1]
   $ try '(HasSonar i, DiffDrive o) => Task i o Bool' 'f = do\n    arrived <- forward 1[m]\n    print(arrived)\n    return arrived' 'f = do\n    arrived <- forward 1[m]\n    return arrived'
   error[E0205]: unknown name `print`
-    = hint: remove this line: a program cannot print, but `frobc run` prints the result of a task when the task ends, and `--record` writes all outputs to a file; to see another value, make it an output
+    = hint: a program cannot print, so remove this: `frobc run FILE --view` shows every signal, `--probe v --record run.csv` records the signal `v`, and the result of a task is printed when the task ends
   [1]

@@ -135,7 +135,7 @@ A time step for `derivative`:
   > main = proc side -> derivative side 0.02[s]
   > FROB
   $ frobc check step.frob
-  error[E0302]: `derivative` takes 1 argument, but is applied to more
+  error[E0302]: `derivative` takes 1 argument, but is given 2
    --> step.frob:2:37
     |
   2 | main = proc side -> derivative side 0.02[s]
@@ -143,7 +143,7 @@ A time step for `derivative`:
     |                     |
     |                     with one argument, its result is `Float[m/s]`
     |
-    = hint: remove `0.02[s]`: `derivative` already uses the time between two instants
+    = hint: remove `0.02[s]`, because `derivative` already divides by the time between two instants: write `derivative side`
   
   1 error
   [1]

@@ -402,7 +402,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   2 | main = switch (proc d -> (0.3[m/s], d < 0.5[m])) (\_ -> constant 0)
     |        ------                       ^^^^^^^^^^
     |        |
-    |        argument 1 of `switch` has the output `Event a`
+    |        the second component of the output of argument 1 of `switch` is `Event a`
     |
     = hint: use `edge (d < 0.5[m])`, which occurs when the condition becomes True, or `when (d < 0.5[m])`, which occurs whenever it is True; use `tag` to add a value
   
@@ -544,7 +544,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0 0))
     |                                   ------  ^^^^^^^^^^^^^^^^^^^^^
     |                                   |
-    |                                   argument 1 of `roMake` is `a -> a`
+    |                                   argument 1 of `roMake` is `o -> o`
     |
     = hint: `setVelTR` has one argument too many here: write `setVelTR 0.3[m/s] 0` for the function
   

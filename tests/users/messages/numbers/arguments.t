@@ -118,7 +118,7 @@ A function passed as an argument lacks one of its own arguments.
   2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s]))
     |                                   ------  ^^^^^^^^^^^^^^^^^
     |                                   |
-    |                                   argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
+    |                                   argument 1 of `roMake` is `o -> o`
     |
     = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s): write `setVelTR 0.3[m/s] 0`, for example
   

@@ -74,7 +74,7 @@ Arguments:
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0 0))
     |                                   ------  ^^^^^^^^^^^^^^^^^^^^^
     |                                   |
-    |                                   argument 1 of `roMake` is `a -> a`
+    |                                   argument 1 of `roMake` is `o -> o`
     |
     = hint: `setVelTR` has one argument too many here: write `setVelTR 0.3[m/s] 0` for the function
   

@@ -88,6 +88,6 @@ The unit of a sum is known from its place, or from the gain of the other operand
 
   $ try 'Distance -> AngularVelocity' 'f off = limit (-1[rad/s]) 1[rad/s] (4[1/(m s)] * off + 3[1/m] * off / 0.5[s])' \
   >   'f off = clamp (-1[rad/s]) 1[rad/s] (4[1/(m s)] * off + 3[1/m] * off / 0.5[s])'
-  error[E0302]: `limit` takes 2 arguments, but is applied to more
+  error[E0302]: `limit` takes 2 arguments, but is given 3
     = hint: `limit` takes one limit for both directions; for two limits, write `clamp (-1[rad/s]) 1[rad/s] (4[1/(m s)] * off + 3[1/m] * off / 0.5[s])`
   [1]

@@ -52,7 +52,7 @@ reset.
   >     way = integral (velocity i) (edge (bumped i)))
   > FROB
   $ frobc check reset.frob
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
    --> reset.frob:4:34
     |
   4 |     way = integral (velocity i) (edge (bumped i)))

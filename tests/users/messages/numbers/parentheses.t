@@ -8,7 +8,7 @@ A function among the arguments that should be applied to the following ones.
   >     forever turnBy 90[deg])
   > FROB
   $ frobc check tasks.frob
-  error[E0302]: `sleepT` takes 2 arguments, but is applied to more
+  error[E0302]: `sleepT` takes 2 arguments, but is given 3
    --> tasks.frob:4:25
     |
   4 |     sleepT 2[s] roMake (setVelTR 0 0)
@@ -59,7 +59,7 @@ A function among the arguments that should be applied to the following ones.
   > main = reactimateTask t
   > FROB
   $ frobc check turn.frob
-  error[E0302]: `return` takes 1 argument, but is applied to more
+  error[E0302]: `return` takes 1 argument, but is given 2
    --> turn.frob:4:19
     |
   4 |     return turnBy 90[deg]

@@ -19,7 +19,7 @@ syntax.
     |
     = hint: `forward` takes one argument, but is applied to 2: `forward :: Distance -> Task i o Bool`
   
-  error[E0302]: `turnBy` takes 1 argument, but is applied to more
+  error[E0302]: `turnBy` takes 1 argument, but is given 2
    --> turn.frob:5:20
     |
   5 |     turnBy 90[deg] 0.5[rad/s])
@@ -38,7 +38,7 @@ syntax.
   > main = reactimateTask (forward 2[m] 0.3[m/s])
   > FROB
   $ frobc check drive.frob
-  error[E0302]: `forward` takes 1 argument, but is applied to more
+  error[E0302]: `forward` takes 1 argument, but is given 2
    --> drive.frob:3:37
     |
   3 | main = reactimateTask (forward 2[m] 0.3[m/s])
@@ -154,7 +154,7 @@ syntax.
   >     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
   > FROB
   $ frobc check index.frob
-  error[E0302]: `sonars` takes 1 argument, but is applied to more
+  error[E0302]: `sonars` takes 1 argument, but is given 2
    --> index.frob:4:21
     |
   4 |     v = if sonars i [3] < 0.4[m] then 0 else 0.3[m/s])
@@ -223,7 +223,7 @@ Tasks in sequence, under a condition, and with a time:
   >     forward 1[m])
   > FROB
   $ frobc check when.frob
-  error[E0302]: `when` takes 1 argument, but is applied to more
+  error[E0302]: `when` takes 1 argument, but is given 2
    --> when.frob:6:20
     |
   6 |     when (not ok) (turnBy 90[deg])

@@ -117,7 +117,7 @@ Two mistakes of the same kind on a line are reported once:
    --> pair.frob:2:18
     |
   2 | main = proc p -> p.0 + p.1
-    |                  ^- argument 1 of `.` is `a -> b`
+    |                  ^- argument 1 of `.` is `b -> c`
     |
     = hint: to get the elements of a tuple, write an equation: `(a, b) = p`; for a pair, you can also write `fst p` and `snd p`
   

@@ -343,7 +343,7 @@ Two limits for `limit`:
   > f = proc v -> limit (-0.2[m/s]) 0.4[m/s] (v - 0.1[m/s])
   > FROB
   $ frobc check limits.frob
-  error[E0302]: `limit` takes 2 arguments, but is applied to more
+  error[E0302]: `limit` takes 2 arguments, but is given 3
    --> limits.frob:3:43
     |
   3 | f = proc v -> limit (-0.2[m/s]) 0.4[m/s] (v - 0.1[m/s])

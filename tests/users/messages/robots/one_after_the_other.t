@@ -78,7 +78,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc v -> integral 5[m] v
   > FROB
   $ frobc check beginning.frob
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
    --> beginning.frob:2:32
     |
   2 | main = proc v -> integral 5[m] v

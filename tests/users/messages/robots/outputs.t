@@ -16,7 +16,7 @@ Several commands at a time are composed:
   5 | main = reactimateRobot (proc _ -> roMake (setVelTR 0.3[m/s] 0, setLight On))
     |                                   ------ ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                                   |
-    |                                   argument 1 of `roMake` is `a -> a`
+    |                                   argument 1 of `roMake` is `o -> o`
     |
     = hint: compose functions with `.`: `setVelTR 0.3[m/s] 0 . setLight On`
   

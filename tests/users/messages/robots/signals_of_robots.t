@@ -200,7 +200,7 @@ A capability that no robot has, or whose module is not imported:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
   > FROB
   $ frobc check setLight_on_pioneer.frob
-  error[E0360]: there is no instance `HasLight PioneerOutput`
+  error[E0360]: a Pioneer does not have the capability `HasLight`, which `setLight` needs
      --> setLight_on_pioneer.frob:4:65
       |
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
@@ -211,8 +211,9 @@ A capability that no robot has, or whose module is not imported:
   230 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` requires `HasLight o` here
       |
-      = note: types with `HasLight`: `CreateOutput`
-      = hint: for a program that runs on every robot with this capability, write the class instead of the robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
+      = note: `RobotOutput` is the output of a Pioneer
+      = note: robots with `HasLight`: Create
+      = hint: for such a robot, write `main :: (HasOdometry i, HasLight o) => Program i o`, and compile with `--robot create`
   
   1 error
   [1]

@@ -127,7 +127,7 @@ A turn rate that lacks:
   2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0.3[m/s]))
     |                                   ------  ^^^^^^^^^^^^^^^^^
     |                                   |
-    |                                   argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
+    |                                   argument 1 of `roMake` is `o -> o`
     |
     = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s): write `setVelTR 0.3[m/s] 0`, for example
   

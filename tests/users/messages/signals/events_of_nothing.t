@@ -30,7 +30,7 @@ Values of events, and functions of them.
   2 | main = proc b -> accumHoldBy (\n -> n + 1) 0 (edge b)
     |                  -----------        ^^^^^
     |                  |
-    |                  argument 1 of `accumHoldBy` is `a -> n[1]`
+    |                  the result of argument 1 of `accumHoldBy` is `a -> n[1]`
     |
     = hint: the function receives one more argument: add a parameter, or `_` if you do not need it, as in `\n _ -> n + 1`
   
@@ -42,7 +42,7 @@ Values of events, and functions of them.
   > main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))
   > FROB
   $ frobc check merged.frob
-  error[E0302]: `mergeE` takes 2 arguments, but is applied to more
+  error[E0302]: `mergeE` takes 2 arguments, but is given 3
    --> merged.frob:2:59
     |
   2 | main = proc (a, b, c) -> count (mergeE (edge a) (edge b) (edge c))

@@ -199,7 +199,7 @@ An input that is a pair, with one name:
    --> too_many_inputs.frob:2:10
     |
   1 | f :: SF (Float, Float) Float
-    |      ----------------------- the signature of `f` requires `(Float, Float)`
+    |      ----------------------- the signature of `f` requires the input `(Float, Float)`
   2 | f = proc (a, b, c) -> a + b
     |          ^^^^^^^^^ this is `(a, b, c)`
     |
@@ -344,7 +344,7 @@ A missing argument, by its name:
   3 | f = proc _ -> roMake (setVelTR 0.3[m/s])
     |               ------  ^^^^^^^^^^^^^^^^^
     |               |
-    |               argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
+    |               argument 1 of `roMake` is `o -> o`
     |
     = hint: `setVelTR` lacks its second argument, `AngularVelocity` (1/s): write `setVelTR 0.3[m/s] 0`, for example
   
@@ -589,7 +589,7 @@ A comma between arguments:
   3 | f = proc _ -> roMake (setVelTR 0.3[m/s], 0)
     |               ------ ^^^^^^^^^^^^^^^^^^^^^^
     |               |
-    |               argument 1 of `roMake` is `a -> a`
+    |               argument 1 of `roMake` is `o -> o`
     |
     = hint: a comma makes a tuple: separate the arguments with spaces, `(setVelTR 0.3[m/s] 0)`
   
@@ -672,11 +672,11 @@ A value of an event that lacks its unit:
   > f = proc x -> Event x when (x > 1)
   > FROB
   $ frobc check event_when.frob
-  error[E0302]: `Event` takes 1 argument, but is applied to more
+  error[E0302]: `Event` takes 1 argument, but is given 3
    --> event_when.frob:2:23
     |
   2 | f = proc x -> Event x when (x > 1)
-    |               -----   ^^^^ one too many
+    |               -----   ^^^^ too many from here on
     |               |
     |               with one argument, its result is `Event Float`
     |

@@ -29,7 +29,7 @@ Signal functions used as functions: not run, composed with `.`, given a function
    --> composed.frob:2:8
     |
   2 | main = integral . derivative
-    |        ^^^^^^^^ - argument 1 of `.` is `a -> b`
+    |        ^^^^^^^^ - argument 1 of `.` is `b -> c`
     |
     = hint: compose signal functions from left to right with `>>>`: `derivative >>> integral`
   

@@ -23,11 +23,11 @@ Bools, events, functions and signal functions, each used instead of another.
   >     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
   > FROB
   $ frobc check when.frob
-  error[E0302]: `when` takes 1 argument, but is applied to more
+  error[E0302]: `when` takes 1 argument, but is given 3
    --> when.frob:3:38
     |
   3 |     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
-    |         ----                         ^ one too many
+    |         ----                         ^ too many from here on
     |         |
     |         with one argument, its result is `Event ()`
     |
@@ -93,7 +93,7 @@ A signature with a function type: reported at the definition, and not again wher
     |                         ------  ------------------------------------------------------------------------------    ^^
     |                         |       |
     |                         |       because this is `SF a (b, Event Distance)`
-    |                         argument 2 of `switch` is `Distance` (m)
+    |                         the parameter of argument 2 of `switch` is `Distance` (m)
     |
     = hint: the signature is `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
     = hint: use `_`, which matches every value

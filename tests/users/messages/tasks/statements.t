@@ -92,13 +92,13 @@ Several tasks in a branch:
   >       else return True)
   > FROB
   $ frobc check several.frob
-  error[E0302]: `turnBy` takes 1 argument, but is applied to more
+  error[E0302]: `turnBy` takes 1 argument, but is given 3
    --> several.frob:8:9
     |
   7 |         turnBy 90[deg]
     |         ------ with one argument, its result is `Task a b Bool`
   8 |         forward 1[m]
-    |         ^^^^^^^ one too many
+    |         ^^^^^^^ too many from here on
     |
     = hint: put `do` before a sequence of tasks
   

@@ -1,0 +1,13 @@
+(** Messages about a robot that lacks a capability. *)
+
+open Typing
+
+val lacking :
+  Wording.t ->
+  user:string ->
+  at:Basis.Span.t ->
+  Ir.class_ ->
+  of_:Type.t ->
+  (Basis.Diagnostic.t -> Basis.Diagnostic.t) option
+(** Completes the message at this place if [of_] is the input or output of a robot in the library,
+    and the robot does not have the capability that the class stands for. *)
