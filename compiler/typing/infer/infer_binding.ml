@@ -142,7 +142,9 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
           match condition with
           | Some condition ->
               expressions.check ctx condition { ty = Bool; because = Condition; parts = [] }
-          | None -> Diagnostic.bug ~stage:"Typing.Infer" "a guard without a condition must be the last one"
+          | None ->
+              Diagnostic.bug ~stage:"Typing.Infer"
+                "a guard without a condition must be the last one"
         in
         let result = expressions.check ctx value expected in
         go ((test, result) :: conditional) (beside ~undecided:false expected value.span) rest
