@@ -13,6 +13,6 @@
   4 |     | x > 0.0 = 1.0
     |     ^^^^^^^^^^^^^^^ there is no value if they do
     |
-    = hint: add a last guard `| otherwise`
+    = hint: add a final guard, `| otherwise`
   
   1 error

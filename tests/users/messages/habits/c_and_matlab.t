@@ -30,7 +30,7 @@ Rows of a matrix:
   > main = proc x -> x
   > FROB
   $ frobc check rows.frob
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
    --> rows.frob:1:10
     |
   1 | m = [1, 2; 3, 4]

@@ -86,7 +86,7 @@ Modules, units and brackets:
   $ M='import Robot\nmain :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR v 0)'
   $ try "$M)\n    where\n    v = 0.5[1/s] * frontSonar i" "$M\n    where\n    v = 0.5[1/s] * frontSonar i)"
   error[E0205]: unknown name `i`
-    = hint: the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: move that bracket to the end of the last equation
+    = hint: the bracket before this `where` ends the `proc`, so the equations after `where` cannot use the signals of the `proc`: move that bracket to the end of the last equation
   [1]
   $ M='import Control\nf :: SF Float Float\nf = proc x ->'
   $ try "$M constrain x 0 1" "$M clamp 0 1 x"

@@ -328,7 +328,7 @@ condition.
   [1]
   $ printf 'table = [1, 2; 3, 4]\n' > writings.frob
   $ frobc check writings.frob
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
    --> writings.frob:1:14
     |
   1 | table = [1, 2; 3, 4]

@@ -156,15 +156,15 @@ Arrays and numbers that other languages generate:
     = hint: write `[0.5, 0.5, 0.5]`: an array literal lists its elements
   [1]
   $ try 'f :: Array 2 (Array 2 Float)' 'f = [0, -1; 1, 0]' 'f = [[0, -1], [1, 0]]'
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
     = hint: the rows of a matrix are arrays: write `[[0, -1], [1, 0]]`
   [1]
   $ try 'f :: Array 2 (Array 2 Float)' 'f = [0 -1; 1 0]' 'f = [[0, -1], [1, 0]]'
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
     = hint: the rows of a matrix are arrays: write `[[0, -1], [1, 0]]`
   [1]
   $ try 'f :: Array 3 Float' 'f = [1; 2; 3]' 'f = [1, 2, 3]'
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
     = hint: write `[1, 2, 3]`
   [1]
   $ T='import Robot\nimport Trial\nmain :: Program RobotInput RobotOutput\nmain = reactimateRobot (proc i -> roMake (setVelTR 0 0))\ntrial "stays" = Trial { world = "room.toml", lasts = 60[s], judge = neverTouches,'

@@ -284,7 +284,7 @@ Keywords and symbols of other languages around a definition.
   >   printf 'import Past\nmain :: SF (Float, Float) Float\nmain = proc (v, w) -> v where\n    assert "stops" (%s)\n' "$e" > chain.frob
   >   frobc check chain.frob 2>&1 | grep hint
   > done
-    = hint: put parentheses around both comparisons: ``(v == 0) `implies` (w == 0)``
+    = hint: put parentheses around each comparison: ``(v == 0) `implies` (w == 0)``
     = hint: compare two values at a time: ``v < 1 `min` w && 1 `min` w < 2``
   $ sed 's/assert.*/assert "stops" ((v == 0) `implies` (w == 0))/' chain.frob > pasted.frob && frobc check pasted.frob
   $ sed -e 1d -e 's/assert.*/assert "stops" (v < 1 `min` w \&\& 1 `min` w < 2)/' chain.frob > pasted.frob && frobc check pasted.frob

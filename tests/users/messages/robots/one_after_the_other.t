@@ -21,7 +21,7 @@ Semicolons, several commands, and a signature of too few parameters: one message
   > main = proc x -> [x; x; x]
   > FROB
   $ frobc check elements.frob
-  error[E0111]: array elements are not separated by `;`
+  error[E0111]: separate array elements with `,`, not `;`
    --> elements.frob:2:20
     |
   2 | main = proc x -> [x; x; x]

@@ -19,7 +19,7 @@ A signal is in scope only in its `proc`, which ends at a bracket or comma:
   5 |     way = integral (velocity i)
     |                              ^
     |
-    = hint: the `proc` ends at the bracket before this `where`, which therefore cannot use its signals: move that bracket to the end of the last equation
+    = hint: the bracket before this `where` ends the `proc`, so the equations after `where` cannot use the signals of the `proc`: move that bracket to the end of the last equation
   
   1 error
   [1]

@@ -95,7 +95,7 @@ A function that runs a signal function:
   > main = nearer 0.4[m]
   > FROB
   $ frobc check parameter.frob 2>&1 | grep hint
-    = hint: take the signal in a `proc`: begin the definition with `nearer d = proc i ->`
+    = hint: make the signal the input of a `proc`: begin the definition with `nearer d = proc i ->`
   $ sed '3s/nearer d i =/nearer d = proc i ->/' parameter.frob > pasted.frob && frobc check pasted.frob
 
 A signal of another `proc`:
