@@ -40,7 +40,7 @@ let inference words (fact : Typing.Inference_fact.t) =
   | In_degrees { angle; factors; beside } ->
       Degrees_warning.in_degrees words ~angle ~factors ~beside
   | Idle_return { statement; is_choice; next } ->
-      Statement_warning.idle_return statement ~is_choice ~next
+      Statement_warning.idle_return words statement ~is_choice ~next
   | Unreachable_statement { at; endless } -> Statement_warning.unreachable ~at endless
   | Long_array { at; length; longest } -> Literal_mistake.long_array ~at ~length ~longest
   | Empty_array at -> Literal_mistake.empty_array at

@@ -105,7 +105,7 @@ as signal functions.
   19 | h3 = switch (constant (1, NoEvent)) (\_ -> g)
      |      ------                                ^ this is `Task Float Float Float`
      |      |
-     |      argument 2 of `switch` is `SF a n[1]`
+     |      the result of argument 2 of `switch` is `SF a n[1]`
      |
      = hint: `switch` continues with a signal function: to continue with a task, use a `do` instead, with `mkTask (…)` around the first argument of `switch` on its first line and `g` on its second; `reactimateTask` turns the `do` into a program
   

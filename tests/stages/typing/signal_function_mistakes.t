@@ -115,7 +115,7 @@ Too many and too few arguments.
   > two x y = x
   > FROB
   $ frobc check arguments.frob
-  error[E0302]: `integral` takes 1 argument, but is applied to more
+  error[E0302]: `integral` takes 1 argument, but is given 2
    --> arguments.frob:1:30
     |
   1 | total = proc v -> integral v 2
@@ -125,7 +125,7 @@ Too many and too few arguments.
     |
     = hint: `integral` starts at 0: for another initial value, write `x0 + integral v`; to restart it when an event occurs, write `resetOn integral (v, e)`
   
-  error[E0302]: `max` takes 2 arguments, but is applied to more
+  error[E0302]: `max` takes 2 arguments, but is given 3
    --> arguments.frob:3:23
     |
   3 | largest = max 1.0 2.0 3.0

@@ -21,6 +21,19 @@ let param ~at name (scheme : Ir.scheme) =
       refuse (cannot_be "polymorphic type" ty) ~hint:"name its unit, as in `Float[1/m]`"
   | _, (Function _ | Signal_function _) ->
       refuse (cannot_be "type" ty) ~hint:"make the parameter a number, and use it in the function"
+  | _, Data { tycon = { name = ("Vec2" | "Vec3") as vector; _ }; units = [ unit_ ]; _ } ->
+      let fields = if String.equal vector "Vec2" then [ "x"; "y" ] else [ "x"; "y"; "z" ] in
+      let part field = name ^ String.capitalize_ascii field in
+      let number = Show.ty (Number (Float, unit_)) in
+      let zero = String.sub number 5 (String.length number - 5) in
+      let param field = Printf.sprintf "`param %s :: %s = 0%s`" (part field) number zero in
+      let setting field = Printf.sprintf "%s = %s" field (part field) in
+      refuse (cannot_be "type" ty)
+        ~hint:
+          (Printf.sprintf "declare a parameter for each number, %s, and write `%s = %s { %s }`"
+             (String.concat ", " (List.map param fields))
+             name vector
+             (String.concat ", " (List.map setting fields)))
   | _, (Tuple _ | Data _) ->
       refuse (cannot_be "type" ty)
         ~hint:

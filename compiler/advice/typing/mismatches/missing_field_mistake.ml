@@ -79,6 +79,18 @@ let as_a_call parameters ty ~name ~record arguments =
   in
   String.concat " " (name :: insert 0 (List.map Source.grouped arguments))
 
+(* The field of a pose that other libraries give this name. *)
+let field_of_that_meaning words name ty =
+  let meant =
+    match name with
+    | "theta" | "yaw" | "angle" | "orientation" | "direction" | "bearing" | "th" -> "heading"
+    | "pos" | "location" | "point" | "translation" -> "position"
+    | _ -> ""
+  in
+  match Wording.fields words ty with
+  | Some ("Pose", fields) when List.mem meant fields -> Some meant
+  | _ -> None
+
 (* A function or signal function of that name, used with field syntax by mistake. *)
 let as_a_function words ?ty (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
   match of_that_name words name with
@@ -341,6 +353,10 @@ let of_record words (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known
           let text = Printf.sprintf "%s.%s" applied name.text in
           Diagnostic.hint "`%s` is a function: write `%s`" f text d
           |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
+      | _, Some text when field_of_that_meaning words name.text ty <> None ->
+          let field = Option.get (field_of_that_meaning words name.text ty) in
+          Diagnostic.hint "write `%s.%s`" (Source.grouped text) field d
+          |> Diagnostic.write name.span field
       | _, Some text when field_within words ty name.text <> None ->
           let field = Option.get (field_within words ty name.text) in
           let fixed = Printf.sprintf "%s.%s.%s" (Source.grouped text) field name.text in

@@ -311,7 +311,7 @@ let in_place_of_a_function fact =
       Some
         (if Switch_mistake.goes_on fact.expected then
            let text = "\\_ -> " ^ raw fact "…" in
-           hint "write a function that ignores its argument: `%s`" text d
+           hint "write a function that ignores its argument: `(%s)`" text d
            |> if source fact = None then Fun.id else Unrun_mistake.instead fact.subject text
          else
            match next_mode fact with

@@ -3,7 +3,8 @@
 
 open Basis
 
-val idle_return : Resolve.Ir.expr -> is_choice:bool -> next:Span.t option -> Diagnostic.t
+val idle_return :
+  Wording.t -> Resolve.Ir.expr -> is_choice:bool -> next:Span.t option -> Diagnostic.t
 (** See {!Typing.Inference_fact.Idle_return}. *)
 
 val unreachable : at:Span.t -> Resolve.Ir.expr -> Diagnostic.t

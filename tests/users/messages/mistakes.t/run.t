@@ -416,7 +416,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
     |        |
     |        argument 2 of `switch` is `() -> SF Float[m] Float[m/s]`
     |
-    = hint: write a function that ignores its argument: `\_ -> constant 0`
+    = hint: write a function that ignores its argument: `(\_ -> constant 0)`
   
   1 error
   # 036_mode_calls_itself.frob
@@ -628,7 +628,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   
   1 error
   # 054_setLight_on_pioneer.frob
-  error[E0360]: there is no instance `HasLight PioneerOutput`
+  error[E0360]: a Pioneer does not have the capability `HasLight`, which `setLight` needs
      --> 054_setLight_on_pioneer.frob:4:65
       |
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
@@ -639,8 +639,9 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   230 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` requires `HasLight o` here
       |
-      = note: types with `HasLight`: `CreateOutput`
-      = hint: for a program that runs on every robot with this capability, write the class instead of the robot's type: `main :: (HasOdometry i, HasLight o) => Program i o`
+      = note: `RobotOutput` is the output of a Pioneer
+      = note: robots with `HasLight`: Create
+      = hint: for such a robot, write `main :: (HasOdometry i, HasLight o) => Program i o`, and compile with `--robot create`
   
   1 error
   # 055_two_modules_T.frob
@@ -909,7 +910,7 @@ A hundred mistakes and the messages for them. INDEX.md describes each mistake.
   5 |     print("speed", v))
     |     ^^^^^
     |
-    = hint: a program cannot print, so remove this line: `frobc run` prints the result of a task when the task ends; to see other values, make them outputs, and write all outputs to a file with `--record`
+    = hint: a program cannot print, so remove this line: `frobc run FILE --view` shows every signal, `--probe v --record run.csv` records the signal `v`, and the result of a task is printed when the task ends
   
   1 error
   # 080_and_word.frob

@@ -111,7 +111,7 @@ Arguments:
     |        |
     |        argument 2 of `switch` is `() -> SF Float[m] Float[m/s]`
     |
-    = hint: write a function that ignores its argument: `\_ -> constant 0`
+    = hint: write a function that ignores its argument: `(\_ -> constant 0)`
   
   1 error
   [1]

@@ -350,7 +350,7 @@ Arguments of a switch, components of a program, computations with arrays, and a 
     |        |
     |        argument 2 of `switch` is `() -> SF n[m] n[m]`
     |
-    = hint: write a function that ignores its argument: `\_ -> next`
+    = hint: write a function that ignores its argument: `(\_ -> next)`
   
   1 error
   [1]

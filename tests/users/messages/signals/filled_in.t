@@ -152,7 +152,7 @@ An index that changes, a field by its first letters, and modules that are built 
   $ sed 's/xs ! (k + 1)/at (k + 1) 0 xs/' index.frob > pasted.frob && frobc check pasted.frob
   $ printf 'import Geometry\nmain :: SF Pose Distance\nmain = proc p -> p.pos.x\n' > field.frob
   $ frobc check field.frob 2>&1 | grep hint
-    = hint: did you mean `position`?
+    = hint: write `p.position`
   $ sed 's/p.pos/p.position/' field.frob > pasted.frob && frobc check pasted.frob
   $ for m in Math Time List Random; do
   >   printf 'import %s\nmain :: SF Float Float\nmain = proc x -> sin x\n' $m > module.frob

@@ -118,7 +118,7 @@ Tasks with the statements of other languages.
   5 |     if place x == place x then return 5 else return 6
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: move the remaining statements into the other branch: `if c then return x else do`
+    = hint: move the remaining statements into the other branch: `if place x == place x then return 5 else do`
   
   warning[W0312]: this `return` has no effect: the statements after it still run
    --> early_return.frob:6:5
