@@ -89,14 +89,10 @@ let abstraction ctx ~at ~name ~is_proc parameters (expected : Expected.t) body =
       match Type.expand rest with
       | Function (a, b) -> (a, b)
       | Erroneous -> (Type.Erroneous, Type.Erroneous)
-      | Flexible _ ->
+      | other -> (
           let a = Context.fresh ctx and b = Context.fresh ctx in
           expect ctx ~at { expected with ty = rest } (Function (a, b));
-          (a, b)
-      | _ ->
-          let a = Context.fresh ctx and b = Context.fresh ctx in
-          expect ctx ~at { expected with ty = rest } (Function (a, b));
-          (Type.Erroneous, Type.Erroneous)
+          match other with Flexible _ -> (a, b) | _ -> (Type.Erroneous, Type.Erroneous))
     in
     let pattern = Infer_pattern.check ctx p (Reason.part Of_parameter expected from) in
     (pattern :: patterns, into)

@@ -37,7 +37,9 @@ let program (row : Phrase.t) =
 let expected (row : Phrase.t) =
   let replacement = Option.value row.replacement ~default:"" in
   match row.place with
-  | Value | Robot | Constructor | Type | Class | Qualifier | Module -> Phrasebook.hint row
+  | Value | Robot | Constructor | Type | Qualifier | Module -> Phrasebook.hint row
+  (* The fix after the colon can be the program's own signature without the class. *)
+  | Class -> List.hd (String.split_on_char ':' (Phrasebook.hint row))
   | Call -> Printf.sprintf "write `%s`%s" replacement (Option.value row.hint ~default:"")
   | Reading | Speed | In_array | In_event | In_task -> Printf.sprintf "write `%s`" replacement
   | Controller -> Printf.sprintf "use `%s`" replacement

@@ -117,7 +117,7 @@ let minus_in_name ~at ~(left : Ir.name) ~(right : Ir.name) =
 let operator_on_left ~text (operator : Ir.qualified) =
   let at = operator.span in
   match Own_operator.built_in_class ~text at with
-  | Some (class_, at) -> Class_mistake.built_in_class ~at class_
+  | Some (class_, at) -> Built_in_class.instance ~at class_
   | None ->
       error at
         "the left-hand side of a definition cannot contain `%s`: programs cannot define operators"

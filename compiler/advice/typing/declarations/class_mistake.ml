@@ -11,12 +11,6 @@ let constrained_variable (c : Resolve.Ir.constraint_) (variable : Ir.variable) =
     "the context of a method cannot constrain the class's own variable `%s`" variable.name
   |> Diagnostic.hint "make `%s` a superclass" c.class_.name
 
-let built_in_class ~at class_ =
-  Diagnostic.error ~code:"E0366" ~at "you cannot declare an instance of `%s`" class_
-  |> Diagnostic.note
-       "the compiler already compares all values by structure, except those that contain functions"
-  |> Diagnostic.hint "remove the instance"
-
 let instance_head words (instance : Resolve.Ir.instance) head =
   let diagnostic =
     Diagnostic.error ~code:"E0362" ~at:instance.head.span

@@ -7,10 +7,6 @@ open Typing
 
 val method_without_variable : Resolve.Ir.method_ -> Ir.variable -> Diagnostic.t
 val constrained_variable : Resolve.Ir.constraint_ -> Ir.variable -> Diagnostic.t
-
-val built_in_class : at:Span.t -> string -> Diagnostic.t
-(** [at]: the head of the instance *)
-
 val instance_head : Wording.t -> Resolve.Ir.instance -> Type.t -> Diagnostic.t
 val second_instance : Wording.t -> Resolve.Ir.instance -> Type.t -> first:Span.t -> Diagnostic.t
 

@@ -52,7 +52,7 @@ let diagnostic words (fact : Declaration_fact.t) =
       Class_mistake.method_without_variable method_ variable
   | Constrained_variable { constraint_; variable } ->
       Class_mistake.constrained_variable constraint_ variable
-  | Built_in_class instance -> Class_mistake.built_in_class ~at:instance.span instance.class_.name
+  | Built_in_class instance -> Built_in_class.instance ~at:instance.span instance.class_.name
   | Instance_head { instance; head } -> Class_mistake.instance_head words instance head
   | Second_instance { instance; head; first } ->
       Class_mistake.second_instance words instance head ~first
