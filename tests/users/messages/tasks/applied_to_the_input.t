@@ -11,7 +11,7 @@ A task that is applied to the input of a `proc`, like a signal function.
   >     out  = driveTo goal i
   > FROB
   $ frobc check equation.frob
-  error[E0302]: `driveTo` takes 1 argument, but is applied to more
+  error[E0302]: `driveTo` takes 1 argument, but is given 2
    --> equation.frob:8:25
     |
   8 |     out  = driveTo goal i
