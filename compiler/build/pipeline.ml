@@ -56,7 +56,7 @@ let front ?(seen = ignore) (r : Request.t) sink sources =
   let reached = reachable resolved in
   let* typed = Typing.Of_resolved.program ~sources facts ~real:r.options.real reached in
   seen (Typed typed);
-  Warnings.emit r sink ~resolved:reached typed;
+  Warnings.emit r sink ~sources ~resolved:reached typed;
   Option.iter (Robots.check_own sink typed) (Request.own_robot r);
   Typing.Record_updates.check facts typed;
   let* typed = stage r sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed in

@@ -130,7 +130,7 @@ type in_types =
     }  (** [SF Bool Event ()] *)
   | Representation_without_parameter of { name : name; owner : string }
   | Size_not_a_number of { at : Span.t; alias : string option }
-  | Size_of_variable of { at : Span.t; variable : string }
+  | Size_of_variable of { at : Span.t; variable : string; text : string  (** of the file *) }
   | Type_circle of { main : Ir.type_declaration; circle : Ir.type_declaration list }
       (** [circle] contains [main] *)
   | Unit_circle of { main : Ir.unit_declaration; others : Ir.unit_declaration list }

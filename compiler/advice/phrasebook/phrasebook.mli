@@ -16,3 +16,6 @@ val name : Phrase.t -> string option
 val applied : Phrase.place -> string -> string list -> (string * Phrase.t) option
 (** Finds the first row for the word at this place with this number of arguments. Returns its
     replacement, with these arguments substituted, and the row. *)
+
+val with_arguments : (string * string) list -> string -> string
+(** Replaces each of these names in the text with the text for it. *)

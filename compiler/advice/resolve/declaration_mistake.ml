@@ -158,6 +158,36 @@ let size_not_a_number ~at alias =
   | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but it is not a number")
   |> Diagnostic.hint "define the size as a number, as in `type N = 25`"
 
+(* The signature with another variable instead of the parenthesized size at this place. *)
+let with_size_variable ~text (at : Span.t) =
+  let start = Text_place.line_start text (Text_place.offset text at.start) in
+  let offset = Text_place.offset text at.start - start in
+  let line = String.sub text start (Text_place.end_of_line text start - start) in
+  let is_free letter =
+    let word = String.map (fun c -> if Character.is_name c then c else ' ') line in
+    not (List.mem letter (String.split_on_char ' ' word))
+  in
+  match
+    ( String.rindex_from_opt line offset '(',
+      String.index_from_opt line offset ')',
+      List.find_opt is_free [ "k"; "m"; "j" ] )
+  with
+  | Some first, Some last, Some letter when Text_place.find " :: " line <> None ->
+      let inside = String.sub line (first + 1) (last - first - 1) in
+      if String.contains inside '(' then None
+      else
+        Some
+          (String.trim
+             (String.sub line 0 first ^ letter
+             ^ String.sub line (last + 1) (String.length line - last - 1)))
+  | _ -> None
+
+let size_of_variable ~text ~at variable =
+  Diagnostic.error ~code:"E0330" ~at
+    "`%s` is a variable, but arithmetic on sizes needs known numbers" variable
+  |> Diagnostic.hint "use another variable for the result, as in `%s`"
+       (Option.value (with_size_variable ~text at) ~default:"take :: Array n a -> Array k a")
+
 (* {1 Circles} *)
 
 (* Shows a cycle as `A` → `B` → `A`. *)
@@ -234,11 +264,7 @@ let diagnostic suggestions : Fact.in_types -> Diagnostic.t = function
         owner
       |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
   | Size_not_a_number { at; alias } -> size_not_a_number ~at alias
-  | Size_of_variable { at; variable } ->
-      Diagnostic.error ~code:"E0330" ~at
-        "`%s` is a variable, but arithmetic on sizes needs known numbers" variable
-      |> Diagnostic.hint
-           "use another variable for the result, as in `take :: Array n a -> Array k a`"
+  | Size_of_variable { at; variable; text } -> size_of_variable ~text ~at variable
   | Type_circle { main; circle } -> type_circle main circle
   | Unit_circle { main; others } -> unit_circle main others
   | Class_circle { main; others } -> class_circle main others

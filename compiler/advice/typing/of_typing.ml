@@ -54,7 +54,7 @@ let diagnostic sources (fact : Typing.Fact.t) =
   match fact with
   | Pattern fact -> Pattern_mistake.diagnostic sources fact
   | Level fact -> Level_mistake.diagnostic sources fact
-  | Warning fact -> Typing_warning.diagnostic fact
+  | Warning fact -> Typing_warning.diagnostic sources fact
   | Declaration { around; fact } -> Typed_declaration_mistake.diagnostic (wording around) fact
   | Inference { around; fact } -> inference (wording around) fact
   | Instance { around; fact } -> Instance_mistake.diagnostic (wording around) fact

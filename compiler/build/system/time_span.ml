@@ -1,8 +1,13 @@
 let units = [ ("ms", 0.001); ("min", 60.); ("s", 1.); ("hour", 3600.); ("h", 3600.) ]
 
 let read ~least text =
+  let is_decimal = String.for_all (function '0' .. '9' | '.' -> true | _ -> false) in
   let wrong =
-    Error (Printf.sprintf "`%s` is not a duration; write it like 60s, 500ms, 2min or 1h" text)
+    Error
+      (if text <> "" && is_decimal text then
+         Printf.sprintf "`%s` is not a duration: add a unit, for example `%ss`" text text
+       else
+         Printf.sprintf "`%s` is not a duration: write a number and a unit, for example `10s`" text)
   in
   let suffix (unit_, _) =
     String.length text > String.length unit_ && Filename.check_suffix text unit_
@@ -11,9 +16,9 @@ let read ~least text =
   | None -> wrong
   | Some (unit_, seconds) -> (
       let digits = String.sub text 0 (String.length text - String.length unit_) in
-      let is_decimal = String.for_all (function '0' .. '9' | '.' -> true | _ -> false) digits in
       match float_of_string_opt digits with
-      | Some value when is_decimal && least value && value *. seconds < 1e9 -> Ok (value *. seconds)
+      | Some value when is_decimal digits && least value && value *. seconds < 1e9 ->
+          Ok (value *. seconds)
       | _ -> wrong)
 
 let parse = read ~least:(fun value -> value > 0.)

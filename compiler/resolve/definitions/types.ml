@@ -187,7 +187,8 @@ and known_size scope (t : Syntax.Ir.ty) =
       | Some left, Some right -> Some (size_operation operator left right)
       | _ -> None)
   | Type_variable name ->
-      report scope (Size_of_variable { at = t.span; variable = name.text });
+      report scope
+        (Size_of_variable { at = t.span; variable = name.text; text = scope.visible.text });
       None
   | Type _ | Representation _ | Function _ | Tuple_type _ ->
       report scope (Size_not_a_number { at = t.span; alias = None });

@@ -87,7 +87,7 @@ as signal functions.
   15 |    y = g x
      |        ^ - it is applied to an argument here
      |
-     = hint: use `runTask t` to turn a task into a signal function
+     = hint: a `proc` cannot run a task, because a task takes time: compute a value here, or run `g` in a `do`, as in `main = reactimateTask (do …)`
   
   error[E0371]: expected a signal function, found a task
     --> mistakes.frob:17:6
@@ -287,7 +287,7 @@ Arguments in the wrong order: a time instead of a task, or the reverse.
     |                                      |
     |                                      argument 2 of `timeOut` is `Time` (s)
     |
-    = hint: this is argument 2: `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
+    = hint: the signature is `timeOut :: Task a b c -> Time -> Task a b (Maybe c)`
   
   error[E0301]: the arguments of `retryT` are in the wrong order
     --> order.frob:11:5

@@ -64,7 +64,13 @@ let call (t : Unknown.t) =
       let is_an_argument = Name_in_text.is_an_argument ~text:(Unknown.text t) whole in
       let shown = if is_an_argument then Source.grouped text else text in
       let quote = if String.contains shown '`' then "``" else "`" in
-      Printf.sprintf "write %s%s%s%s" quote shown quote (Rewritten.import_of t text)
+      let instead =
+        (* the error is at the step, but the fix replaces the whole quotient *)
+        if Rewritten.is_time_step t.name.text && Span.line whole.start = Span.line whole.stop then
+          Printf.sprintf " instead of `%s`" (Name_in_text.written ~text:(Unknown.text t) whole)
+        else ""
+      in
+      Printf.sprintf "write %s%s%s%s%s" quote shown quote (Rewritten.import_of t text) instead
       |> Imports.without_imported t.module_.visible
       |> explained t
       |> Diagnostic.write whole (Source.grouped text))
@@ -114,6 +120,37 @@ let of_no_event (t : Unknown.t) =
         (explained t "for an event that does not occur, write `NoEvent`"
         |> Diagnostic.write t.name.span "NoEvent")
   | Some _ | None -> None
+
+(* `double :: n[u] -> n[u]` for `double :: Num a => a -> a` *)
+let numeric_class (t : Unknown.t) =
+  let type_ =
+    match t.name.text with
+    | "Num" | "Real" -> Some "n[u]"
+    | "Fractional" | "Floating" | "RealFrac" | "RealFloat" -> Some "Float[u]"
+    | "Integral" -> Some "Int[u]"
+    | _ -> None
+  in
+  let signature () = Name_in_text.signature ~text:(Unknown.text t) t.name.span in
+  match (t.namespace, type_) with
+  | Classes, Some number ->
+      Option.bind (signature ()) (fun line ->
+          match (Text_place.find " :: " line, Text_place.find " => " line) with
+          | Some colons, Some arrow -> (
+              let context = String.sub line (colons + 4) (arrow - colons - 4) in
+              let of_words c = if c = '(' || c = ')' then ' ' else c in
+              match
+                List.filter (( <> ) "") (String.split_on_char ' ' (String.map of_words context))
+              with
+              | [ class_; variable ] when class_ = t.name.text && Text_place.is_a_name variable ->
+                  let ty = String.sub line (arrow + 4) (String.length line - arrow - 4) in
+                  Some
+                    (explained t
+                       (Printf.sprintf "Frob has no numeric type classes: write `%s :: %s`"
+                          (String.trim (String.sub line 0 colons))
+                          (Phrasebook.with_arguments [ (variable, number) ] (String.trim ty))))
+              | _ -> None)
+          | _ -> None)
+  | _ -> None
 
 let word (t : Unknown.t) =
   let row = Option.bind (place t) (fun place -> Phrasebook.find place t.name.text) in
@@ -233,6 +270,7 @@ let rules =
     of_last_element;
     loop;
     of_no_event;
+    numeric_class;
     word;
     c_declaration;
   ]

@@ -28,3 +28,6 @@ val call : Unknown.t -> (Span.t * string) option
 val import_of : Unknown.t -> string -> string
 (** The end of a hint about this rewritten application, such as the import that it requires; may be
     empty. *)
+
+val is_time_step : string -> bool
+(** Is this a usual name of the length of a time step, such as [dt]? *)

@@ -265,8 +265,9 @@ let comparison found =
 (* A comma after an equation or a statement, as between the entries of a record. *)
 let comma found =
   let is_outside_brackets = not (in_brackets found.context || compares found.context) in
+  let follows_a_value = List.exists (names_before found) [ "="; "<-"; "-<" ] in
   match (found.token.token, innermost_block found.context) with
-  | COMMA, ((Top | Where | Let | Do | Rec) as block) when is_outside_brackets ->
+  | COMMA, ((Top | Where | Let | Do | Rec) as block) when is_outside_brackets && follows_a_value ->
       let stop = found.token.stop.pos_cnum in
       let what =
         match block with Do | Rec -> "statement" | Top | Let | Where | Of -> "equation"

@@ -77,15 +77,15 @@ let own_operator =
 (* `map (\x -> x * 2) xs` for `xs .* 2`, `zipWith (\x y -> x * y) xs ys` for `xs .* ys` *)
 let element_by_element found (point : Layout.token) operator =
   let left = word_before found point.start.pos_cnum in
-  let right = rest_of_line found found.token.stop.pos_cnum in
+  let right = Text_place.without_closing (rest_of_line found found.token.stop.pos_cnum) in
   let is_word text = text <> "" && String.for_all Basis.Character.is_name text in
   if not (is_word left && is_word right) then None
   else
     let text =
       if Basis.Character.is_digit right.[0] then
         Printf.sprintf "map (\\x -> x %c %s) %s" operator right left
-      else if operator = '^' then Printf.sprintf "zipWith (\\x y -> x ** y) %s %s" left right
-      else Printf.sprintf "zipWith (\\x y -> x %c y) %s %s" operator left right
+      else if operator = '^' then Printf.sprintf "zipWith (**) %s %s" left right
+      else Printf.sprintf "zipWith (%c) %s %s" operator left right
     in
     Some
       (Printf.sprintf
@@ -158,11 +158,48 @@ let joined_texts found operator =
       "strings and arrays cannot be concatenated: a string is a label, and an array has a fixed \
        size"
 
+(* `mapE f e` or `map f xs` for `f <$> e`, if the operands are a function in parentheses or a name,
+   and the rest of the line. *)
+let mapped found (operator : Layout.token) =
+  let text = found.text in
+  let rec trimmed i = if i > 0 && is_blank (char_at found (i - 1)) then trimmed (i - 1) else i in
+  let stop = trimmed operator.start.pos_cnum in
+  let rec opening i depth =
+    if i < operator.start.pos_bol then None
+    else
+      match text.[i] with
+      | ')' -> opening (i - 1) (depth + 1)
+      | '(' -> if depth = 1 then Some i else opening (i - 1) (depth - 1)
+      | _ -> opening (i - 1) depth
+  in
+  let f =
+    if stop > 0 && text.[stop - 1] = ')' then
+      Option.map (fun first -> between found first stop) (opening (stop - 1) 0)
+    else
+      match word_before found stop with
+      | name when Text_place.is_a_name name -> Some name
+      | _ -> None
+  in
+  let argument = Text_place.without_closing (rest_of_line found (found.token.stop.pos_cnum + 1)) in
+  let argument =
+    match Text_place.find " where" argument with
+    | Some i -> String.sub argument 0 i
+    | None -> argument
+  in
+  match f with
+  | Some f when argument <> "" && String.length f + String.length argument < 60 ->
+      let applied name = Printf.sprintf "%s %s %s" name f (Basis.Source.grouped argument) in
+      Some
+        (Printf.sprintf "write `%s` for an event, or `%s` for an array" (applied "mapE")
+           (applied "map"))
+  | _ -> None
+
 (* An operator from another language that starts with a Frob operator. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
   else
     match written found before ^ written found found.token with
+    | "<$" when after found = '>' && mapped found before <> None -> mapped found before
     | "<$" | "<*" ->
         Some
           "use `mapE f e` to apply a function to an event's value, or `map f xs` to apply it to \

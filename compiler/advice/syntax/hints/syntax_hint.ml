@@ -161,7 +161,6 @@ let equations_and_fields =
   [ Indentation_hint.equations_before_output ]
   @ texts
       [
-        Equation_hint.comma;
         Equation_hint.changed;
         Equation_hint.in_a_choice;
         Equation_hint.keyword_argument;
@@ -230,6 +229,7 @@ let general =
         Declaration_hint.word_as_name;
         Indentation_hint.not_indented;
         Indentation_hint.misplaced_line;
+        Equation_hint.comma;
       ]
 
 let rules = habits @ imports @ declarations @ equations_and_fields @ expressions @ general

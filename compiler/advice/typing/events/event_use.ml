@@ -251,13 +251,16 @@ let of_a_maybe fact =
 (* `hold` applied to a value that exists at every instant. *)
 let held_value fact =
   match fact.expected.because with
-  | Parameter { callee = Some (("hold" | "dHold") as hold); _ }
+  | Parameter { callee = Some (("hold" | "dHold") as hold); given; _ }
     when event_wanted fact && is_plain fact.found && fact.given <> Bool ->
+      let start =
+        match given with x0 :: _ :: _ -> Wording.argument_or "x0" fact.words x0 | _ -> "x0"
+      in
       Some
         (Printf.sprintf
            "this has a value at every instant: to keep its value from the latest occurrence of an \
-            event `e`, hold `tag e %s`; otherwise, remove the `%s`"
-           (grouped fact "x") hold)
+            event `e`, write `%s %s (tag e %s)`; otherwise, remove the `%s`"
+           hold start (grouped fact "x") hold)
   | _ -> None
 
 (* Any other value in place of an event. *)

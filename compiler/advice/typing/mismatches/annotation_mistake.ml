@@ -15,8 +15,9 @@ let scaled_unit environment places measure =
   let d =
     Diagnostic.error ~code:"E0321" ~at:first
       "a type cannot contain a scaled unit, because values are stored in base units"
-    |> Diagnostic.hint "write `%s` here%s; use scaled units only after literals" text
-         (if Units.equal measure Units.one then ", or `Angle` as the whole type" else "")
+    |> Diagnostic.hint "%s; use scaled units only after literals"
+         (if Units.equal measure Units.one then "write the type `Angle`, or the unit `1`"
+          else Printf.sprintf "write `%s` here" text)
     |> Diagnostic.fix
          (Printf.sprintf "write `%s`" text)
          (List.map (fun place -> (place, text)) places)

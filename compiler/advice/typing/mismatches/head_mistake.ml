@@ -52,9 +52,43 @@ let not_taken fact =
 
    Each rule that applies returns a function that completes the message. *)
 
+(* `[1, 2, 3]` for `[1 2 3]`, if the number is the first element of an array on one line, and the
+   other elements are numbers or names. *)
+let elements_without_commas fact =
+  let sources = Wording.sources fact.words and at = fact.head.span in
+  Option.bind (Source.text sources at.file) (fun text ->
+      let first = Source.offset sources at.file at.start in
+      match (Text_place.char_at text (first - 1), String.index_from_opt text first ']') with
+      | '[', Some last ->
+          (* a bracket that follows a digit belongs to a unit *)
+          let rec closing last =
+            match String.index_from_opt text (last + 1) ']' with
+            | Some next when String.contains (String.sub text last (next - last)) '[' ->
+                closing next
+            | _ -> last
+          in
+          let last =
+            if String.contains (String.sub text first (last - first)) '[' then
+              Option.value (String.index_from_opt text (closing last + 1) ']') ~default:last
+            else last
+          in
+          let inside = String.sub text first (last - first) in
+          let is_plain c = Character.is_name c || String.contains ".[]/^ " c in
+          if String.for_all is_plain inside && last <= Text_place.end_of_line text first then
+            let all = List.filter (( <> ) "") (String.split_on_char ' ' inside) in
+            let stop = Span.forward (last - first) at.start in
+            Some ({ at with stop }, String.concat ", " all)
+          else None
+      | _ -> None)
+
 (* `[1 2]`. *)
 let after_a_number fact =
   match fact.head.desc with
+  | Number _ when fact.position = 1 && elements_without_commas fact <> None ->
+      Option.map
+        (fun (place, elements) d ->
+          hint "put commas between the elements: `[%s]`" elements d |> write place elements)
+        (elements_without_commas fact)
   | Number { digits; unit_; _ } when fact.position = 1 ->
       let factor = if unit_ = None then Wording.quote fact.words fact.at else None in
       Some

@@ -304,6 +304,26 @@ let task fact =
 (* Arithmetic on signal functions, where one operand is a number. *)
 let signal_function fact =
   match fact.lack.lacking with
+  | Declared { name = "RobotOutput"; _ }
+    when is_signal_function fact.lack.culprit && fact.required.by = Name "roMake" ->
+      let at = fact.required.at in
+      let written =
+        Option.bind
+          (Source.text (Wording.sources fact.words) at.file)
+          (fun text ->
+            Option.bind (Name_in_text.application ~text at) (fun (whole, _) ->
+                Option.map (fun output -> (whole, output)) (Wording.quote fact.words whole)))
+      in
+      let text = Option.fold written ~none:"(roMake (…))" ~some:(fun (_, o) -> Source.grouped o) in
+      Some
+        (fun d ->
+          Diagnostic.message "a signal function is needed here, but %s returns an output"
+            (user fact)
+            { d with here = None; labels = [] }
+          |> Diagnostic.hint
+               "for a signal function that always returns this output, write `constant %s`" text
+          |> Option.fold written ~none:Fun.id ~some:(fun (whole, output) ->
+                 Diagnostic.write whole ("(constant " ^ Source.grouped output ^ ")")))
   | Declared _ when is_signal_function fact.lack.culprit ->
       Some (Diagnostic.hint "use `constant e` for a signal function that always returns `e`")
   | _ -> None

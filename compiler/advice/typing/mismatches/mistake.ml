@@ -49,7 +49,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
       in
       hint "`atan` takes one argument: to compute an angle from two sides, write `atan2 %s %s`"
         (text y "y") (text x "x") { d with hints = []; fixes = [] }
-  | Parameter { head = Some { desc = Global g; _ }; given; takes; position; _ }
+  | Parameter { head = Some { desc = Global g; _ }; given; takes; _ }
     when (d.hints = [] || (List.length given > takes && String.equal d.code "E0320"))
          && (takes > 1 || List.length given > takes)
          && (String.equal d.code "E0301"
@@ -62,7 +62,7 @@ let by_signature words (expected : Expected.t) (d : Diagnostic.t) =
             (if List.length given > takes || (List.length given = 1 && takes = 2) then
                Printf.sprintf "`%s` takes %s, but is applied to %d: `%s :: %s`" g.name
                  (Unrun_mistake.count takes) (List.length given) g.name ty
-             else Printf.sprintf "this is argument %d: `%s :: %s`" position g.name ty)
+             else Printf.sprintf "the signature is `%s :: %s`" g.name ty)
             (if List.length given > takes then { d with hints = []; fixes = [] } else d)
       | None -> d)
   | _ -> d

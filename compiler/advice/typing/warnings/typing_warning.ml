@@ -19,7 +19,7 @@ let unreachable_threshold (comparison : expr) result ~robot ~sensor ~reach =
     |> note "when nothing is in range, the reading is `sonarReach i`"
     |> hint "compare the reading with a smaller distance")
 
-let diagnostic (fact : Warning_fact.t) =
+let diagnostic sources (fact : Warning_fact.t) =
   match fact with
   | Not_a_number constant -> Constant_warning.not_a_number constant
   | Wraps_around { constant; value } -> Constant_warning.wraps_around constant value
@@ -31,7 +31,7 @@ let diagnostic (fact : Warning_fact.t) =
   | Unreachable_threshold { comparison; result; robot; sensor; reach } ->
       unreachable_threshold comparison result ~robot ~sensor ~reach
   | Angle_difference { resolved; difference; left; right } ->
-      Wrapped_angle_warning.difference resolved difference left right
+      Wrapped_angle_warning.difference sources resolved difference left right
   | Wrapped_angle
       { resolved; function_; head; angle; scaled; instead; module_; same_arguments; unwrap } ->
       Wrapped_angle_warning.wrapped resolved ~name:function_.name ~head ~angle ~scaled ~instead

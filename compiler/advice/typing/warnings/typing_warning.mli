@@ -4,4 +4,4 @@
 
 open Basis
 
-val diagnostic : Typing.Warning_fact.t -> Diagnostic.t
+val diagnostic : Source.t -> Typing.Warning_fact.t -> Diagnostic.t

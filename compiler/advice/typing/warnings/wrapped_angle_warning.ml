@@ -19,8 +19,17 @@ let with_import (resolved : Resolve.Ir.program) (at : Span.t) library_module edi
       (place, before ^ "import " ^ library_module ^ after) :: edits
   | Some _ | None -> edits
 
-let difference resolved (e : expr) (a : expr) (b : expr) =
+let difference sources resolved (e : expr) (a : expr) (b : expr) =
   let opening e = if is_atom e then "" else "(" and closing e = if is_atom e then "" else ")" in
+  let quote (e : expr) =
+    Option.map (fun text -> opening e ^ text ^ closing e) (Source.quote sources e.span)
+  in
+  let written =
+    match (quote a, quote b) with
+    | Some a, Some b when String.length a + String.length b < 70 ->
+        Printf.sprintf "write `angleDiff %s %s` (module Geometry)" a b
+    | _ -> "write `angleDiff a b` (module Geometry) instead of `a - b`"
+  in
   let between = Span.make ~file:e.span.file ~start:a.span.stop ~stop:b.span.start in
   Diagnostic.(
     warning ~code:"W0315" ~at:e.span
@@ -28,7 +37,7 @@ let difference resolved (e : expr) (a : expr) (b : expr) =
     |> note
          "from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation \
           is -2 degrees"
-    |> hint "write `angleDiff a b` (module Geometry) instead of `a - b`"
+    |> hint "%s" written
     |> fix "use `angleDiff`"
          (with_import resolved e.span "Geometry"
             [

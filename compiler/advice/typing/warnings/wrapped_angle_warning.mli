@@ -3,7 +3,7 @@
 open Basis
 open Typing
 
-val difference : Resolve.Ir.program -> Ir.expr -> Ir.expr -> Ir.expr -> Diagnostic.t
+val difference : Source.t -> Resolve.Ir.program -> Ir.expr -> Ir.expr -> Ir.expr -> Diagnostic.t
 (** A difference, with its operands. *)
 
 val wrapped :

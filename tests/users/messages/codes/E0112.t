@@ -2,7 +2,7 @@
   main.frob:
   data Side = LeftSide | RightSide deriving Eq
   
-  error[E0112]: `deriving` is not part of this version of Frob
+  error[E0112]: Frob has no `deriving`
    --> main.frob:1:34
     |
   1 | data Side = LeftSide | RightSide deriving Eq

@@ -21,6 +21,6 @@
     |                                                       ^^^^^^^^^^^^^^^^^^^
     |
     = note: from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation is -2 degrees
-    = hint: write `angleDiff a b` (module Geometry) instead of `a - b`
+    = hint: write `angleDiff goal pose.heading` (module Geometry)
   
   2 warnings

@@ -54,7 +54,7 @@ Rows of a matrix:
   1 | double :: Array n Float -> Array (2 * n) Float
     |                                       ^
     |
-    = hint: use another variable for the result, as in `take :: Array n a -> Array k a`
+    = hint: use another variable for the result, as in `double :: Array n Float -> Array k Float`
   
   1 error
   [1]

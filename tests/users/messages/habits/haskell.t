@@ -4,7 +4,7 @@ A type of one constructor is `data`:
 
   $ echo 'newtype Metres = Metres Float' > newtype.frob
   $ frobc check newtype.frob
-  error[E0112]: `newtype` is not part of this version of Frob
+  error[E0112]: Frob has no `newtype`
    --> newtype.frob:1:1
     |
   1 | newtype Metres = Metres Float
@@ -106,7 +106,7 @@ If an argument determines a type, the message shows it there:
     |                   |    because this is a number
     |                   argument 2 of `hold` is `Event n[u]`
     |
-    = hint: this is argument 2: `hold :: a -> SF (Event a) a`
+    = hint: the signature is `hold :: a -> SF (Event a) a`
   
   error[E0301]: expected `Maybe n[u]`, found `Maybe Bool`
     --> decided.frob:11:26
@@ -117,7 +117,7 @@ If an argument determines a type, the message shows it there:
      |              |         because this is a number
      |              argument 2 of `fromMaybe` is `Maybe n[u]`
      |
-     = hint: this is argument 2: `fromMaybe :: a -> Maybe a -> a`
+     = hint: the signature is `fromMaybe :: a -> Maybe a -> a`
   
   4 errors
   [1]

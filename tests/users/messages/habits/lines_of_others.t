@@ -359,7 +359,7 @@ Samples of the past:
   3 |     v = 0.1 * (d - delay 0 d) / dt
     |                                 ^^
     |
-    = hint: write `derivative d`
+    = hint: write `derivative d` instead of `(d - delay 0 d) / dt`
   
   1 error
   [1]

@@ -217,7 +217,7 @@ Haskell:
   1 | (|+|) :: Float -> Float -> Float
     |  ^^^
     |
-    = hint: programs cannot define operators: define a function, and use it infix in backticks, as in ``a `f` b``
+    = hint: programs cannot define operators: define a function, such as `combine a b = sqrt (a * a + b * b)`, and write ``a `combine` b``
   
   1 error
   [1]
@@ -232,7 +232,7 @@ Haskell:
   2 | main = proc e -> (* 2) <$> e
     |                        ^^^
     |
-    = hint: use `mapE f e` to apply a function to an event's value, or `map f xs` to apply it to each element of an array
+    = hint: write `mapE (* 2) e` for an event, or `map (* 2) e` for an array
   
   1 error
   [1]
@@ -268,7 +268,7 @@ Haskell:
   1 | twice :: Num a => a -> a
     |          ^^^
     |
-    = hint: Frob has no numeric type classes: write `n[u]` for an Int or a Float with any unit, as in `twice :: n[u] -> n[u]`, or `Float[u]` for a Float only
+    = hint: Frob has no numeric type classes: write `twice :: n[u] -> n[u]`
   
   1 error
   [1]

@@ -71,7 +71,7 @@ Arrays without their size, and arguments in brackets:
     = hint: write `f :: Float -> Array 4 Float`, if 4 is the number of elements
   [1]
   $ try 'f :: Event[Float] -> Float\nf e = fromEvent 0 e' 'f :: Event Float -> Float\nf e = fromEvent 0 e'
-  error[E0216]: type `Event` takes 0 unit arguments, not 1
+  error[E0216]: type `Event` takes no unit
     = hint: write `f :: Event Float -> Float`
   [1]
   $ try 'f :: Optional[Distance] -> Distance\nf d = fromMaybe 0 d' 'f :: Maybe Distance -> Distance\nf d = fromMaybe 0 d'

@@ -186,7 +186,7 @@ guards only.
   3 |     | x > 1 -> 1
     |     ^
     |
-    = hint: as in `Just x -> x`, or with a guard `_ | x > 1 -> x`
+    = hint: write, for example, `Just x -> x`, or with a guard `_ | x > 1 -> x`
   
   1 error
   [1]

@@ -29,7 +29,7 @@ wrap into account.
      |              ^^^^^^^^^^^^^^^^^^^^^
      |
      = note: from -179 degrees to 179 degrees, the difference is 358 degrees; the shortest rotation is -2 degrees
-     = hint: write `angleDiff a b` (module Geometry) instead of `a - b`
+     = hint: write `angleDiff toGoal pose.heading` (module Geometry)
   
   warning[W0315]: `derivative` is applied to an angle that wraps
     --> turns.frob:14:14

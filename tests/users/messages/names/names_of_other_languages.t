@@ -22,7 +22,7 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   sq: write `x ^ 2`
   exp2: use `2 ** x`
   ln: write `log`
-  log10: `log` is the natural logarithm; for base 10, write `log x / log 10`
+  log10: write `log x / log 10`, because `log` is the natural logarithm
   tanh: define it with `exp`; for example, tanh x is `1 - 2 / (exp (2 * x) + 1)`
   fabs: write `abs`
   fmin: write `min`
@@ -41,12 +41,12 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   clip: use `clamp low high x`, with `import Control`
   lerp: use `a + t * (b - a)`
   $ hint isnan nan isinf isfinite NAN INFINITY
-  isnan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
-  nan: to test for NaN, write `x /= x`; to get NaN, write `0 / 0`
-  isinf: to test whether x is finite, write `x - x == 0`; for infinity, write `1 / 0`
-  isfinite: to test whether x is finite, write `x - x == 0`; for infinity, write `1 / 0`
-  NAN: use `0 / 0` for NaN
-  INFINITY: use `1 / 0` for infinity
+  isnan: to test for NaN, write `x /= x`; to get NaN, write `(0 / 0)`
+  nan: to test for NaN, write `x /= x`; to get NaN, write `(0 / 0)`
+  isinf: to test whether x is finite, write `x - x == 0`; for infinity, write `(1 / 0)`
+  isfinite: to test whether x is finite, write `x - x == 0`; for infinity, write `(1 / 0)`
+  NAN: use `(0 / 0)` for NaN
+  INFINITY: use `(1 / 0)` for infinity
   $ hint PI M_PI TWO_PI HALF_PI deg2rad radians rad2deg degrees
   PI: write `pi`
   M_PI: write `pi`

@@ -94,18 +94,13 @@ A minus with spaces on both sides, or on neither, is a subtraction.
   > main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
   > FROB
   $ frobc check value.frob
-  error[E0360]: there is no instance `RobotOutput (SF a b)`
-     --> value.frob:2:25
-      |
-    2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
-      |                         ^^^^^^ `roMake` needs it
-      |
-     ::: stdlib/Capability.frob:216:11
-      |
-  216 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` requires `RobotOutput o` here
-      |
-      = hint: use `constant e` for a signal function that always returns `e`
+  error[E0360]: a signal function is needed here, but `roMake` returns an output
+   --> value.frob:2:25
+    |
+  2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
+    |                         ^^^^^^
+    |
+    = hint: for a signal function that always returns this output, write `constant (roMake (setVelTR 0.3[m/s] 0))`
   
   1 error
   [1]

@@ -132,7 +132,7 @@ Elements and fields:
   2 | weights = [0.25 0.5 0.25]
     |            ^^^^ --- it is applied to an argument here
     |
-    = hint: for a product, write `0.25 * 0.5`; for an array, put commas between the elements, as in `[0.25, 0.5]`
+    = hint: put commas between the elements: `[0.25, 0.5, 0.25]`
   
   1 error
   [1]

@@ -564,7 +564,7 @@ Degrees in a type:
   1 | threshold :: Float[deg]
     |                    ^^^
     |
-    = hint: write `1` here, or `Angle` as the whole type; use scaled units only after literals
+    = hint: write the type `Angle`, or the unit `1`; use scaled units only after literals
   
   1 error
   [1]

@@ -66,7 +66,7 @@ languages:
   6 | near = \ case Just d -> d
     |          ^^^^
     |
-    = hint: as in `\x -> x + 1`; write `\case` without a space
+    = hint: write, for example, `\x -> x + 1`; write `\case` without a space
   
   error[E0114]: a tuple with missing elements cannot be part of a pattern
    --> lambda.frob:8:8

@@ -165,7 +165,7 @@ Each event of `accum` carries a function:
     |         |    because this is a number in `m`
     |         argument 2 of `hold` is `Event n[m]`
     |
-    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, hold `tag e (frontSonar i)`; otherwise, remove the `hold`
+    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, write `hold 0[m] (tag e (frontSonar i))`; otherwise, remove the `hold`
   
   1 error
   [1]

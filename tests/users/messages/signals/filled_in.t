@@ -141,7 +141,7 @@ The first part of `switch` without an event, and `hold` without one:
   >     e      = edge (bumped i)
   > FROB
   $ frobc check hold.frob 2>&1 | grep hint
-    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, hold `tag e driven`; otherwise, remove the `hold`
+    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, write `hold 0 (tag e driven)`; otherwise, remove the `hold`
   $ sed '3s/hold 0 driven/hold 0 (tag e driven)/' hold.frob > pasted.frob && frobc check pasted.frob
 
 An index that changes, a field by its first letters, and modules that are built in:

@@ -111,7 +111,7 @@ Switches whose event is an argument, and events used as values.
     |                  |    because this is a number
     |                  argument 2 of `hold` is `Event n[u]`
     |
-    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, hold `tag e 1`; otherwise, remove the `hold`
+    = hint: this has a value at every instant: to keep its value from the latest occurrence of an event `e`, write `hold 0 (tag e 1)`; otherwise, remove the `hold`
   
   1 error
   [1]

@@ -95,7 +95,7 @@ A signature with a function type: reported at the definition, and not again wher
     |                         |       because this is `SF a (b, Event Distance)`
     |                         argument 2 of `switch` is `Distance` (m)
     |
-    = hint: this is argument 2: `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
+    = hint: the signature is `switch :: SF a (b, Event c) -> (c -> SF a b) -> SF a b`
     = hint: use `_`, which matches every value
   
   1 error
