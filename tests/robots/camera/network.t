@@ -91,7 +91,7 @@ If the server disappears and returns, so do the frames; the program continues.
   $ sed 's/(http[^)]*)/(ADDRESS)/; s/no frames: .*/no frames: REASON/; s/at [0-9.]* s/at N s/' messages | uniq
   warning: camera `camera` (ADDRESS) delivers no frames: REASON
   camera `camera` (ADDRESS) delivers frames again
-  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command again to start over and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
 
 If the capture process is killed, another one replaces it.
@@ -107,7 +107,7 @@ If the capture process is killed, another one replaces it.
   $ sed 's/(http[^)]*)/(ADDRESS)/; s/port [0-9]* of/port N of/; s/at [0-9.]* s/at N s/' messages
   warning: camera `camera` (ADDRESS) delivers no frames: its capture process was killed by signal 11 (Segmentation fault); restarting it
   camera `camera` (ADDRESS) delivers frames again
-  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command again to start over and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
   $ end $server
   $ end $robot

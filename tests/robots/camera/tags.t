@@ -81,7 +81,7 @@ If the process that looks for tags is killed, another one replaces it, and the p
   $ sed 's/(http[^)]*)/(ADDRESS)/; s/at [0-9.]* s/at N s/' messages
   warning: camera `camera` (still.frames) delivers no frames: its tag detector was killed by signal 11 (Segmentation fault); restarting it
   camera `camera` (still.frames) delivers frames again
-  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command again to start over and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
 
 Without the library, a program that uses tags is rejected before anything moves.

@@ -25,7 +25,7 @@ after the robot's return, it drives again.
   connected: Pioneer p3dx-sh, FrobSim
   lost the connection to the robot: its line was disconnected
   connected: Pioneer p3dx-sh, FrobSim
-  interrupted at N s: the summary covers the run until then; run the same command to start again
+  interrupted at N s: the summary covers the run until then; run the same command again to start over
   error: the run was ended by an interrupt; sent a stop command to the robot
   $ grep connections summary
   connections: 2

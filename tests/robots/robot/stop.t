@@ -23,7 +23,7 @@ reports on the robot.
   $ start_driving --record log.csv; kill -INT $run; wait $run
   [4]
   $ tail -2 messages | sed 's/at [0-9.]* s/at N s/'
-  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command to start again and overwrite that file
+  interrupted at N s: the summary covers the run until then, and so does log.csv; run the same command again to start over and overwrite that file
   error: the run was ended by an interrupt; sent a stop command to the robot
   $ at=$(sed -n 's/^interrupted at \([0-9.]*\) s.*/\1/p' messages)
   $ grep -q "^time run: $at s" summary

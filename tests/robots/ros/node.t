@@ -207,7 +207,7 @@ Without a robot, the program waits; it names the topic.
   [4]
   $ cat messages
   warning: no node publishes /odom (nav_msgs/msg/Odometry), which the program needs. Start the robot's nodes, or remap the topic with `--ros-args -r odom:=NAME`
-  interrupted at 0.000 s: the summary covers the run until then; run the same command to start again
+  interrupted at 0.000 s: the summary covers the run until then; run the same command again to start over
   error: the run was ended by an interrupt; sent a stop command to the robot
   $ grep '^steps' summary
   steps: 0

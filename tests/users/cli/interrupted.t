@@ -44,13 +44,13 @@ The test presses the key when it sees the first progress, so it does not depend 
   $ press () { python3 press.py "$@"; }
   $ press 80 frobc run long.frob --robot pioneer --for 100000s --record r.csv
   fits False False
-  interrupted at N s: the summary covers the run until then, and so does r.csv; run the same command to start again and overwrite that file
+  interrupted at N s: the summary covers the run until then, and so does r.csv; run the same command again to start over and overwrite that file
   $ press 12 frobc run long.frob --robot pioneer --for 100000s
   fits False False
-  interrupted at N s: the summary covers the run until then; run the same command to start again
+  interrupted at N s: the summary covers the run until then; run the same command again to start over
   $ press 60 frobc test long.frob --robot pioneer --seeds 400
   fits False True
-  interrupted: no test has finished, so no results were saved; run the same command to start again
+  interrupted: no test has finished, so no results were saved; run the same command again to start over
   $ press 60 frobc sweep long.toml
   fits False True
   interrupted: N of N runs are saved in long.rows; run the same command to perform the remaining N
