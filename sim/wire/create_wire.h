@@ -11,8 +11,8 @@
 // Therefore a client never receives an answer immediately after writing a query.
 //
 // Opcode 7 restarts the robot. This takes 3 s, during which it ignores commands and sends the text
-// of its bootloader (the text is from a Create 2, in pycreate2's issue 1; the times are from a
-// client library for the Roomba 600).
+// of its bootloader (the text was printed by a Create 2 and is quoted in issue 1 of pycreate2; the
+// times are from a client library for the Roomba 600).
 #pragma once
 
 #include <array>

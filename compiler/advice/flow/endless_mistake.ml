@@ -11,7 +11,7 @@ let hint ~entry ~(by : Ir.follower) sources =
   | "after" :: _, _ -> "make the wait at least 1 ns long, for example with `after (max 1[ms] q)`"
   | "elapsed" :: _, _ -> "make the wait at least 1 ns long, for example with `max 1[ms] q`"
   | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
-      "to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where \
+      "make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where \
        `restingOutput` is the output of a robot at rest"
   | _, Statement _ ->
       "use `untilT (proc x -> (…, condition))`, which ends when the condition is true but takes at \

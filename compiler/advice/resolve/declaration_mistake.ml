@@ -158,7 +158,7 @@ let size_not_a_number ~at alias =
   | None -> Diagnostic.error ~code:"E0330" ~at "this type is part of a size, but it is not a number")
   |> Diagnostic.hint "define the size as a number, as in `type N = 25`"
 
-(* The signature with another variable instead of the parenthesized size at this place. *)
+(* The signature, with the parenthesized size at this place replaced by a new variable. *)
 let with_size_variable ~text (at : Span.t) =
   let start = Text_place.line_start text (Text_place.offset text at.start) in
   let offset = Text_place.offset text at.start - start in

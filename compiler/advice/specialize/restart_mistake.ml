@@ -29,8 +29,8 @@ let in_one_instant ~at (hops : Restart_fact.hop list) own =
        "a task such as `return` or `snapT` takes no time, and no task in this loop waits for the \
         next instant"
   |> Diagnostic.hint
-       "to the loop, add a task that takes time: `untilT (proc x -> (…, condition))` takes at \
-        least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output"
+       "make the loop take time with a task: `untilT (proc x -> (…, condition))` takes at least \
+        one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output"
 
 (* {1 Growth} *)
 

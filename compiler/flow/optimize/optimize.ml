@@ -12,7 +12,7 @@ let dead_code =
 let tidy =
   [
     Pass.make "constant-propagation" Constant_propagation.program
-      "first, because literals decide choices";
+      "first, because literals can decide which branch of a choice is taken";
     simplify;
     Pass.make "boolean-simplification" Boolean_simplification.program
       "after simplification, because it only recognizes simplified choices and operators";

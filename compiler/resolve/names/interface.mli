@@ -84,7 +84,7 @@ val builtin_names : file:string -> names
 val is_builtin : tycon -> bool
 
 val is_builtin_class : class_ -> bool
-(** Is it [Eq] or [Ord] of the prelude? *)
+(** Is it the prelude's [Eq] or [Ord]? *)
 
 val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
 (** The method names that a class body declares. *)

@@ -298,7 +298,8 @@ static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
     { "poll-period", 0.05, 0.01, 1, "time between two state requests, s" },
     { "patience", 0.1, 0.02, 1, "timeout for the answer to a command, s" },
     { "flush", LONGEST_PACKET, 0, LONGEST_PACKET,
-      "number of zero bytes sent before a stop command is repeated if the robot does not answer" },
+      "number of zero bytes to send before repeating a stop command that the robot has not "
+      "answered" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),

@@ -1,8 +1,9 @@
 /* apriltag.h -- the part of the AprilTag library, version 3, that a host needs.
  *
- * It is declared here so that hosts can be built without the library's headers. The layout has been
- * stable since 3.1, and the library's name (libapriltag.so.3) identifies it.
- * tests/generated/vision/apriltag_test.c compares it with the headers of the installed library. */
+ * It is declared here so that hosts can be built without the library's headers. The layout has not
+ * changed since 3.1, and the version in the library's name (libapriltag.so.3) guarantees it.
+ * tests/generated/vision/apriltag_test.c compares these declarations with the headers of the
+ * installed library. */
 #ifndef FROB_HOST_APRILTAG_H
 #define FROB_HOST_APRILTAG_H
 

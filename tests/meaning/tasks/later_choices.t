@@ -46,7 +46,7 @@ if the time-out may be 0.
   91 |     blocked = when (looks && inTheWay || stuck i))
      |     ---------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
      = note: no time passes between these steps when `driveTo` occurs as soon as `timeOut` starts
-     = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+     = hint: make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'

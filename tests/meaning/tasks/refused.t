@@ -138,7 +138,7 @@ immediately …
     |                 ^^^^^^^^^^^^^ `snapT` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
-    = hint: to the loop, add a task that takes time: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
+    = hint: make the loop take time with a task: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
   
   1 error
 
@@ -352,7 +352,7 @@ the program that calls it, with the part that takes time.
     N |
      = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
      = note: frobc stopped after 1000 steps, the maximum for one instant, without finding an end
-     = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+     = hint: make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ cat > places.frob <<'FROB'
@@ -379,7 +379,7 @@ the program that calls it, with the part that takes time.
     N |         ---------------- `driveTo` may start itself again at its own first instant
     N |
       = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
-      = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+      = hint: make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   $ sed 's/driveTo)/visit)/' places.frob > visits.frob

@@ -71,7 +71,7 @@ changes it:
   > double x = x + x
   > END
   $ frobc compile twice.frob --dump=passes --stop-after=passes
-  constant-propagation: first, because literals decide choices
+  constant-propagation: first, because literals can decide which branch of a choice is taken
   program twice
   function double (x : Float)
     _1 : Float = x + x

@@ -249,7 +249,7 @@ Patterns with too many combinations. A last branch for everything makes them com
     |                       ^
     |
     = note: its patterns have too many combinations
-    = hint: add a last branch `_ -> …`, or split it into nested `case` expressions
+    = hint: add a last branch `_ -> …`, or split this `case` into nested `case` expressions
   
   1 error
   $ { cat cases.frob; echo '    _ -> 20'; } | refused complete

@@ -207,8 +207,8 @@ let hint_for_signature words ~(expected : Expected.t) ~found d =
   match expected.because with
   | (Signature _ | Output (Signature _)) when List.mem Expected.Of_array expected.parts ->
       hint
-        "if all elements of the array have this unit, write `%s` in the signature; for values with \
-         different units, use a tuple instead, also in the signature"
+        "if all elements of the array have this unit, write `%s` in the signature; if they have \
+         different units, use a tuple here and in the signature"
         (Wording.type_ words found) d
   | Signature { at; name } | Output (Signature { at; name }) -> (
       match corrected_signature words at expected found with

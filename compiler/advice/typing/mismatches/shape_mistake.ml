@@ -50,8 +50,9 @@ let of_functions =
     Argument_mistake.missing_before;
   ]
 
-(* Rules for values where values of another shape are expected. An operator or parameter that
-   requires numbers has better hints than the general rules for records, tuples and arrays. *)
+(* Rules for values where values of another shape are expected. For an operator or parameter that
+   requires numbers, these hints are better than those of the general rules for records, tuples and
+   arrays. *)
 let of_values =
   [
     Vector_mistake.of_an_operator;

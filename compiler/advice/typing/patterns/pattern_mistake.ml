@@ -79,7 +79,7 @@ let too_complex (case : Pattern_fact.case) =
     error ~code:"E0413" ~at:case.scrutinee.span
       "this `case` is too complex to check for missing branches"
     |> note "its patterns have too many combinations"
-    |> hint "add a last branch `_ -> …`, or split it into nested `case` expressions")
+    |> hint "add a last branch `_ -> …`, or split this `case` into nested `case` expressions")
 
 let missing sources (case : Pattern_fact.case) missing ~guarded_only ~listed:all =
   let d =

@@ -72,9 +72,9 @@ Different units in an array:
   $ frobc check array.frob 2>&1 | grep 'requires\|by the\|hint'
     |         --------------------------------------- by the signature of `main`, an element of the output is `Float`
     = hint: to get a plain number, divide by the unit: `d / 1[m]`
-    = hint: if all elements of the array have this unit, write `Distance` in the signature; for values with different units, use a tuple instead, also in the signature
+    = hint: if all elements of the array have this unit, write `Distance` in the signature; if they have different units, use a tuple here and in the signature
     |         --------------------------------------- by the signature of `main`, an element of the output is `Float`
     = hint: to get a plain number, divide by the unit: `v / 1[m/s]`
-    = hint: if all elements of the array have this unit, write `Velocity` in the signature; for values with different units, use a tuple instead, also in the signature
+    = hint: if all elements of the array have this unit, write `Velocity` in the signature; if they have different units, use a tuple here and in the signature
   $ printf 'main :: SF (Distance, Velocity) (Distance, Velocity)\nmain = proc (d, v) -> (d, v)\n' > cured.frob
   $ frobc check cured.frob

@@ -43,8 +43,8 @@ Names from other languages: the message names Frob's equivalent. The hint for ea
   $ hint isnan nan isinf isfinite NAN INFINITY
   isnan: to test for NaN, write `x /= x`; to get NaN, write `(0 / 0)`
   nan: to test for NaN, write `x /= x`; to get NaN, write `(0 / 0)`
-  isinf: to test whether x is finite, write `x - x == 0`; for infinity, write `(1 / 0)`
-  isfinite: to test whether x is finite, write `x - x == 0`; for infinity, write `(1 / 0)`
+  isinf: to test whether x is finite, write `x - x == 0`; for the value infinity, write `(1 / 0)`
+  isfinite: to test whether x is finite, write `x - x == 0`; for the value infinity, write `(1 / 0)`
   NAN: use `(0 / 0)` for NaN
   INFINITY: use `(1 / 0)` for infinity
   $ hint PI M_PI TWO_PI HALF_PI deg2rad radians rad2deg degrees

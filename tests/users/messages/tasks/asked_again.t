@@ -22,7 +22,7 @@ it.
     |     -- `go` may start itself again at its own first instant
     |
     = note: no time passes between these steps when `go` ends as soon as it starts
-    = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+    = hint: make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   warning[W0306]: `Geometry` is imported, but nothing from it is used
    --> ask.frob:2:1

@@ -103,7 +103,7 @@ A patrol that may never pause:
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: no time passes between these steps when `atPlace` occurs as soon as `driveTo` starts
-     = hint: to the loop, add a task that takes time, such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
+     = hint: make the loop take time: add a task such as `sleepT 10[ms] restingOutput`, where `restingOutput` is the output of a robot at rest
   
   1 error
   [1]

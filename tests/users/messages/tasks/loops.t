@@ -47,7 +47,7 @@ A task that may be empty, forever:
     |                        ^^^^^^^^^^^^ `look` may end in its first instant, and `forever` follows it
     |
     = note: a task such as `return` or `snapT` takes no time, and no task in this loop waits for the next instant
-    = hint: to the loop, add a task that takes time: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
+    = hint: make the loop take time with a task: `untilT (proc x -> (…, condition))` takes at least one instant, and `sleepT 10[ms] …` takes 10 ms; replace `…` with the robot's output
   
   1 error
   [1]
