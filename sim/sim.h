@@ -124,8 +124,8 @@ void frob_sim_command(struct frob_sim *sim, int64_t time_ns, const void *output)
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
-/* Whether the host has lost contact with its robots at this time, according to the world's [outage]. If so, the
- * host must skip the program's step and command a stop. */
+/* Whether the host has lost contact with its robots at this time, according to the world's
+ * [outage]. If so, the host must skip the program's step and command a stop. */
 int frob_sim_is_away(const struct frob_sim *sim, int64_t time_ns);
 
 /* The true pose of a robot in the world, and whether it touched an object during the last call to
