@@ -27,11 +27,6 @@ val tell :
     which takes this number of arguments. *)
 
 val tell_method :
-  t ->
-  Resolve.Ir.expr ->
-  head:Resolve.Ir.expr ->
-  Argument.t list ->
-  Fact.t Facts.held list ->
-  unit
+  t -> Resolve.Ir.expr -> head:Resolve.Ir.expr -> Argument.t list -> Fact.t Facts.held list -> unit
 (** Reports the held facts about the head. If the head is an array function that is called like a
     method, as in [xs.map f], reports that in place of the last fact. *)

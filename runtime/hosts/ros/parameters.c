@@ -190,7 +190,7 @@ void parameters_describe(const struct parameter *p, char *text, size_t room)
         snprintf(text, room, "%s%sparameter of the program", p->unit,
                  p->unit[0] != '\0' ? "; " : "");
     else
-        snprintf(text, room, "%s%s%s of the program's console", p->unit,
+        snprintf(text, room, "%s%s%s on the program's console", p->unit,
                  p->unit[0] != '\0' ? "; " : "", p->type == PARAMETER_BOOL ? "toggle" : "knob");
 }
 

@@ -98,7 +98,7 @@ A pattern must have as many elements as the array:
    --> size.frob:2:3
     |
   1 | f :: Array 3 Int -> Int
-    |      ------------------ the signature of `f` requires `Array 3 Int`
+    |      ------------------ the signature of `f` requires the parameter `Array 3 Int`
   2 | f [a, b] = a + b
     |   ^^^^^^
     |

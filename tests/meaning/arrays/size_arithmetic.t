@@ -50,7 +50,7 @@ Mistakes:
   1 | rest :: Array n a -> Array (n - 1) a
     |                             ^
     |
-    = hint: use another variable for the result, as in `take :: Array n a -> Array k a`
+    = hint: use another variable for the result, as in `rest :: Array n a -> Array k a`
   
   1 error
   [1]
@@ -159,7 +159,7 @@ Mistakes:
   2 | main :: SF (Array (N - ) Float) Float
     |                        ^
     |
-    = hint: as in `Array (N - 1) Float`
+    = hint: write, for example, `Array (N - 1) Float`
   
   1 error
   [1]

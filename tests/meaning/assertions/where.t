@@ -132,7 +132,7 @@ rejected.
   3 |     assert "nothing"
     |                     ^
     |
-    = hint: as in `assert "keeps off the wall" (clearance > 0.1[m])`
+    = hint: write, for example, `assert "keeps off the wall" (clearance > 0.1[m])`
   
   1 error
   [1]

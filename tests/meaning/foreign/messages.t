@@ -230,7 +230,7 @@ Other errors about names:
   1 | foreign Mean :: Float -> Float = "mean"
     |         ^^^^
     |
-    = hint: as in `foreign cubeRoot :: Float -> Float = "cbrt"` or `foreign include "blob.h"`
+    = hint: write, for example, `foreign cubeRoot :: Float -> Float = "cbrt"` or `foreign include "blob.h"`
   
   1 error
   [1]
