@@ -29,6 +29,40 @@ std::vector<Vec> read_masks(TomlReader &reader) {
     return masks;
 }
 
+// Reads the keys that single cameras and stereo pairs share.
+CameraSettings read_any_camera(TomlReader &reader) {
+    CameraSettings camera;
+    camera.width = reader.integer("width", camera.width, 8, CameraSettings::most_pixels);
+    camera.height = reader.integer("height", camera.height, 8, CameraSettings::most_pixels);
+    camera.field_of_view =
+        radians(reader.number("field_of_view_deg", degrees(camera.field_of_view), Range::positive));
+    if (camera.field_of_view > radians(150.0))
+        reader.mistake_at("field_of_view_deg", "`field_of_view_deg` must be at most 150");
+    camera.rate = reader.number("rate", camera.rate, Range::positive);
+    if (camera.rate > 200.0)
+        reader.mistake_at("rate", "`rate` must be at most 200, the rate of the physics steps");
+    camera.latency = reader.number("latency", camera.latency, Range::not_negative);
+    camera.rolling = reader.number("rolling", camera.rolling, Range::not_negative);
+    if (camera.rolling * camera.rate > 1.0)
+        reader.mistake_at("rolling", "`rolling` must be at most 1 / `rate`, the time "
+                                     "between frames");
+    camera.jitter = reader.number("jitter", camera.jitter, Range::not_negative);
+    camera.dropout = reader.number("dropout", camera.dropout, Range::share);
+    camera.noise = reader.number("noise", camera.noise, Range::not_negative);
+    camera.exposure = reader.number("exposure", camera.exposure, Range::positive);
+    camera.blur = reader.integer("blur", 0, 0, 20);
+    camera.k1 = reader.number("k1", camera.k1, Range::error);
+    camera.k2 = reader.number("k2", camera.k2, Range::error);
+    camera.grey = reader.boolean("grey", camera.grey);
+    camera.ahead = reader.optional_number("ahead", Range::any);
+    camera.left = reader.optional_number("left", Range::any);
+    camera.up = reader.optional_number("up", Range::size);
+    camera.yaw = radians(reader.number("yaw_deg", 0.0, Range::turn));
+    camera.pitch = radians(reader.number("pitch_deg", 0.0, Range::turn));
+    camera.roll = radians(reader.number("roll_deg", 0.0, Range::turn));
+    return camera;
+}
+
 } // namespace
 
 LidarSettings read_lidar(TomlReader reader) {
@@ -78,6 +112,30 @@ ImuSettings read_imu(TomlReader reader) {
     imu.compass_error = radians(reader.number("compass_error_deg", 0.0, Range::turn));
     reader.finish();
     return imu;
+}
+
+CameraSettings read_camera(TomlReader reader) {
+    CameraSettings camera = read_any_camera(reader);
+    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
+    reader.finish();
+    return camera;
+}
+
+void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras) {
+    CameraSettings left = read_any_camera(reader);
+    const double baseline = reader.number("baseline", 0.12, Range::positive);
+    left.name = "left";
+    left.aside = baseline / 2;
+    CameraSettings right = left;
+    right.name = "right";
+    right.aside = -baseline / 2;
+    right.partner = cameras.size();
+    right.askew_yaw = radians(reader.number("askew_yaw_deg", 0.0, Range::turn));
+    right.askew_pitch = radians(reader.number("askew_pitch_deg", 0.0, Range::turn));
+    right.askew_roll = radians(reader.number("askew_roll_deg", 0.0, Range::turn));
+    reader.finish();
+    cameras.push_back(left);
+    cameras.push_back(right);
 }
 
 } // namespace frob::sim

@@ -2,17 +2,15 @@
 
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
-#include "bends.h"
 #include "devices_file.h"
+#include "objects_file.h"
 #include "robot.h"
 #include "toml_reader.h"
 #include "toml_syntax.h"
-#include "triangulate.h"
 
 namespace frob::sim {
 namespace {
@@ -44,215 +42,6 @@ void read_start(TomlReader reader, std::vector<Start> &starts) {
     reader.finish();
 }
 
-Tint read_tint(TomlReader &reader, const char *key, Tint otherwise) {
-    const std::string text = reader.string(key);
-    if (text.empty()) return otherwise;
-    if (const std::optional<Tint> tint = tint_of(text)) return *tint;
-    reader.mistake_at(key, "there is no colour `" + text + "`; the colours are " + tint_names() +
-                               ", and `#rrggbb`");
-    return otherwise;
-}
-
-std::optional<Tint> read_optional_tint(TomlReader &reader) {
-    const Tint none = {-1.0, 0.0, 0.0};
-    const Tint tint = read_tint(reader, "colour", none);
-    return tint.red < 0.0 ? std::nullopt : std::optional(tint);
-}
-
-Texture read_texture(TomlReader &reader, Texture otherwise) {
-    const std::string name = reader.string("texture");
-    if (name.empty()) return otherwise;
-    if (const std::optional<Texture> texture = texture_of(name)) return *texture;
-    reader.mistake_at("texture",
-                      "there is no texture `" + name + "`; the textures are " + texture_names());
-    return otherwise;
-}
-
-// Reads how an object looks to cameras.
-Look read_look(TomlReader &reader, Look look) {
-    look.tint = read_tint(reader, "colour", look.tint);
-    look.texture = read_texture(reader, look.texture);
-    look.height = reader.number("height", look.height, Range::size);
-    return look;
-}
-
-Wall read_wall(TomlReader reader) {
-    Wall wall;
-    wall.closed = reader.boolean("closed", wall.closed);
-    wall.points = reader.needed_points("points", wall.closed ? 3 : 2, wall.closed);
-    wall.thickness = reader.number("thickness", wall.thickness, Range::size);
-    wall.look = read_look(reader, wall.look);
-    wall.place = reader.place();
-    reader.finish();
-    return wall;
-}
-
-Polygon read_polygon(TomlReader reader) {
-    Polygon polygon;
-    polygon.points = reader.needed_points("points", 3, true);
-    if (!polygon.points.empty()) {
-        if (!is_simple(polygon.points))
-            reader.mistake_at("points", "the edges of this polygon cross or touch");
-        else if (signed_area(polygon.points) < 0.0)
-            polygon.points = {polygon.points.rbegin(), polygon.points.rend()};
-    }
-    polygon.look = read_look(reader, polygon.look);
-    polygon.place = reader.place();
-    reader.finish();
-    return polygon;
-}
-
-Circle read_circle(TomlReader reader) {
-    Circle circle;
-    circle.center = reader.needed_point("center", Range::any);
-    circle.radius = reader.needed_number("radius", Range::size);
-    circle.look = read_look(reader, circle.look);
-    circle.place = reader.place();
-    reader.finish();
-    return circle;
-}
-
-Box read_box(TomlReader reader) {
-    Box box;
-    box.pose.position = reader.needed_point("center", Range::any);
-    box.pose.heading = radians(reader.number("angle_deg", 0.0, Range::any));
-    box.size = reader.needed_point("size", Range::size);
-    box.mass = reader.number("mass", box.mass, Range::positive);
-    box.friction = reader.number("friction", box.friction, Range::not_negative);
-    box.look = read_look(reader, box.look);
-    box.place = reader.place();
-    reader.finish();
-    return box;
-}
-
-// Reads a ball that lies still or rolls along a path.
-Ball read_ball(TomlReader reader, bool has_way) {
-    Ball ball;
-    if (has_way) {
-        ball.closed = reader.boolean("closed", ball.closed);
-        ball.way = reader.needed_points("way", ball.closed ? 3 : 2, ball.closed);
-        ball.speed = reader.needed_number("speed", Range::positive);
-    } else {
-        ball.way = {reader.needed_point("center", Range::any)};
-    }
-    ball.radius = reader.number("radius", ball.radius, Range::size);
-    ball.mass = reader.number("mass", ball.mass, Range::positive);
-    ball.tint = read_tint(reader, "colour", ball.tint);
-    ball.place = reader.place();
-    reader.finish();
-    return ball;
-}
-
-Cone read_cone(TomlReader reader) {
-    Cone cone;
-    cone.center = reader.needed_point("center", Range::any);
-    cone.radius = reader.number("radius", cone.radius, Range::size);
-    cone.look = read_look(reader, cone.look);
-    cone.place = reader.place();
-    reader.finish();
-    return cone;
-}
-
-void read_place(TomlReader &reader, Poster &poster) {
-    poster.pose.position = reader.needed_point("center", Range::any);
-    poster.pose.heading = radians(reader.needed_number("facing_deg", Range::any));
-    poster.middle = reader.number("middle", poster.middle, Range::any);
-}
-
-Poster read_poster(TomlReader reader, const std::string &folder) {
-    Poster poster;
-    read_place(reader, poster);
-    poster.size = reader.needed_point("size", Range::size);
-    const std::string picture = reader.needed_string("picture");
-    try {
-        if (!picture.empty())
-            poster.print = Print::of_file(picture[0] == '/' ? picture : folder + picture);
-    } catch (const std::runtime_error &error) {
-        reader.mistake_at("picture", picture + ": " + error.what());
-    }
-    reader.finish();
-    return poster;
-}
-
-// `size` is the width of the black frame, which is eight cells wide; the whole tag is ten cells
-// wide.
-Poster read_tag(TomlReader reader) {
-    Poster tag;
-    read_place(reader, tag);
-    const double size = 10.0 / 8.0 * reader.needed_number("size", Range::size);
-    tag.size = {size, size};
-    tag.print = Print::tag(reader.integer("id", 0, 0, Print::tags - 1));
-    reader.finish();
-    return tag;
-}
-
-// Reads the keys that single cameras and stereo pairs share.
-CameraSettings read_any_camera(TomlReader &reader) {
-    CameraSettings camera;
-    camera.width = reader.integer("width", camera.width, 8, CameraSettings::most_pixels);
-    camera.height = reader.integer("height", camera.height, 8, CameraSettings::most_pixels);
-    camera.field_of_view =
-        radians(reader.number("field_of_view_deg", degrees(camera.field_of_view), Range::positive));
-    if (camera.field_of_view > radians(150.0))
-        reader.mistake_at("field_of_view_deg", "`field_of_view_deg` must be at most 150");
-    camera.rate = reader.number("rate", camera.rate, Range::positive);
-    if (camera.rate > 200.0)
-        reader.mistake_at("rate", "`rate` must be at most 200, the rate of the physics steps");
-    camera.latency = reader.number("latency", camera.latency, Range::not_negative);
-    camera.rolling = reader.number("rolling", camera.rolling, Range::not_negative);
-    if (camera.rolling * camera.rate > 1.0)
-        reader.mistake_at("rolling", "`rolling` must be at most 1 / `rate`, the time "
-                                     "between frames");
-    camera.jitter = reader.number("jitter", camera.jitter, Range::not_negative);
-    camera.dropout = reader.number("dropout", camera.dropout, Range::share);
-    camera.noise = reader.number("noise", camera.noise, Range::not_negative);
-    camera.exposure = reader.number("exposure", camera.exposure, Range::positive);
-    camera.blur = reader.integer("blur", 0, 0, 20);
-    camera.k1 = reader.number("k1", camera.k1, Range::error);
-    camera.k2 = reader.number("k2", camera.k2, Range::error);
-    camera.grey = reader.boolean("grey", camera.grey);
-    camera.ahead = reader.optional_number("ahead", Range::any);
-    camera.left = reader.optional_number("left", Range::any);
-    camera.up = reader.optional_number("up", Range::size);
-    camera.yaw = radians(reader.number("yaw_deg", 0.0, Range::turn));
-    camera.pitch = radians(reader.number("pitch_deg", 0.0, Range::turn));
-    camera.roll = radians(reader.number("roll_deg", 0.0, Range::turn));
-    return camera;
-}
-
-CameraSettings read_camera(TomlReader reader) {
-    CameraSettings camera = read_any_camera(reader);
-    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
-    reader.finish();
-    return camera;
-}
-
-// Reads a stereo pair: two cameras side by side, the right one slightly misaligned.
-void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras) {
-    CameraSettings left = read_any_camera(reader);
-    const double baseline = reader.number("baseline", 0.12, Range::positive);
-    left.name = "left";
-    left.aside = baseline / 2;
-    CameraSettings right = left;
-    right.name = "right";
-    right.aside = -baseline / 2;
-    right.partner = cameras.size();
-    right.askew_yaw = radians(reader.number("askew_yaw_deg", 0.0, Range::turn));
-    right.askew_pitch = radians(reader.number("askew_pitch_deg", 0.0, Range::turn));
-    right.askew_roll = radians(reader.number("askew_roll_deg", 0.0, Range::turn));
-    reader.finish();
-    cameras.push_back(left);
-    cameras.push_back(right);
-}
-
-Magnet read_magnet(TomlReader reader) {
-    Magnet magnet;
-    magnet.position = reader.needed_point("position", Range::any);
-    magnet.strength = reader.needed_number("strength", Range::any);
-    reader.finish();
-    return magnet;
-}
-
 // Checks that devices of one kind have different names.
 template <typename Settings>
 void look_at_names(TomlReader &reader, const char *kind, const std::vector<Settings> &devices) {
@@ -261,12 +50,6 @@ void look_at_names(TomlReader &reader, const char *kind, const std::vector<Setti
             if (devices[i].name == devices[j].name)
                 return reader.mistake("two " + std::string(kind) + " are named `" +
                                       devices[i].name + "`: give each one its own `name`");
-}
-
-std::string shown(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", x);
-    return text;
 }
 
 // Limits the number of boxes. Overlapping boxes are pushed apart, pair by pair. A few of them form
@@ -344,55 +127,6 @@ LightSettings read_light(TomlReader reader) {
     light.noise = reader.number("noise", light.noise, Range::not_negative);
     reader.finish();
     return light;
-}
-
-Hole read_hole(TomlReader reader) {
-    Hole hole;
-    hole.points = reader.needed_points("points", 3, true);
-    if (!hole.points.empty() && !is_simple(hole.points))
-        reader.mistake_at("points", "the edges of this hole cross or touch");
-    reader.finish();
-    return hole;
-}
-
-Tape read_tape(TomlReader reader) {
-    Tape tape;
-    tape.closed = reader.boolean("closed", tape.closed);
-    tape.points = reader.needed_points("points", tape.closed ? 3 : 2, tape.closed);
-    tape.width = reader.number("width", tape.width, Range::size);
-    tape.reflectance = reader.number("reflectance", tape.reflectance, Range::part);
-    tape.tint = read_optional_tint(reader);
-    const double radius = reader.number("radius", 0.0, Range::not_negative);
-    if (!tape.points.empty() && radius > 0.0) {
-        if (const std::optional<Vec> corner = corner_without_room(tape.points, tape.closed, radius))
-            reader.mistake_at("radius",
-                              "there is no room for a bend of this radius at the corner [" +
-                                  shown(corner->x) + ", " + shown(corner->y) + "]");
-        else
-            tape.points = with_bends(tape.points, tape.closed, radius);
-    }
-    reader.finish();
-    return tape;
-}
-
-Patch read_patch(TomlReader reader) {
-    Patch patch;
-    patch.points = reader.needed_points("points", 3, true);
-    if (!patch.points.empty() && !is_simple(patch.points))
-        reader.mistake_at("points", "the edges of this patch cross or touch");
-    patch.reflectance = reader.number("reflectance", patch.reflectance, Range::part);
-    patch.tint = read_optional_tint(reader);
-    reader.finish();
-    return patch;
-}
-
-Lamp read_lamp(TomlReader reader) {
-    Lamp lamp;
-    lamp.position = reader.needed_point("position", Range::any);
-    lamp.height = reader.number("height", lamp.height, Range::size);
-    lamp.intensity = reader.number("intensity", lamp.intensity, Range::positive);
-    reader.finish();
-    return lamp;
 }
 
 AmbientSettings read_ambient(TomlReader reader, bool has_lamps) {
