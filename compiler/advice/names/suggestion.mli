@@ -1,7 +1,7 @@
 (** Suggestions of similar names.
 
     Only the first hundred unknown names of a run get suggestions: computing them takes quadratic
-    time, and nobody would read a longer list. *)
+    time, and a longer list would not help the user. *)
 
 open Basis
 

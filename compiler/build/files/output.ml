@@ -84,7 +84,7 @@ let may_be_written path =
         (Printf.sprintf "cannot write %s: %s" (Basis.Printable.name path)
            (Unix.error_message reason))
 
-(* As much of the file as is needed to recognize what kind of file it is. *)
+(* Reads enough of the file to recognize its type. *)
 let beginning content path =
   let first channel =
     let text = Bytes.create 64 in

@@ -25,7 +25,7 @@ let part_name : Expected.part -> string = function
 
 let part_of parts whole = String.concat " of " (List.map part_name parts @ [ whole ])
 
-(* What the signature or annotation requires. A definition with parameters is written like its
+(* Says what the signature or annotation requires. A definition with parameters is written like its
    result, so the result is not mentioned if that is clear. *)
 let required ~by ~of_ (parts : Expected.part list) described =
   let rec without_result : Expected.part list -> _ = function
