@@ -66,7 +66,7 @@ let one_equation name ~before ~after =
   let words =
     String.split_on_char ' ' (String.map (fun c -> if Character.is_name c then c else ' ') after)
   in
-  match Name_in_text.replaced ~name ~by after with
+  match Text_place.replaced ~name ~by after with
   | _ when is_constant before && List.mem "delay" words && List.mem name words ->
       Printf.sprintf
         "remove `%s = %s`: the `delay` in the other equation already has the initial value" name

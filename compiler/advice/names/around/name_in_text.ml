@@ -183,22 +183,6 @@ let equation ~text (span : Span.t) =
   then Some (String.sub line 0 start ^ " " ^ String.sub line sign (String.length line - sign))
   else None
 
-let replaced ~name ~by text =
-  let n = String.length name in
-  let is_part c = Character.is_name c || c = '.' in
-  let rec go i from count parts =
-    if i >= String.length text then
-      let rest = String.sub text from (String.length text - from) in
-      (count, String.concat "" (List.rev (rest :: parts)))
-    else
-      let stop = forward is_part text i in
-      if stop = i then go (i + 1) from count parts
-      else if stop - i = n && String.equal (String.sub text i n) name then
-        go stop stop (count + 1) (by :: String.sub text from (i - from) :: parts)
-      else go stop from count parts
-  in
-  match go 0 0 0 [] with 0, _ -> None | found -> Some found
-
 let definition ~text (span : Span.t) =
   let starts line = line <> "" && Character.is_lower line.[0] in
   let lines = String.split_on_char '\n' text in

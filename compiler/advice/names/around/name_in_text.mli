@@ -61,10 +61,6 @@ val is_an_argument : text:string -> Span.t -> bool
 val equation : text:string -> Span.t -> string option
 (** The line of the name, if it is an equation that begins with the name. *)
 
-val replaced : name:string -> by:string -> string -> (int * string) option
-(** The number of occurrences of the name in an expression, and the expression with each occurrence
-    replaced by this text. [None] if the name does not occur. *)
-
 val definition : text:string -> Span.t -> (string * bool) option
 (** The name that begins the top-level definition around this place, and whether this definition
     contains a [where]. *)

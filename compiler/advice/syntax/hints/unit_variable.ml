@@ -1,21 +1,6 @@
 open Basis
 open Text_place
 
-let replaced word letter line =
-  let n = String.length word in
-  let is_name i = Character.is_name (char_at line i) in
-  let rec go i =
-    if i >= String.length line then ""
-    else if
-      i + n <= String.length line
-      && String.equal (String.sub line i n) word
-      && (not (is_name (i - 1)))
-      && not (is_name (i + n))
-    then letter ^ go (i + n)
-    else String.make 1 line.[i] ^ go (i + 1)
-  in
-  go 0
-
 (* The name before the bracket that contains this offset, such as `Float`. *)
 let type_around text at =
   let rec bracket i =
@@ -46,7 +31,9 @@ let advice text at word =
          && (not (String.contains line '{'))
          && (is_a_name first || String.starts_with ~prefix:"(" first)
          && not (List.mem first [ "data"; "type"; "param"; "foreign" ]) ->
-      let whole = String.trim (replaced word letter line) in
+      let whole =
+        String.trim (Option.fold (replaced ~name:word ~by:letter line) ~none:line ~some:snd)
+      in
       let shown = if String.length whole < 80 then whole else Printf.sprintf "%s[%s]" name letter in
       Some (letter, Printf.sprintf "for any unit, write a single letter: `%s`" shown)
   | Some _ | None -> None

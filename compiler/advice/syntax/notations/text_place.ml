@@ -48,3 +48,20 @@ let find ?(from = 0) part text =
 
 let is_a_name word =
   word <> "" && Basis.Character.is_lower word.[0] && String.for_all Basis.Character.is_name word
+
+let replaced ~name ~by text =
+  let n = String.length name in
+  let is_part c = Basis.Character.is_name c || c = '.' in
+  let rec last i = if is_part (char_at text i) then last (i + 1) else i in
+  let rec go i from count parts =
+    if i >= String.length text then
+      let rest = String.sub text from (String.length text - from) in
+      (count, String.concat "" (List.rev (rest :: parts)))
+    else
+      let stop = last i in
+      if stop = i then go (i + 1) from count parts
+      else if stop - i = n && String.equal (String.sub text i n) name then
+        go stop stop (count + 1) (by :: String.sub text from (i - from) :: parts)
+      else go stop from count parts
+  in
+  match go 0 0 0 [] with 0, _ -> None | found -> Some found

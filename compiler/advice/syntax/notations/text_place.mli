@@ -26,3 +26,7 @@ val find : ?from:int -> string -> string -> int option
 
 val is_a_name : string -> bool
 (** Whether a word has the form of a variable's name. *)
+
+val replaced : name:string -> by:string -> string -> (int * string) option
+(** The number of occurrences of the name in an expression, and the expression with each occurrence
+    replaced by this text. [None] if the name does not occur. *)

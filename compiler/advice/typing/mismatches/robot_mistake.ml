@@ -5,6 +5,10 @@ let is_of_a_robot (g : Ir.Global.t) =
   List.mem g.name [ g.module_ ^ "Input"; g.module_ ^ "Output" ]
   && not (List.mem g.module_ [ "Prelude"; "Robot" ])
 
+(* The library's robots, which the option [--robot] selects by name. *)
+let with_option = [ "Create"; "Pioneer"; "Ros"; "Scout" ]
+let is_an_output (tycon : Ir.Global.t) = String.ends_with ~suffix:"Output" tycon.name
+
 (* The words of a line, without the spaces and punctuation between them. *)
 let words_of line =
   let is_letter c =
@@ -19,25 +23,11 @@ let signature line =
       Some (name, String.concat " " ty)
   | _ -> None
 
-let replace ~word ~by text =
-  let n = String.length word in
-  let buffer = Buffer.create (String.length text) in
-  let rec go i =
-    if i < String.length text then
-      if i + n <= String.length text && String.equal (String.sub text i n) word then (
-        Buffer.add_string buffer by;
-        go (i + n))
-      else (
-        Buffer.add_char buffer text.[i];
-        go (i + 1))
-  in
-  go 0;
-  Buffer.contents buffer
+let replace ~name ~by text = Option.fold (Text_place.replaced ~name ~by text) ~none:text ~some:snd
 
 (* The signature with classes in place of the robot's types. *)
-let generalized (class_ : Ir.Global.t) ~input ~output (name, ty) =
+let generalized (class_ : Ir.Global.t) ~is_of_outputs ~input ~output (name, ty) =
   let has word = List.mem word (words_of ty) in
-  let is_of_outputs = List.mem class_.name [ "HasLight"; "HasSound"; "HasDisplay"; "DiffDrive" ] in
   let constraints =
     (if has input then [ (if is_of_outputs then "HasOdometry i" else class_.name ^ " i") ] else [])
     @ if has output then [ (if is_of_outputs then class_.name ^ " o" else "DiffDrive o") ] else []
@@ -48,14 +38,15 @@ let generalized (class_ : Ir.Global.t) ~input ~output (name, ty) =
       let context =
         match constraints with [ one ] -> one | all -> "(" ^ String.concat ", " all ^ ")"
       in
-      let ty = replace ~word:input ~by:"i" ty |> replace ~word:output ~by:"o" in
+      let ty = replace ~name:input ~by:"i" ty |> replace ~name:output ~by:"o" in
       Some (Printf.sprintf "`%s :: %s => %s`" name context ty)
 
 (* The signatures to change. *)
 let signatures text class_ (robot : Ir.Global.t) =
   let lines = String.split_on_char '\n' text in
   let names (input, output) =
-    List.filter_map signature lines |> List.filter_map (generalized class_ ~input ~output)
+    List.filter_map signature lines
+    |> List.filter_map (generalized class_ ~is_of_outputs:(is_an_output robot) ~input ~output)
   in
   names (robot.module_ ^ "Input", robot.module_ ^ "Output")
   @ if String.equal robot.module_ "Pioneer" then names ("RobotInput", "RobotOutput") else []
@@ -75,14 +66,14 @@ let lacking words ~user ~(at : Span.t) (class_ : Ir.class_) ~of_ =
       let text = Option.value (Source.text (Wording.sources words) at.file) ~default:"" in
       let robots =
         List.filter_map
-          (function Head.Data g when is_of_a_robot g -> Some g.module_ | _ -> None)
+          (function
+            | Head.Data g when is_of_a_robot g && List.mem g.module_ with_option -> Some g.module_
+            | _ -> None)
           (Environment.heads (Wording.environment words) class_)
         |> List.sort_uniq String.compare
       in
       let written =
-        let named =
-          if String.ends_with ~suffix:"Input" tycon.name then "RobotInput" else "RobotOutput"
-        in
+        let named = if is_an_output tycon then "RobotOutput" else "RobotInput" in
         let has word =
           List.exists (fun line -> List.mem word (words_of line)) (String.split_on_char '\n' text)
         in
@@ -100,7 +91,7 @@ let lacking words ~user ~(at : Span.t) (class_ : Ir.class_) ~of_ =
           Diagnostic.message "a %s does not have the capability `%s`, which %s needs" tycon.module_
             class_.name user d
           |> Diagnostic.note "`%s` is the %s of a %s" written
-               (if String.ends_with ~suffix:"Input" tycon.name then "input" else "output")
+               (if is_an_output tycon then "output" else "input")
                tycon.module_
           |>
           match (robots, to_change) with

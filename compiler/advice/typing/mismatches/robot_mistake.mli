@@ -9,5 +9,5 @@ val lacking :
   Ir.class_ ->
   of_:Type.t ->
   (Basis.Diagnostic.t -> Basis.Diagnostic.t) option
-(** Completes the message at this place if [of_] is the input or output of a robot in the library,
-    and the robot does not have the capability that the class stands for. *)
+(** Completes the message at this place if [of_] is the input or output of a robot, which lacks the
+    capability that the class represents. Suggests a robot of the library that has it. *)

@@ -53,3 +53,22 @@ An output, and a program without signatures:
     = note: only `create` has this capability
     = note: `main` is compiled for `pioneer`, but there is no instance `HasLight PioneerOutput`
     = hint: compile it with `--robot create`
+
+A robot that the program defines itself is not offered, because `--robot` does not know its name:
+
+  $ cat > Android.frob <<'FROB'
+  > module Android where
+  > 
+  > import Capability
+  > 
+  > data AndroidInput = AndroidInput { atEdge :: Bool }
+  > 
+  > instance HasCliffs AndroidInput where
+  >     cliffLeft i = i.atEdge
+  >     cliffRight i = i.atEdge
+  >     wheelDropped _ = False
+  > FROB
+  $ sed 's/^import Robot/import Robot\nimport Android/' cliff.frob > own.frob
+  $ frobc check own.frob 2>&1 | grep -o 'robots with.*\|compile with.*'
+  robots with `HasCliffs`: Create
+  compile with `--robot create`
